@@ -40,6 +40,15 @@ def mostly_cpp(evidence: Evidence) -> bool:
     return len(included) > len(imported)
 
 
+def built_otherwise(evidence: Evidence) -> tuple[Warning_, ...]:
+    """Warn about each build tool that builds the repository and that no step of the image calls."""
+    found = (each for each in evidence.mentions if each.topic == "other_builder")
+    advice = (
+        "which no step of the image calls; install it and call it under `custom` in roslab.yaml, or give a Dockerfile"
+    )
+    return tuple(warn(f"the repository is built by {each.value}, {advice}", each) for each in found)
+
+
 def uncompiled(evidence: Evidence) -> tuple[Warning_, ...]:
     """Warn about C++ of a repository of which nothing shows how it is compiled."""
     included = [found for found in evidence.code if found.namespace == "include"]

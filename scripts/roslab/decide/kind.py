@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import cast
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
-from roslab.decide.beside_cpp import mostly_cpp, to_compile, uncompiled
+from roslab.decide.beside_cpp import built_otherwise, mostly_cpp, to_compile, uncompiled
 from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
@@ -85,8 +85,7 @@ def decide_kind(evidence: Evidence, config: Config, folder_name: str = "") -> Ch
         reasons.append(because("kind", "python", "nothing shows what it is: the default", weight=Weight.DEFAULT))
     best = strongest(reasons)
     kind = cast("Kind", best.answer)
-    shown = best.weight > Weight.DEFAULT
-    return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind, shown=shown))
+    return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind, best.weight))
 
 
 def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
@@ -141,13 +140,15 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
     return reasons
 
 
-def _warnings(evidence: Evidence, kind: Kind, *, shown: bool) -> tuple[Warning_, ...]:
+def _warnings(evidence: Evidence, kind: Kind, weight: int) -> tuple[Warning_, ...]:
     """Warn about packages of rosbuild beside others, which no build tool builds together, and of a CUDA for nothing.
 
-    And about C++ that nothing says how to compile.
+    And about C++ that nothing says how to compile, or code that another build tool compiles, by the weight of the kind.
     """
     if kind == "python":
-        return (*warnings_of_cuda(evidence), *(uncompiled(evidence) if not shown else ()))
+        otherwise = built_otherwise(evidence) if weight <= Weight.PROGRAM else ()
+        open_ = uncompiled(evidence) if weight <= Weight.DEFAULT else ()
+        return (*warnings_of_cuda(evidence), *(otherwise or open_))
     old = next((p for p in evidence.cmake if "rosbuild" in p.macros and not places.test(p.file)), None)
     if kind != "ros1" or old is None or any(map(of_rosbuild, packages_of(evidence).built)):
         return ()

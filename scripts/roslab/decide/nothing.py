@@ -21,11 +21,18 @@ def require_something(evidence: Evidence, config: Config, folder_name: str) -> N
     )
     if any(found) or config.file:
         return
+    tools = {each.value: each.file for each in evidence.mentions if each.topic == "other_builder"}
+    hint = "is this the root of the repository? a roslab.yaml can say what it needs"
+    if tools:
+        named = " and ".join(f"{tool} builds {file}" for tool, file in tools.items())
+        hint = (
+            f"{named}, and no step of the image calls it: give a Dockerfile, or call it under `custom` in roslab.yaml"
+        )
     raise NothingToBuildError(
         Problem(
             message="nothing to build was found: no package.xml, CMakeLists.txt, setup.py, pyproject.toml, "
             "requirements file, conda environment, Dockerfile, Python program or C++ source",
-            hint="is this the root of the repository? a roslab.yaml can say what it needs",
+            hint=hint,
         )
     )
 

@@ -1,0 +1,58 @@
+"""Repositories that a build tool builds which no step of the image calls."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.errors import NothingToBuildError
+from roslab.pipeline import plan_repository
+
+
+def told(root: Path, files: dict[str, str]) -> list[str]:
+    """Return the warnings of a tree that name another build tool."""
+    for path, text in files.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text)
+    return [
+        each.message for each in plan_repository(root).decision.warnings if "no step of the image calls" in each.message
+    ]
+
+
+@pytest.mark.parametrize(
+    ("files", "tool"),
+    [
+        (
+            {"Cargo.toml": "[package]\n", "src/main.rs": "fn main() {}\n", "tools/plot.py": "import numpy\n"},
+            "Cargo (Rust)",
+        ),
+        ({"WORKSPACE": "", "BUILD.bazel": "", "src/main.cc": "#include <opencv2/core.hpp>\n"}, "Bazel"),
+        ({"meson.build": "project('a', 'cpp')\n", "main.cpp": "#include <opencv2/core.hpp>\n"}, "Meson"),
+    ],
+)
+def test_the_tool_is_told(tmp_path: Path, files: dict[str, str], tool: str) -> None:
+    (message,) = told(tmp_path, files)
+    assert message.startswith(f"the repository is built by {tool}, ")
+
+
+def test_where_it_builds_all_that_is_told(tmp_path: Path) -> None:
+    with pytest.raises(NothingToBuildError, match="nothing to build was found") as error:
+        told(tmp_path, {"Cargo.toml": "[package]\n", "src/main.rs": "fn main() {}\n"})
+    assert "Cargo (Rust) builds Cargo.toml, and no step of the image calls it" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {
+            "Cargo.toml": "[package]\n",
+            "pyproject.toml": '[project]\nname = "a"\n[build-system]\nrequires = ["maturin"]\n',
+        },
+        {"WORKSPACE": "", "CMakeLists.txt": "project(a)\nadd_executable(a a.cpp)\n", "a.cpp": "int main() {}\n"},
+        {"WORKSPACE": "", "requirements.txt": "numpy\n", "main.py": "import numpy\n"},
+        {"web/go.mod": "module a\n", "main.py": "import numpy\n"},
+    ],
+)
+def test_what_is_built_as_usual_tells_nothing(tmp_path: Path, files: dict[str, str]) -> None:
+    assert told(tmp_path, files) == []
