@@ -104,6 +104,13 @@ def test_a_ppa_is_added_where_what_adds_it_installs_from_it(
     assert bool(told) == (not added and not file.endswith(".yml"))
 
 
+def test_a_ppa_whose_name_a_script_computes_is_told(tree: Tree) -> None:
+    script = f'for PPA in a/b c/d; do\n  sudo apt-add-repository -y ppa:"${{PPA}}"\ndone\n{INSTALL}'
+    decision = tree(CODE | {"install.sh": script, "README.md": "```\n./install.sh\n```\n"})
+    assert decision.repositories == ()
+    assert [w.line for w in decision.warnings if "computes its address" in w.message] == [2]
+
+
 def test_a_known_key_takes_the_place_of_one_without_https(tree: Tree) -> None:
     source = "deb http://packages.osrfoundation.org/gazebo/ubuntu-stable jammy main"
     add = f"sh -c 'echo \"{source}\" > /etc/apt/sources.list.d/g.list'\n"

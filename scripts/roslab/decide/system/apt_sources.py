@@ -21,7 +21,7 @@ NEAR = 60
 """Most lines between a source and what is installed from it."""
 _OF_ROS = "ros-"
 PPA = "ppa:"
-_COMPUTED = pattern(r"[$`{}()]")
+_COMPUTED = pattern(r"[$`{}()…]")
 
 
 def decide_apt_sources(
