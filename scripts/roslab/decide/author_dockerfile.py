@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from roslab.config.model import Config, Kind
+from roslab.decide.author_command import started
 from roslab.decide.chains import Local, local_bases, wanted
+from roslab.decide.command import decide_command
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.launch_needs import started_launch
 from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
 from roslab.decide.system.code_fits import misfits
-from roslab.decide.uncopied_packages import uncopied_package
+from roslab.decide.uncopied_packages import only_manifest, uncopied_by_command, uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import codename_of, distro, distros, ubuntus
 from roslab.knowledge.ended_bases import ended
@@ -23,6 +26,8 @@ from roslab.values.pattern import pattern
 
 MOST_REASONS = 20
 """Most Dockerfiles that the reasons mention; a collection of robots has hundreds."""
+NAMED_PARTS = 3
+"""Most parts of the repository that are named of what a Dockerfile copies."""
 _CUDA = pattern(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
 _ROS = pattern(r"(?:^|/)ros:([a-z]+)")
 _PUBLISHED = (
@@ -81,7 +86,7 @@ def decide_dockerfile(
             _chained(authored, evidence, locals_)
             or doubt(authored, kind, ros_distro, mended=config.repair is not False, local=authored.file in locals_)
             or _secret(authored, config)
-            or (None if authored.file in locals_ else uncopied_package(authored, evidence, ros_distro))
+            or (None if authored.file in locals_ else _uncopied(authored, evidence, config, kind, ros_distro))
         )
         if against is None:
             believed.append(authored)
@@ -90,11 +95,36 @@ def decide_dockerfile(
     if not believed:
         return Choice(answer=None, reasons=tuple(reasons[:MOST_REASONS]))
     best = _best(believed, evidence, kind, ros_distro)
-    why = f"the author's Dockerfile: it copies the repository and starts from {best.base}"
+    why = f"the author's Dockerfile: it copies {_copies(best)} and starts from {best.base}"
     return Choice(
         answer=Dockerfile(file=best.file, context=best.context or ""),
         reasons=(_about(best, why, Weight.BELIEVED), *reasons[: MOST_REASONS - 1]),
     )
+
+
+def _copies(authored: AuthorDockerfile) -> str:
+    """Return what a Dockerfile copies, in words: the repository, or its parts by name."""
+    if not authored.copied or "" in authored.copied:
+        return "the repository"
+    parts = dict.fromkeys(authored.copied)
+    more = f" and {len(parts) - NAMED_PARTS} more" if len(parts) > NAMED_PARTS else ""
+    return f"{', '.join([*parts][:NAMED_PARTS])}{more} of the repository"
+
+
+def _uncopied(
+    authored: AuthorDockerfile, evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None
+) -> str | None:
+    """Return why the image lacks packages of the tree: what it builds, or what would be started in it, needs them."""
+    if kind not in {"ros1", "ros2"}:
+        return uncopied_package(authored, evidence, ros_distro)
+    if why := uncopied_package(authored, evidence, ros_distro) or only_manifest(authored, evidence):
+        return why
+    if not authored.copied or "" in authored.copied or started(authored):
+        return None
+    argv = decide_command(evidence, config, kind, authored.file).answer.command
+    words = () if isinstance(argv, str) else argv[1:] if argv[0] in {"roslaunch", "rosrun"} else argv[2:]
+    ours = bool(words) and argv[0] in {"roslaunch", "rosrun", "ros2"}
+    return uncopied_by_command(authored, words, started_launch(evidence, argv), evidence) if ours else None
 
 
 def _about(authored: AuthorDockerfile, why: str, weight: int) -> Reason:

@@ -34,7 +34,7 @@ def decide_launch_needs(
     starts is read too.
     """
     argv = command.command
-    launch = None if isinstance(argv, str) or config.compatible else _started(evidence, argv)
+    launch = None if isinstance(argv, str) or config.compatible else started_launch(evidence, argv)
     if launch is None:
         return Choice(answer=None)
     given = {name for name, _ in (*there, *config.env)}
@@ -80,13 +80,15 @@ def packages_lacking(
     evidence: Evidence, config: Config, command: tuple[str, ...] | str, ros_distro: str | None
 ) -> tuple[Dependency, ...]:
     """Return the packages that the launch file of the default command needs and the repository does not have."""
-    launch = None if isinstance(command, str) or config.compatible else _started(evidence, command)
+    launch = None if isinstance(command, str) or config.compatible else started_launch(evidence, command)
     found = lacks(evidence, lambda _: False, ros_distro).get(launch.file, ()) if launch else ()
     return tuple(replace(asked, strength="declared") for asked in found)
 
 
-def _started(evidence: Evidence, argv: tuple[str, ...]) -> LaunchFile | None:
+def started_launch(evidence: Evidence, argv: tuple[str, ...] | str) -> LaunchFile | None:
     """Return the launch file of the tree that a command starts."""
+    if isinstance(argv, str):
+        return None
     words = argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
     calls = launch_calls(evidence)
     found = (each for each in evidence.launch if (call := calls.get(each.file)) and words[: len(call)] == call)

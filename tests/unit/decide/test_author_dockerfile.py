@@ -260,3 +260,36 @@ def test_the_ubuntu_of_ci_chooses_none_for_ros_or_python(kind: Kind) -> None:
     )
     choice = decide_dockerfile(Evidence(dockerfiles=dockerfiles, mentions=(ci,)), Config(), kind, "humble")
     assert choice.answer == Dockerfile(file="Dockerfile", context="")
+
+
+@pytest.mark.parametrize(
+    ("lines", "why"),
+    [
+        ("COPY bringup /ws/src/bringup", "it does not copy driver, and what would be started in it needs"),
+        ("COPY bringup /ws/src/bringup\nCOPY driver /ws/src/driver", ""),
+        ("COPY bringup /ws/src/bringup\nCMD /ws/src/bringup/simulate", ""),
+        ("COPY bringup/package.xml /ws/src/bringup/\nCOPY tools /tools", "it copies bringup/package.xml and nothing"),
+        ("COPY bringup/package.xml bringup/CMakeLists.txt /ws/src/bringup/\nCOPY driver /ws/src/driver", ""),
+        ("COPY . /ws/src/demo", ""),
+    ],
+)
+def test_the_image_has_what_is_started_in_it(tmp_path: Path, lines: str, why: str) -> None:
+    files = {
+        "Dockerfile": f"FROM ros:humble-ros-base\n{lines}\nRUN cd /ws && colcon build\n",
+        "tools/check.py": "print(1)\n",
+        "bringup/launch/robot.launch.py": "from launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='driver', executable='drive')])\n",
+    }
+    for name in ("bringup", "driver"):
+        files[f"{name}/package.xml"] = (
+            f"<package><name>{name}</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+        )
+        files[f"{name}/CMakeLists.txt"] = f"project({name})\nfind_package(ament_cmake REQUIRED)\n"
+    files["README.md"] = "# Demo\n```\nros2 launch bringup robot.launch.py\n```\n"
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    choice = decide_dockerfile(gather(Repository(tmp_path)), Config(), "ros2", "humble")
+    assert bool(choice.answer) is not bool(why)
+    assert choice.reasons[0].reason.startswith(why or "the author's Dockerfile: it copies ")
