@@ -25,10 +25,24 @@ _LAST = pattern(r"&&|\|\||;|\n")
 
 def started(authored: AuthorDockerfile) -> tuple[str, ...]:
     """Return the program that a container starts by itself, ``()`` for a shell."""
-    entry = authored.entrypoint
+    entry, command = authored.entrypoint, _command(authored)
     if entry_point(entry) == "program":
-        return entry if entry[1:2] == ("-c",) or idle(authored.command) else (*entry, *authored.command)
-    return () if idle(authored.command) else authored.command
+        return entry if entry[1:2] == ("-c",) or idle(command) else (*entry, *command)
+    return () if idle(command) else command
+
+
+def composed(authored: AuthorDockerfile) -> tuple[str, ...]:
+    """Return what a container is given where Docker Compose starts another command, or sets variables; else ``()``."""
+    service, argv = authored.service, started(authored)
+    if service is None or not argv or not (service.command or service.environment):
+        return ()
+    variables = tuple(f"{name}={value}" for name, value in service.environment)
+    return ("env", *variables, *argv) if variables else argv
+
+
+def _command(authored: AuthorDockerfile) -> tuple[str, ...]:
+    """Return the command that Docker Compose gives a container, else the CMD."""
+    return (authored.service.command if authored.service else ()) or authored.command
 
 
 def startable(candidate: Candidate, authored: AuthorDockerfile) -> bool:

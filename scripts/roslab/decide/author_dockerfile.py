@@ -249,12 +249,16 @@ def _run_by_ci(evidence: Evidence) -> frozenset[str]:
 
 
 def _named(evidence: Evidence) -> frozenset[str]:
-    """Return the Dockerfiles that the pages at the root have built: ``docker build -f docker/gpu.Dockerfile .``."""
+    """Return the Dockerfiles that the pages at the root have built: ``docker build -f docker/gpu.Dockerfile .``.
+
+    Or by Docker Compose.
+    """
     files = {authored.file for authored in evidence.dockerfiles}
     built = (m for m in evidence.mentions if m.topic == "image_built" and m.source == "readme" and "/" not in m.file)
     said = {wanted(mention.text.split()) for mention in built}
     below = {file for file in files for name in said - files if file.endswith(f"/{name}")}  # the page went there before
-    return frozenset(said & files | below)
+    composed = {authored.file for authored in evidence.dockerfiles if authored.service}
+    return frozenset(said & files | below | composed)
 
 
 def _rank(

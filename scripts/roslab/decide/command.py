@@ -6,7 +6,7 @@ import posixpath
 import shlex
 
 from roslab.config.model import Config, Kind
-from roslab.decide.author_command import entry_point, given, startable, started
+from roslab.decide.author_command import composed, entry_point, given, startable, started
 from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
@@ -85,14 +85,14 @@ def decide_command(
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
     inside = next((c for c in found if c.argv == command and c.inside), None)
-    ports = ports_of(command)
+    ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
     page = by_argv.get(command)
     whole = launched(inside or page, evidence) if page else None
     command = whole.argv if whole else command
     chosen = Command(
         command=there(whole or inside) if inside else command, candidates=candidates, gui=gui, ports=ports, page=page
     )
-    if not (authored and started(authored)) and command != ("bash",):
+    if (authored and composed(authored)) or (not (authored and started(authored)) and command != ("bash",)):
         chosen = _given(chosen, dockerfile, authored)
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
     return Choice(answer=chosen, reasons=reasons, warnings=left_to_reader(page, evidence) if page else ())
@@ -116,10 +116,13 @@ def _given(chosen: Command, dockerfile: str | None, authored: AuthorDockerfile |
 
 def _authors(authored: AuthorDockerfile) -> tuple[tuple[str, ...], Reason] | None:
     """Return what the author's Dockerfile starts, ``None`` for a shell."""
-    if not (argv := started(authored)):
+    if not (argv := composed(authored) or started(authored)):
         return None
     place = Place(file=authored.file, line=authored.command_line or authored.line)
     why = "the author's Dockerfile starts it"
+    if authored.service and authored.service.command:
+        why = f"Docker Compose starts it, which {authored.service.said} runs"
+        place = Place(file=authored.service.file, line=authored.service.line)
     return argv, because("command", shlex.join(argv), why, place, weight=Weight.AUTHORS_IMAGE)
 
 

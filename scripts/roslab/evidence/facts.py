@@ -14,6 +14,7 @@ from roslab.evidence.old_code import OldCode
 from roslab.evidence.own_key import OwnKey
 from roslab.evidence.program import Program
 from roslab.evidence.removed_name import Removed
+from roslab.evidence.service import Service
 from roslab.evidence.x86_only import X86Only
 from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass
@@ -195,6 +196,7 @@ class AuthorDockerfile:
     recipe: str | None = None
     """Its text, if it needs no build context."""
     copied: tuple[str, ...] = ()  # files and folders, relative to the root; none where a pattern is among them
+    service: Service | None = None  # the service of Docker Compose that a page at the root starts from it
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -10,16 +10,33 @@ from roslab.decide.python.manifests import resolve
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 SMALL_WRAPPER = 3
 """A Python program with at most this many ROS packages below its root only has a ROS wrapper."""
+_OF_ROS = pattern(r"(?:^|/)ros:")
 _STARTERS = ("roslaunch", "rosrun", "ros2")
 
 
 def wraps(evidence: Evidence, manifests: list[str]) -> bool:
     """Tell whether the ROS packages with these manifests are an extra of a Python program."""
+    if _in_service(evidence, manifests):
+        return False
     return _wrapper(evidence, manifests) or _of_library(evidence, manifests) or _by_pip(evidence, manifests)
+
+
+def _in_service(evidence: Evidence, manifests: list[str]) -> bool:
+    """Tell whether a page has Docker Compose start an image of ROS that holds one of the packages."""
+    images = [each for each in evidence.dockerfiles if each.service and _OF_ROS.search(each.base or "")]
+    held = {source for each in images for source in each.copied}
+    return any(not held.isdisjoint({"", *_above(file)}) for file in manifests)
+
+
+def _above(file: str) -> Iterator[str]:
+    """Yield the folders that a file lies in."""
+    while file := file.rpartition("/")[0]:
+        yield file
 
 
 def run_by_page(evidence: Evidence) -> Mention | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable
 
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import AuthorDockerfile, Mention
@@ -13,13 +12,14 @@ from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sour
 from roslab.evidence.lex.shell import Command, expand
 from roslab.evidence.prose import mentions, other_dockerfiles
 from roslab.evidence.prose.build_values import Values, secret_of
+from roslab.evidence.prose.composed import services
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_its_copy
 from roslab.evidence.prose.entry_scripts import started_by
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.recipe import recipe
-from roslab.evidence.prose.uncopied import uncopied
+from roslab.evidence.prose.uncopied import paths_of, uncopied
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -217,6 +217,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         missing = missing or f"it copies the packages into {start.source} and builds none of them"
     if other_dockerfiles.named_otherwise(file):
         missing = missing or "it has a name of its own: it tells what the image needs, and none is made with it"
+    service = services(repository).get(file.path)
     itself = any(_itself(repository, clone) for clone in collector.sources)
     return AuthorDockerfile(
         file=file.path,
@@ -233,14 +234,17 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         entrypoint=started_by(repository, start.entrypoint),
         starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
         source=_from_start(start),
-        purpose="vendored" if in_copy(repository, file) else purpose_of(file.path, reading.base or "", problem),
+        purpose="vendored"
+        if in_copy(repository, file)
+        else purpose_of(file.path, reading.base or "", problem, service),
+        service=service,
         problem=problem or reading.needs or missing,
         context=context,
         secrets=tuple(sorted(dict(reversed(reading.secrets)).items(), key=lambda found: found[1])),
         clones_itself=itself,
         recipe=recipe(text),
         updates_rosdep=reading.updates_rosdep,
-        copied=_paths(context or "", dict(reading.copied)),
+        copied=paths_of(context or "", reading.copied),
     )
 
 
@@ -249,11 +253,6 @@ def _from_start(start: _Start) -> str:
     if start.source is None or "$" in f"{start.source}{start.workdir}":
         return ""
     return posixpath.relpath(start.source, posixpath.join("/", start.workdir))
-
-
-def _paths(context: str, copied: Iterable[str]) -> tuple[str, ...]:
-    paths = tuple(f"{context}/{source}".strip("/") for source in copied)
-    return () if any(re.search(r"[*?\[]", path) for path in paths) else paths
 
 
 def _collect(collector: Collector, instruction: Instruction) -> None:

@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from typing import Literal
 
 from roslab.evidence import places
+from roslab.evidence.service import Service
 from roslab.values.pattern import pattern
 
-_DEPLOY = pattern(
-    r"jetson|l4t|deploy|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|production|release|simulator|\bursim\b",
-    re.IGNORECASE,
-)
+_MACHINE = pattern(r"jetson|l4t|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|\bursim\b", re.IGNORECASE)
+_DEPLOY = pattern(r"deploy|production|release|simulator", re.IGNORECASE)
+"""Unless a page at the root has Docker Compose start it."""
 _CI = pattern(
     r"(?:^|[/._-])ci(?:[/._-]|$)|\.circleci|\.?devcontainer|\.github|\.gitlab|jenkins|travis|azure|clang-tidy|"
     r"coverage|lint",
@@ -35,9 +35,12 @@ _OF_SYSTEM = pattern(r"\b(?:apt(?:-get)?|rosdep)\b[^;&|]*|\S*/(?:setup|local_set
 
 
 def purpose_of(
-    path: str, base: str, problem: str | None
+    path: str, base: str, problem: str | None, service: Service | None = None
 ) -> Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]:
-    """Return what a Dockerfile at a path with this base is for; one with a problem is broken."""
+    """Return what a Dockerfile at a path with this base is for; one with a problem is broken.
+
+    ``service``: that of Docker Compose which a page has started from it, if any.
+    """
     if problem:
         return "broken"
     if places.vendored(path):
@@ -46,7 +49,11 @@ def purpose_of(
         return "documentation"
     if _CI.search(path):
         return "ci"
-    if _DEPLOY.search(path) or re.search(r"l4t|jetson|arm32v7|arm64v8|ursim", base):
+    if (
+        _MACHINE.search(path)
+        or (service is None and _DEPLOY.search(path))
+        or re.search(r"l4t|jetson|arm32v7|arm64v8|ursim", base)
+    ):
         return "deploy"
     return "project"
 

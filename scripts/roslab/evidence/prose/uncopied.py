@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterable, Sequence
 
 from roslab.repository.checkout import Repository
@@ -10,6 +11,12 @@ from roslab.values.pattern import pattern
 
 _OPEN = pattern(r"[*?\[$]")
 _PUNCTUATION = "\"'`;&()"
+
+
+def paths_of(context: str, copied: Iterable[tuple[str, int]]) -> tuple[str, ...]:
+    """Return what is copied, relative to the root: none where a pattern is among it. ``copied``: each with its line."""
+    paths = tuple(f"{context}/{source}".strip("/") for source in dict(copied))
+    return () if any(re.search(r"[*?\[]", path) for path in paths) else paths
 
 
 def uncopied(repository: Repository, context: str, copied: Iterable[str], starts: Sequence[str]) -> str | None:

@@ -1,0 +1,126 @@
+"""The Dockerfiles that a page at the root has Docker Compose build: ``docker compose up``.
+
+https://docs.docker.com/reference/compose-file/build/, https://docs.docker.com/reference/compose-file/interpolation/
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import shlex
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from roslab.evidence import places
+from roslab.evidence.lex.yaml import load
+from roslab.evidence.prose.pages import pages, text_of
+from roslab.evidence.service import Service
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 64 * 1024
+MAX_DEPTH = 2
+_CALL = pattern(r"\bdocker[- ]compose((?:[ \t]+-\S+(?:[ \t]+[^-\s]\S*)??)*)[ \t]+(?:up|build|run)\b")
+_FILE = pattern(r"(?:-f|--file)(?:[ \t]+|=)(\S+)")
+_DEFAULTS = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
+_VALUE = pattern(r"\$(?:\{(\w+)(?::?-([^}]*))?\}|(\w+))")
+
+
+def services(repository: Repository) -> Mapping[str, Service]:
+    """Return the service of each such Dockerfile, by its path."""
+    return repository.once(_services)
+
+
+def _services(repository: Repository) -> dict[str, Service]:
+    found: dict[str, list[Service]] = {}
+    for page in (page for page in pages(repository) if not page.folder):
+        for call in _CALL.finditer(text_of(repository, page)):
+            file = _composed(repository, call[1])
+            for dockerfile, service in _built(repository, file, page) if file else ():
+                found.setdefault(dockerfile, []).append(service)
+        if found:
+            break
+    return {path: _only(made) for path, made in found.items()}
+
+
+def _only(made: list[Service]) -> Service:
+    """Return the service; of several with one Dockerfile none tells how its container is started."""
+    first = made[0]
+    alone = all((each.file, each.line) == (first.file, first.line) for each in made)
+    return first if alone else Service(file=first.file, line=first.line, said=first.said)
+
+
+def _composed(repository: Repository, options: str) -> File | None:
+    """Return the first file that a call names, else that which Compose takes, else the only one of the tree."""
+    if named := _FILE.search(options):
+        path = posixpath.normpath(named[1])
+        return next((file for file in repository.named(path.rpartition("/")[2]) if file.path.endswith(path)), None)
+    files = [f for f in repository.named(*_DEFAULTS) if f.path.count("/") <= MAX_DEPTH and not places.aside(f.path)]
+    top = [file for file in files if not file.folder]
+    return next(iter(top or files), None) if top or len(files) == 1 else None
+
+
+def _built(repository: Repository, file: File, page: File) -> Iterator[tuple[str, Service]]:
+    """Yield each Dockerfile that a file of Compose builds, with its service."""
+    if file.size > MAX_SIZE:
+        return
+    text = repository.read(file)
+    document = load(text)
+    listed = document.get("services") if isinstance(document, dict) else None
+    for name, said in listed.items() if isinstance(listed, dict) else ():
+        made = said.get("build") if isinstance(said, dict) else None
+        if isinstance(made, str):
+            made = {"context": made}
+        if not isinstance(made, dict):
+            continue
+        where = (str(made.get("context") or "."), str(made.get("dockerfile") or "Dockerfile"))
+        line = text[: match.start()].count("\n") + 1 if (match := _key(str(name)).search(text)) else 1
+        own = not said.get("entrypoint")
+        yield (
+            posixpath.normpath(posixpath.join(file.folder, *where)),
+            Service(
+                file=file.path,
+                line=line,
+                said=page.path,
+                command=_argv(said.get("command")) if own else (),
+                ports=tuple(_filled(str(port)) or "" for port in _items(said.get("ports")) if _plain(port)),
+                environment=tuple(_environment(said.get("environment"))),
+            ),
+        )
+
+
+def _key(name: str) -> re.Pattern[str]:
+    return re.compile(rf"^[ \t]+[\"']?{re.escape(name)}[\"']?:", re.MULTILINE)
+
+
+def _items(said: Any) -> list[Any]:
+    return said if isinstance(said, list) else []
+
+
+def _plain(port: Any) -> bool:
+    return isinstance(port, str | int) and bool(re.fullmatch(r"(?:[\w.]+:)*\d+(?:/\w+)?", _filled(str(port)) or ""))
+
+
+def _argv(said: Any) -> tuple[str, ...]:
+    """Return a command as words, ``()`` where it is not known."""
+    try:
+        words = shlex.split(said) if isinstance(said, str) else [str(word) for word in _items(said)]
+    except ValueError:
+        return ()
+    filled = [_filled(word) for word in words]
+    return () if None in filled else tuple(word for word in filled if word is not None)
+
+
+def _environment(said: Any) -> Iterator[tuple[str, str]]:
+    pairs = said.items() if isinstance(said, dict) else (str(each).partition("=")[::2] for each in _items(said))
+    for name, value in pairs:
+        filled = _filled("" if value is None else str(value).lower() if isinstance(value, bool) else str(value))
+        if filled:
+            yield str(name), filled
+
+
+def _filled(text: str) -> str | None:
+    """Return a value with the defaults of the variables in it, ``None`` where one has none."""
+    if any(match[2] is None for match in _VALUE.finditer(text.replace("$$", ""))):
+        return None
+    return "$".join(_VALUE.sub(lambda match: match[2], part) for part in text.split("$$"))

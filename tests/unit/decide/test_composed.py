@@ -1,0 +1,81 @@
+"""The image that a page has Docker Compose build and start."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PAGE = "# Demo\n## Run the simulation\n```\ndocker compose up --build\n```\n"
+COMPOSE = """services:
+  simulation:
+    build:
+      context: .
+      dockerfile: Dockerfile.simulator
+    ports:
+      - "9090:9090"
+    environment:
+      - WORLD=${WORLD:-house}
+      - DISPLAY=${DISPLAY}
+"""
+SIMULATOR = "FROM ros:humble-ros-base\nCOPY . /ws/src/demo\nRUN cd /ws && colcon build\nCMD /ws/src/demo/start.sh\n"
+PLAIN = "FROM ros:humble-ros-base\nCOPY . /ws/src/demo\nRUN cd /ws && colcon build\n"
+FILES = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+    "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+    "start.sh": "exec ros2 launch demo a.launch.py world:=$WORLD\n",
+    "Dockerfile.simulator": SIMULATOR,
+    "Dockerfile.robot": PLAIN,
+    "docker-compose.yml": COMPOSE,
+}
+
+
+@pytest.mark.parametrize(
+    ("page", "changed", "dockerfile"),
+    [
+        (PAGE, {}, "Dockerfile.simulator"),
+        (PAGE.replace("docker compose", "docker-compose -f docker-compose.yml"), {}, "Dockerfile.simulator"),
+        ("# Demo\n", {}, "Dockerfile.robot"),
+        (PAGE, {"docker-compose.yml": "services:\n  a:\n    image: b\n"}, "Dockerfile.robot"),
+        (PAGE, {"docker-compose.yml": COMPOSE.replace("simulator", "robot")}, "Dockerfile.robot"),
+        (PAGE, {"docker-compose.yml": "services: [\n"}, "Dockerfile.robot"),
+    ],
+)
+def test_the_dockerfile_of_compose_is_the_projects_whatever_its_name(
+    tree: Tree, page: str, changed: dict[str, str], dockerfile: str
+) -> None:
+    assert tree(FILES | {"README.md": page} | changed).dockerfile == dockerfile
+
+
+def test_a_container_gets_its_ports_and_variables(tree: Tree) -> None:
+    decision = tree(FILES | {"README.md": PAGE})
+    assert decision.command == ("env", "WORLD=house", "bash", "-c", "/ws/src/demo/start.sh")
+    assert decision.ports == ("9090:9090",)
+    assert decision.command_given
+
+
+def test_the_command_of_compose_comes_before_that_of_the_dockerfile(tree: Tree) -> None:
+    compose = COMPOSE.partition("    ports")[0] + "    command: ros2 launch demo b.launch.py\n"
+    decision = tree(FILES | {"README.md": PAGE, "docker-compose.yml": compose})
+    assert decision.command == ("ros2", "launch", "demo", "b.launch.py")
+    assert decision.command_given
+
+
+def test_of_two_services_with_one_dockerfile_none_tells_how_it_starts(tree: Tree) -> None:
+    compose = COMPOSE + COMPOSE.partition("\n")[2].replace("simulation:", "other:").replace("house", "garden")
+    decision = tree(FILES | {"README.md": PAGE, "docker-compose.yml": compose})
+    assert decision.dockerfile == "Dockerfile.simulator"
+    assert decision.command == ("bash", "-c", "/ws/src/demo/start.sh")
+    assert not decision.ports
+
+
+def test_packages_that_compose_starts_are_more_than_a_wrapper(tree: Tree) -> None:
+    files = {f"ros/{name}": text for name, text in FILES.items() if name in {"package.xml", "CMakeLists.txt"}}
+    files |= {"setup.py": "from setuptools import setup\nsetup(name='demo')\n", "demo/__init__.py": "import requests\n"}
+    files |= {"Dockerfile.simulator": SIMULATOR.replace("COPY . /ws/src/demo", "COPY ros /ws/src/ros")}
+    files |= {"docker-compose.yml": COMPOSE}
+    assert tree(files).kind == "python"
+    assert tree(files | {"README.md": PAGE}).kind == "ros2"
