@@ -45,6 +45,8 @@ def test_a_program_that_imports_what_only_ros_brings(tree: Tree, files: dict[str
         ('exec bags-convert "$@"', ("bags-convert",)),
         ("exec python3 -m bags $@", ("python3", "-m", "bags")),
         ('exec "$@"', ("bash",)),
+        ('exec -- "$@"', ("bash",)),
+        ('exec -- bags-convert "$@"', ("bags-convert",)),
         ('exec bags-convert "$@"\nsleep 1', ("bash",)),
     ],
 )

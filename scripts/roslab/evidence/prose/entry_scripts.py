@@ -26,6 +26,7 @@ def started_by(repository: Repository, entrypoint: tuple[str, ...]) -> tuple[str
     if found is None:
         return entrypoint
     try:
-        return tuple(shlex.split(found[1]))
+        words = tuple(shlex.split(found[1]))
     except ValueError:
         return entrypoint
+    return (words[1:] or entrypoint) if words[:1] == ("--",) else words  # the end of the options of exec itself
