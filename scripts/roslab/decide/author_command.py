@@ -9,6 +9,7 @@ from typing import Literal
 
 from roslab.decide.candidate import Candidate, program_of
 from roslab.evidence.facts import AuthorDockerfile
+from roslab.knowledge.distros import codename_of
 from roslab.values.pattern import pattern
 
 EntryPoint = Literal["none", "wrapper", "shell", "program"]
@@ -18,6 +19,8 @@ _WAITS = frozenset({"tail", "sleep", "tmux", "screen", "terminator", "xterm", "b
 """Programs that keep a container open for a person, or for the nodes that are started in it."""
 _INITS = frozenset({"tini", "dumb-init", "docker-init", "env", "gosu"})
 _RUNNERS = frozenset({"conda", "mamba", "micromamba"})
+_START_SHELLS = ("debian:", "osrf/", "nvidia/", "nvcr.io/", "pytorch/", "continuumio/", "mambaorg/", "condaforge/")
+"""Beginnings of the names of images that start a shell, through an entry point that sets something up."""
 _WRAPPER = pattern(r"entry[-_]?point|^ros_entry", re.IGNORECASE)
 _OF_ROS = frozenset({"roslaunch", "rosrun", "ros2"})
 _LAST = pattern(r"&&|\|\||;|\n")
@@ -29,6 +32,13 @@ def started(authored: AuthorDockerfile) -> tuple[str, ...]:
     if entry_point(entry) == "program":
         return entry if entry[1:2] == ("-c",) or idle(command) else (*entry, *command)
     return () if idle(command) else command
+
+
+def left_to_base(authored: AuthorDockerfile) -> bool:
+    """Tell whether a base says what a container starts, and it is no system, whose images start a shell."""
+    own = authored.command or authored.entrypoint or (authored.service and authored.service.command)
+    base = authored.base or ""
+    return not own and codename_of(base) is None and not base.startswith(_START_SHELLS)
 
 
 def composed(authored: AuthorDockerfile) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ import posixpath
 import shlex
 
 from roslab.config.model import Config, Kind
-from roslab.decide.author_command import composed, entry_point, given, startable, started
+from roslab.decide.author_command import composed, entry_point, given, left_to_base, startable, started
 from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.decision import Choice, Reason
@@ -94,6 +94,8 @@ def decide_command(
     )
     if (authored and composed(authored)) or (not (authored and started(authored)) and command != ("bash",)):
         chosen = _given(chosen, dockerfile, authored)
+    elif authored and command == ("bash",) and left_to_base(authored):
+        chosen = replace(chosen, given=True, entrypoint=False)  # the base's own program is none of the repository
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
     return Choice(answer=chosen, reasons=reasons, warnings=left_to_reader(page, evidence) if page else ())
 

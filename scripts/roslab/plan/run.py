@@ -53,8 +53,10 @@ def given(decision: Decision) -> Given | None:
         return None
     command, ros = decision.command, decision.kind in ("ros1", "ros2")
     before = WORKSPACES if ros else ""
-    if isinstance(command, str):
-        argv: tuple[str, ...] = ("bash", "-c", before + command)
+    if command == ("bash",):
+        argv: tuple[str, ...] = command
+    elif isinstance(command, str):
+        argv = ("bash", "-c", before + command)
     elif not decision.command_named and decision.build_tool == "cmake" and not ros:
         argv = ("bash", "-c", _COMPILED + 'exec "$@"', "start", *command)
     else:

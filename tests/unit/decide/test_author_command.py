@@ -12,6 +12,7 @@ from roslab.decide.author_command import entry_point, idle
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan
+from roslab.plan.run import Given
 
 Tree = Callable[[dict[str, str]], Decision]
 RUN = "## Usage\n\n```\n{}\n```\n"
@@ -99,7 +100,7 @@ def test_a_file_is_run_where_containers_start_beside_it(tree: Tree, folders: str
     page = RUN.format("python demo.py")
     decision = tree({"demo.py": "print(1)\n", "README.md": page, "Dockerfile": f"FROM python:3.9\n{folders}"})
     assert (decision.dockerfile, decision.command) == ("Dockerfile", command)
-    assert decision.command_given == (command != ("bash",))
+    assert decision.command_given  # a shell, too: the base would start Python's prompt
 
 
 def planned(folder: Path, files: dict[str, str]) -> Plan:
@@ -213,3 +214,21 @@ def test_of_an_image_of_the_author_only_what_it_copies_is_looked_for(
     decision = tree({**files, "Dockerfile": image})
     assert (decision.dockerfile, tuple(sorted(decision.package_names))) == ("Dockerfile", names)
     assert not any("rosdep has no key" in each.message for each in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    ("base", "last", "given"),
+    [
+        ("ghcr.io/lab/robot:1.2", "", True),
+        ("python:3.12", "", True),
+        ("ghcr.io/lab/robot:1.2", "CMD bash\n", False),
+        ("ubuntu:22.04", "", False),
+        ("pytorch/pytorch:2.4.0-cuda12.4-cudnn9-runtime", "", False),
+    ],
+)
+def test_the_shell_of_the_plan_is_what_a_container_starts(tmp_path: Path, base: str, last: str, *, given: bool) -> None:
+    (tmp_path / "Dockerfile").write_text(f"FROM {base}\nCOPY . /robot\nRUN pip install /robot\n{last}")
+    (tmp_path / "setup.py").write_text("from setuptools import setup\nsetup(name='robot', packages=['robot'])\n")
+    plan = plan_repository(tmp_path).plan
+    assert plan.run.command == ("bash",)
+    assert plan.run.given == (Given(command=("bash",), entrypoint=False) if given else None)
