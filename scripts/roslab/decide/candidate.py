@@ -69,7 +69,7 @@ def is_component(argv: Sequence[str]) -> bool:
 def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
     """Return the words of a command that name the program, without its arguments; any Python counts as ``python3``."""
     words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 1) + is_component(argv)
-    if argv[0] in {"bash", "sh"}:
+    if argv[0] in {"bash", "sh", "make"}:
         return argv[:2]
     if argv[0].startswith("python"):
         return ("python3", *program_of_python(argv)[0])

@@ -181,7 +181,7 @@ def _runnable(
     if argv[0] in _WORDS or argv[0] in SIMULATORS:
         return _of_ros(argv, mention, tree) if ros else None
     if not argv[0].startswith("python"):
-        installed = argv if argv[0] in tree.installed and not ros else None
+        installed = argv if (argv[0] in tree.installed and not ros) or argv[0] == "make" else None
         return (_built(argv, tree) if ros or compiled else None) or installed or script_of(argv, mention, ros, compiled)
     named = (file for file in mention.files if file.endswith(".py") or bare(file))  # a script needs no guard to be run
     programs = tuple(dict.fromkeys((*tree.programs, *named)))

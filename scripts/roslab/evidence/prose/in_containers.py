@@ -29,12 +29,12 @@ def started_in(code: str, line: int, heading: str, file: str) -> tuple[Mention, 
     collector = Collector(file, "readme", heading=f"{heading} / {CONTAINER}")
     for start, logical in logical_lines(code, line):
         for command in commands(blanks.filled(logical, of_page=True), start):
-            for inner in _inner(command):
+            for inner in inside(command):
                 collector.command(inner)
     return tuple(mention for mention in collector.mentions if mention.topic == "command")
 
 
-def _inner(command: Command) -> Iterator[Command]:
+def inside(command: Command) -> Iterator[Command]:
     """Yield what ``docker run``, ``docker exec`` or ``docker compose run`` starts, as far as it is Python or ROS."""
     words = command.words
     verb = next((n for n, word in enumerate(words[:4]) if word in _VERBS), 0)
@@ -45,12 +45,13 @@ def _inner(command: Command) -> Iterator[Command]:
         if before.startswith("-") or not (UNKNOWN in before or _NAME.fullmatch(before)):
             continue
         if _SHELL.fullmatch(word):
-            yield from (inner for inner in commands(shlex.join(words[index:]), command.line) if _program(inner.words))
+            yield from (inner for inner in commands(shlex.join(words[index:]), command.line) if is_program(inner.words))
             return
-        if _program(words[index:]):
+        if is_program(words[index:]):
             yield command._replace(words=words[index:], lines=command.lines[index:])
             return
 
 
-def _program(words: tuple[str, ...]) -> bool:
+def is_program(words: tuple[str, ...]) -> bool:
+    """Tell whether words start something with Python or ROS."""
     return bool(_PYTHON.fullmatch(words[0])) or by_ros(words[0], words)

@@ -34,6 +34,7 @@ from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
+from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
@@ -168,7 +169,9 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from () if repository.named(mention.value.partition("?")[0].rpartition("/")[2]) else (mention,)
     elif mention.topic != "command":
         yield from () if mention.topic == "compiled" and of_another(mention, repository) else (mention,)
-    elif not leads_elsewhere(told := with_files(mention, repository), repository):
+    elif started := in_container(told := with_files(mention, repository), repository):
+        yield from (with_files(started, repository),) if started.value else ()
+    elif not leads_elsewhere(told, repository):
         yield told
         yield from fetched_by(told, repository)
         yield from of_python(told, repository)

@@ -49,4 +49,9 @@ def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
 def _leads_elsewhere(text: str) -> bool:
     if _INSTALLS.search(text) and not _STARTS.search(text):
         return True
-    return stops_unset(text) or any(_OPENS.match(line) or _CONTAINER.match(line) for line in text.splitlines())
+    return stops_unset(text) or starts_container(text) or any(map(_OPENS.match, text.splitlines()))
+
+
+def starts_container(text: str) -> bool:
+    """Tell whether a line of a script calls the engine that starts containers."""
+    return any(map(_CONTAINER.match, text.splitlines()))
