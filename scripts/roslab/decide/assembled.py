@@ -6,6 +6,7 @@ from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.author_dockerfile import Dockerfile
 from roslab.decide.base import BaseImage
 from roslab.decide.command import Command
+from roslab.decide.conflicts import decide_conflicts
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Python, Warning_
 from roslab.decide.launch_needs import decide_launch_needs
@@ -111,6 +112,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
                 ),
             )
         ),
+        decide_conflicts(evidence),
         *(() if of.own.answer else (decide_outside(evidence, config, of.kind.answer),)),
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
     )

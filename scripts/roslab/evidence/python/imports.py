@@ -14,6 +14,7 @@ from roslab.evidence.program import Program
 from roslab.evidence.python import notebooks
 from roslab.evidence.python.modules import Module, modules
 from roslab.evidence.python.own_folder import own_folder
+from roslab.evidence.python.own_tests import only_tests
 from roslab.evidence.python.rendered import rendered
 from roslab.evidence.python.told import told
 from roslab.knowledge.frameworks import imports as known_imports
@@ -207,6 +208,8 @@ def programs(repository: Repository) -> tuple[Program, ...]:
         if file.name == "__main__.py":
             found.append(Program(file=file.path, line=1, kind="main"))
         elif "__main__" in module.words and (match := first_line(_MAIN, text, "__main__")):
+            if only_tests(text[match.end() :]):
+                continue
             node = module.names_ros and bool(_NODE.search(text))
             found.append(
                 Program(
