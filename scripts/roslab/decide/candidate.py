@@ -43,16 +43,23 @@ class Candidate:
     """It is a script that cannot do without a folder of its author's computer."""
     tried: bool = False
     """A page has the reader run it to see whether it works."""
+    makes: tuple[str, ...] = ()
+    """Folders that the page makes right before it."""
     of_python: bool = False
     """It is a shell script that starts a program of Python."""
 
 
 def there(candidate: Candidate) -> str:
-    """Return the command line that goes to the folder in which the program has to be started, and starts it."""
-    folder = candidate.inside
+    """Return the command line that goes to the folder in which the program has to be started, and starts it.
+
+    Before that, it makes the folders that the page makes.
+    """
+    folder = candidate.inside or "."
     ours = {*candidate.files, *(word for word in candidate.argv if word.endswith(".py"))}
     words = (posixpath.relpath(word, folder) if word in ours else word for word in candidate.argv)
-    return f"cd {shlex.quote(folder)} && exec {shlex.join(words)}"
+    before = f"cd {shlex.quote(folder)} && " if candidate.inside else ""
+    before += f"mkdir -p {shlex.join(candidate.makes)} && " if candidate.makes else ""
+    return f"{before}exec {shlex.join(words)}"
 
 
 def is_python(candidate: Candidate) -> bool:

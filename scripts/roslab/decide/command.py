@@ -84,7 +84,7 @@ def decide_command(
         return Choice(answer=_given(chosen, dockerfile, authored), reasons=(said,))
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
-    inside = next((c for c in found if c.argv == command and c.inside), None)
+    inside = next((c for c in found if c.argv == command and (c.inside or c.makes)), None)
     ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
     page = by_argv.get(command)
     whole = launched(inside or page, evidence) if page else None

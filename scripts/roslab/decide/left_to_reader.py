@@ -7,14 +7,22 @@ from collections.abc import Iterator
 from roslab.decide.candidate import Candidate, is_python, program_of
 from roslab.decide.decision import Warning_
 from roslab.decide.filled_in import filled
+from roslab.decide.first_command import LAUNCHERS
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.pattern import pattern
+
+_NAMES = "the default command names"
+_NOWHERE = "which neither the tree nor a download of the page has: correct it under `command` in roslab.yaml"
+_SETTINGS = pattern(r"(?!\.\.?/\.\.)[\w.][\w./-]*\.(?:ya?ml|json|xml)")
+"""By its path from where the command starts."""
 
 
 def left_to_reader(page: Candidate, evidence: Evidence) -> tuple[Warning_, ...]:
     """Return the warnings about the default command, which is a page's or a guess."""
     said = next((m for m in evidence.mentions if _is(m, page)), None)
-    return tuple(_told(said, page, evidence) if said else _required(page, evidence))
+    told = _told(said, page, evidence) if said else _required(page, evidence)
+    return (*told, *(warn(f"{_NAMES} {path}, {_NOWHERE}", page) for path in _settings(page)))
 
 
 def _required(guess: Candidate, evidence: Evidence) -> Iterator[Warning_]:
@@ -64,6 +72,11 @@ def _told(said: Mention, page: Candidate, evidence: Evidence) -> Iterator[Warnin
                 "under `command` in roslab.yaml",
                 said,
             )
+
+
+def _settings(page: Candidate) -> list[str]:
+    """Return the files of settings that the tree lacks; what a launch file is given may lie in its package."""
+    return [] if page.argv[0] in LAUNCHERS else [word for word in page.absent if _SETTINGS.fullmatch(word)]
 
 
 def _not_given(page: Candidate, evidence: Evidence) -> list[str]:

@@ -11,6 +11,7 @@ from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch
 from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import call_of, launch_calls, without_package
+from roslab.decide.made_folders import made_before
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
 from roslab.decide.python_calls import module_of, program_here
@@ -86,6 +87,7 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
     tried, withheld = (
         {(m.file, m.line, m.value) for m in evidence.mentions if m.topic == topic} for topic in ("tried", "withheld")
     )
+    made = [m for m in evidence.mentions if m.topic == "made" and m.source == "readme"]
     options = {(m.file, m.value): m.text for m in evidence.mentions if m.topic == "option"}
     fetched = {file for m in evidence.mentions if m.topic in {"fetched", "unpacked"} for file in m.files} - {"", "."}
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
@@ -122,13 +124,24 @@ def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Itera
                 installed=argv[0] in tree.installed and not ros,
                 elsewhere=argv[0].startswith(("bash", "python")) and not elsewhere.isdisjoint(argv[1:2]),
                 tried=once,
+                makes=made_before(mention, made) if argv[0] not in {*_WORDS, "jupyter", "streamlit"} else (),
                 of_python=argv[0] == "bash" and not of_python.isdisjoint(argv[1:2]),
             )
 
 
 def _why(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> str:
     own = tree.kind != "cpp" or argv[0].rpartition("/")[2] in mention.value
-    return "the README runs it" if own else "the README runs one of almost this name, which nothing compiles"
+    if not own:
+        return "the README runs one of almost this name, which nothing compiles"
+    said = mention.text.split()
+    other = next((file for file in mention.files if file in argv and _other_ending(file) in said), "")
+    return f"the README runs it with {_other_ending(other)}, which the tree lacks" if other else "the README runs it"
+
+
+def _other_ending(file: str) -> str:
+    """Return a file's path with the other ending of YAML, ``""`` for one that is none."""
+    stem, _, ending = file.rpartition(".")
+    return f"{stem}.{'yml' if ending == 'yaml' else 'yaml'}" if ending in {"yml", "yaml"} else ""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -30,7 +30,7 @@ def _start(decision: Decision) -> Proof:
     # The author's Dockerfile has a CMD of its own, which an empty command runs.
     start: tuple[str, ...] | str = told.command if told else () if decision.dockerfile else decision.command
     argv = ("bash", "-c", start) if isinstance(start, str) else start
-    its_own = not told and (decision.dockerfile or argv[:1] == ("bash",))
+    its_own = not told and (decision.dockerfile or argv == ("bash",))
     said = bool(its_own or decision.command_named)
     name = "the default command starts"
     shell = argv == ("bash",)  # without a terminal it ends at once: no program of the repository has started

@@ -15,7 +15,7 @@ from roslab.evidence.python.install_lines import builds_in_place
 from roslab.values.pattern import pattern
 
 Topic = Literal[
-    "step", "image_built", "image_pulled", "build_script", "fetched", "unpacked", "skipped", "data", "entered"
+    "step", "image_built", "image_pulled", "build_script", "fetched", "unpacked", "skipped", "data", "entered", "made"
 ]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
@@ -32,6 +32,8 @@ _SCRIPT = pattern(
     r"^(?:[\w./-]*/)?(?:build|make|compile|install)(?:[_-]\w+)*\.(?:sh|py)$|^[\w./-]*_(?:build|compile)\.sh$"
 )
 """A script that compiles something, by its name."""
+_FOLDER = pattern(r"(?:\./)?\w[\w-]*(?:/[\w.-]+)*/?")
+"""A folder by its path from where the page is."""
 _RUNNERS = frozenset({"bash", "sh", "python", "python3"})
 
 
@@ -52,8 +54,8 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
         yield "build_script", " ".join((folder or ".", *called))
     if program == "docker":
         yield from _docker(words)
-    elif program == "touch":
-        yield from (("skipped", path) for path in marked(words, folder))
+    elif program in {"touch", "mkdir"}:
+        yield from _left_there(words, folder)
     elif program in {"add-apt-repository", "apt-add-repository"}:
         yield from (("step", " ".join(words)) for word in words if word.startswith("ppa:"))
     elif (program == "dpkg" and {"-i", "--install"} & {*words}) or program == "gdebi" or _of_webots(words):
@@ -79,6 +81,14 @@ def _data(program: str, words: tuple[str, ...]) -> tuple[str, ...]:
     else:
         named = [word for word in words[1:] if "://" in word and _DATA.search(word) and not is_release(word)]
     return tuple(word for word in named if UNKNOWN not in word)[:1]
+
+
+def _left_there(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, str]]:
+    """Yield the package that ``touch`` has the build skip, or the folders that ``mkdir`` makes."""
+    if words[0] == "touch":
+        yield from (("skipped", path) for path in marked(words, folder))
+    elif words[0] == "mkdir":
+        yield from (("made", word) for word in words[1:] if _FOLDER.fullmatch(word))
 
 
 def _of_webots(words: tuple[str, ...]) -> bool:

@@ -115,6 +115,7 @@ class Collector:
         elif program == "git":
             self._git(command)
         elif program in {"cd", "roscd"}:
+            self.mentions = [m for m in self.mentions if m.topic != "made"]  # the page makes a folder to go there
             self._cd(words[1] if len(words) > 1 else "~")
         else:
             self._program(program, command)
@@ -201,12 +202,11 @@ class Collector:
     def _cd(self, target: str) -> None:
         left = self.source == "script" and workspaces.leaves_repository(target, self.folder, self.file)
         self.inside = workspaces.of_packages(target) or (left and self.sources_at is None)
-        known = not (workspaces.of_reader(target) or UNKNOWN in target)
-        if not known:
+        if known := not (workspaces.of_reader(target) or UNKNOWN in target):
+            self.folder = posixpath.normpath(posixpath.join(self.folder, target)).removeprefix("../").strip(".")
+        else:
             self.folder = "" if target in {"~", "-"} else workspaces.end_of(target).replace(UNKNOWN, "").strip("/")
             self.whole = workspaces.below_sources(target)
-        else:
-            self.folder = posixpath.normpath(posixpath.join(self.folder, target)).removeprefix("../").strip(".")
         self.inside = self.inside or (known and self.folder == self.sources_at)
         if self.inside:
             self.sources_at = self.folder

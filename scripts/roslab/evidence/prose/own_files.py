@@ -41,7 +41,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = _only(path, repository) or path
-        path = _by_its_program(words[0], path, repository)
+        path = _by_its_program(words[0], _with_ending(path, repository) if index else path, repository)
         beside = (
             folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
         )
@@ -61,6 +61,13 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         file, inside = _module(words[2], mention.inside, repository)
         found += [file] if file else []
     return replace(mention, value=joined(words), files=tuple(found), inside=inside)
+
+
+def _with_ending(path: str, repository: Repository) -> str:
+    """Return the path of the tree's file that differs in how YAML's ending is written, else the path as it is."""
+    stem, dot, ending = path.rpartition(".")
+    other = {"yml": "yaml", "yaml": "yml"}.get(ending, "")
+    return f"{stem}{dot}{other}" if other and not repository.has(path) and repository.has(f"{stem}.{other}") else path
 
 
 def _folder_of(mention: Mention, words: list[str], repository: Repository) -> str:

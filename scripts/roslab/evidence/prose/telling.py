@@ -49,6 +49,7 @@ SIGNS: Signs = tuple(
         ("curl", r"\bcurl\s[^|\n]*?\s?(?:-\w*[oO]|--output|--remote-name)\b"),
         ("unzip", r"\bunzip\s"),
         ("docker", r"\bdocker\s"),
+        ("mkdir", r"\bmkdir\s"),
         ("_IGNORE", r"\btouch\s"),
         ("./", r"(?:^|[\s`$])\.{1,2}/\w"),
         ("build/", r"(?:^|[\s`$])build/\w"),
