@@ -59,6 +59,16 @@ def test_where_python_finds_it_or_nobody_starts_the_program(tree: Tree, imports:
     assert tree({**WALK, **tools(imports), **more}).python_path == ()
 
 
+def test_the_page_of_a_folder_where_the_root_has_none(tree: Tree) -> None:
+    pages = {
+        "app/README.md": "# App\n## Run\n```\npython run.py\n```\n",
+        "tools/README.md": "```\npython train.py\n```\n",
+    }
+    decision = tree({**WALK, **tools("import walk"), **pages, "app/run.py": PROGRAM.format(imports="import numpy")})
+    assert decision.command == ("python", "app/run.py")
+    assert decision.python_path == (".",)
+
+
 def test_a_page_may_name_the_root_itself(tree: Tree) -> None:
     page = "```\nexport PYTHONPATH=$PWD:$PYTHONPATH\npython tools/train.py\n```\n"
     assert tree({**WALK, **tools("import walk"), "README.md": page}).python_path == (".",)
