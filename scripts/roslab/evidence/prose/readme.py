@@ -29,6 +29,7 @@ from roslab.evidence.prose import (
     mentions,
     python_path,
 )
+from roslab.evidence.prose.absent_launches import absent_launch
 from roslab.evidence.prose.blanks import BLANK, distros_of, with_examples
 from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.configured import of_another
@@ -173,6 +174,7 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from (with_files(started, repository),) if started.value else ()
     elif not leads_elsewhere(told, repository):
         yield told
+        yield from absent_launch(told, repository)
         yield from fetched_by(told, repository)
         yield from of_python(told, repository)
         yield from elsewhere(told, repository)
