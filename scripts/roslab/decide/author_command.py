@@ -44,15 +44,16 @@ def left_to_base(authored: AuthorDockerfile) -> bool:
 def composed(authored: AuthorDockerfile) -> tuple[str, ...]:
     """Return what a container is given where Docker Compose starts another command, or sets variables; else ``()``."""
     service, argv = authored.service, started(authored)
-    if service is None or not argv or not (service.command or service.environment):
+    if service is None or not argv or (idle(service.command) and not service.environment):
         return ()
     variables = tuple(f"{name}={value}" for name, value in service.environment)
     return ("env", *variables, *argv) if variables else argv
 
 
 def _command(authored: AuthorDockerfile) -> tuple[str, ...]:
-    """Return the command that Docker Compose gives a container, else the CMD."""
-    return (authored.service.command if authored.service else ()) or authored.command
+    """Return the program that Docker Compose gives a container, else the CMD: one that only waits leaves that alone."""
+    given = authored.service.command if authored.service else ()
+    return authored.command if idle(given) else given
 
 
 def startable(candidate: Candidate, authored: AuthorDockerfile) -> bool:

@@ -84,7 +84,7 @@ def decide_command(
         return Choice(answer=_given(chosen, dockerfile, authored), reasons=(said,))
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
-    inside = next((c for c in found if c.argv == command and (c.inside or c.makes)), None)
+    inside = next((c for c in found if c.argv == command and (c.inside or (c.makes and not dockerfile))), None)
     ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
     page = by_argv.get(command)
     whole = launched(inside or page, evidence) if page else None
@@ -94,7 +94,7 @@ def decide_command(
     )
     if (authored and composed(authored)) or (not (authored and started(authored)) and command != ("bash",)):
         chosen = _given(chosen, dockerfile, authored)
-    elif authored and command == ("bash",) and left_to_base(authored):
+    elif authored and command == ("bash",) and kind not in {"ros1", "ros2"} and left_to_base(authored):
         chosen = replace(chosen, given=True, entrypoint=False)  # the base's own program is none of the repository
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
     return Choice(answer=chosen, reasons=reasons, warnings=left_to_reader(page, evidence) if page else ())

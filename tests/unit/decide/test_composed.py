@@ -64,6 +64,13 @@ def test_the_command_of_compose_comes_before_that_of_the_dockerfile(tree: Tree) 
     assert decision.command_given
 
 
+def test_a_command_that_only_waits_leaves_that_of_the_dockerfile(tree: Tree) -> None:
+    compose = COMPOSE.partition("    ports")[0] + "    command: sleep infinity\n"
+    decision = tree(FILES | {"README.md": PAGE, "docker-compose.yml": compose})
+    assert decision.command == ("bash", "-c", "/ws/src/demo/start.sh")
+    assert not decision.command_given
+
+
 def test_of_two_services_with_one_dockerfile_none_tells_how_it_starts(tree: Tree) -> None:
     compose = COMPOSE + COMPOSE.partition("\n")[2].replace("simulation:", "other:").replace("house", "garden")
     decision = tree(FILES | {"README.md": PAGE, "docker-compose.yml": compose})

@@ -43,6 +43,7 @@ docker run --rm "${tty[@]}" \\
         ("xhost +\ndocker compose up\n", ("bash",)),
         ("docker run -d redis\nros2 launch demo b.launch.py\n", ("bash",)),
         ("ros2 launch demo b.launch.py\n", ("bash", "scripts/run_sim.sh")),
+        ("ros2 launch demo b.launch.py\n./scripts/container.sh\n", ("bash", "scripts/run_sim.sh")),
     ],
 )
 def test_a_script_of_the_host_is_no_command(tree: Tree, script: str, command: tuple[str, ...]) -> None:

@@ -23,6 +23,7 @@ MAX_DEPTH = 2
 _CALL = pattern(r"\bdocker[- ]compose((?:[ \t]+-\S+(?:[ \t]+[^-\s]\S*)??)*)[ \t]+(?:up|build|run)\b")
 _FILE = pattern(r"(?:-f|--file)(?:[ \t]+|=)(\S+)")
 _DEFAULTS = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
+_PORTS = 1 << 16
 _VALUE = pattern(r"\$(?:\{(\w+)(?::?-([^}]*))?\}|(\w+))")
 
 
@@ -98,7 +99,9 @@ def _items(said: Any) -> list[Any]:
 
 
 def _plain(port: Any) -> bool:
-    return isinstance(port, str | int) and bool(re.fullmatch(r"(?:[\w.]+:)*\d+(?:/\w+)?", _filled(str(port)) or ""))
+    if isinstance(port, int):
+        return 0 < port < _PORTS  # YAML reads 2222:22 as a number of the base 60
+    return isinstance(port, str) and bool(re.fullmatch(r"(?:[\w.]+:)*\d+(?:/\w+)?", _filled(str(port)) or ""))
 
 
 def _argv(said: Any) -> tuple[str, ...]:

@@ -42,7 +42,7 @@ def _started(
             return given if _known(repository, given) else ()
         found = [each.words for command in commands(line, 1) for each in inside(command)] if line else []
         return found[0] if found and not any(map(_on_host, lines)) else ()
-    last = _words(lines[-1]) if further and lines else ()
+    last = _words(lines[-1]) if further and lines and not any(map(_on_host, lines[:-1])) else ()
     last = last[1:] if last[:1] == ("exec",) else last
     named = [file.path for file in repository.suffixed(".sh") if last and file.name == posixpath.basename(last[0])]
     if len(named) != 1 or named[0] == script or not starts_container(repository.read(named[0], limit=MAX_SIZE)):
