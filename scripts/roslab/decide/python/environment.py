@@ -260,7 +260,7 @@ def _kept(evidence: Evidence, asked: Sequence[Requirement]) -> Iterator[tuple[Re
     """Yield what building the packages needs in a version that pip might replace, if pip installs anything."""
     named = {each.key for each in asked}
     for manifest in packages_of(evidence).built if asked else ():
-        for build_type in types(manifest, 2) if 2 in ros_versions(manifest) else ():
+        for build_type in sorted(types(manifest, 2)) if 2 in ros_versions(manifest) else ():
             for line, why in kept_for_build_types().get(build_type, ()):
                 kept = stated(line, "table", manifest.file, manifest.line)
                 if kept.key not in named:

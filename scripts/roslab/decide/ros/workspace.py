@@ -159,7 +159,7 @@ def _other_workspaces(manifests: tuple[PackageManifest, ...]) -> set[str]:
     tests = {root for root in inside if places.test(f"{root}/src")}
     tests = tests if len(tests) < len(inside) else set()
     left = inside.keys() - tests
-    best = max(left, key=lambda root: (bool(_MAIN.search(root)), len(inside[root]), root == min(left)), default="")
+    best = max(sorted(left), key=lambda root: (bool(_MAIN.search(root)), len(inside[root])), default="")
     return {root for root in left if root != best and inside[root] & inside[best]} | tests
 
 

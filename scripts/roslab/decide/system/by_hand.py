@@ -130,7 +130,7 @@ def _above(git: GitSource, others: Iterable[GitSource], target: Target) -> tuple
     before = (each for each in others if each.installed and each.file == git.file and each.line < git.line)
     asked = (
         Dependency(namespace="cmake", name=each.name, strength="declared", file=each.file, line=each.line)
-        for each in sorted({*before}, key=lambda each: each.line)
+        for each in sorted(dict.fromkeys(before), key=lambda each: each.line)
     )
     return tuple(dict.fromkeys(apt for each in asked for apt in resolve(each, target).apt))
 

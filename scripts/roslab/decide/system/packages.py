@@ -232,7 +232,7 @@ def _named_in_apt(found: _Found, needed: tuple[tuple[Dependency, bool], ...]) ->
     """Leave the unknown keys that an install line of apt has, too, to apt; return them: ``libgmp-dev`` is no key."""
     lines = {asked.name for asked, _ in needed if asked.namespace == "apt" and asked.strength == "prose"}
     names = frozenset(lines & found.unknown.keys())
-    for name in names:
+    for name in sorted(names):
         found.skip[name] = None
         found.warnings.remove(found.unknown.pop(name))
     return names

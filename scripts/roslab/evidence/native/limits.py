@@ -124,7 +124,7 @@ class Signs:
     def _as_cpp11(self, repository: Repository) -> None:
         """Add the headers that a newer library refuses to the standard of their files."""
         packages = frozenset(file.folder for file in repository.named("package.xml"))
-        for library in {limit.library for limit, _, _ in self.newer}:
+        for library in dict.fromkeys(limit.library for limit, _, _ in self.newer):
             standards = old_standard.read(repository, library)
             for limit, path, line in self.newer:
                 if limit.library == library and old_standard.is_old(path, standards, packages):

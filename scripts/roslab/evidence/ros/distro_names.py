@@ -33,10 +33,9 @@ def _branch(repository: Repository) -> Iterator[Mention]:
     for word in words:
         if word in ever():
             yield _mention(word, "branch", ".git/HEAD", branch)
-    if not any(word in distros() for word in words):
-        ros = {"ros1", "ros2"} & set(words)
-        if ros:
-            yield _mention(ros.pop(), "branch", ".git/HEAD", branch)
+    ros = next((word for word in words if word in {"ros1", "ros2"}), None)
+    if ros and not any(word in distros() for word in words):
+        yield _mention(ros, "branch", ".git/HEAD", branch)
 
 
 def _files(repository: Repository, others: Collection[str]) -> Iterator[Mention]:
