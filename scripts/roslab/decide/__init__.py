@@ -41,7 +41,7 @@ from roslab.decide.ros.sought import linked, tried
 from roslab.decide.ros.sources import decide_sources
 from roslab.decide.ros.used import asked
 from roslab.decide.ros.with_recipes import with_recipes
-from roslab.decide.ros.workspace import of_one_ros, packages_of
+from roslab.decide.ros.workspace import of_one_ros, of_what_is_built, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.as_tried import as_tried
@@ -69,7 +69,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(of_one_environment(evidence, config), config)
     kind = decide_kind(evidence, config, folder_name)
-    evidence = with_compiled_signs(with_what_is_brought(evidence, kind.answer, folder_name), kind.answer)
+    evidence = of_what_is_built(
+        with_compiled_signs(with_what_is_brought(evidence, kind.answer, folder_name), kind.answer), kind.answer
+    )
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))

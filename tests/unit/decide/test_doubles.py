@@ -51,6 +51,56 @@ def test_one_of_each_name_is_built(tree: Tree, files: dict[str, str], built: obj
     assert (decision.packages, decision.ignored) == (built, ignored)
 
 
+def launch(folder: str, name: str = "map.launch") -> dict[str, str]:
+    return {f"{folder}/launch/{name}": '<launch><node pkg="map" type="map" name="map"/></launch>'}
+
+
+THREE = {
+    path: text
+    for name in ("a_ws", "b_ws", "c_ws")
+    for path, text in (package(f"{name}/src/map", "map") | launch(f"{name}/src/map", f"{name}.launch")).items()
+}
+BOTH_HAVE_IT = launch("b_ws/src/map") | launch("c_ws/src/map")
+
+
+@pytest.mark.parametrize(
+    ("page", "built"),
+    [
+        ("roslaunch map c_ws.launch", "c_ws"),
+        ("roslaunch map map.launch", "b_ws"),
+        ("cd c_ws\nroslaunch map map.launch", "c_ws"),
+        ("cd ~/demo/c_ws\ncatkin_make\nroslaunch map map.launch", "c_ws"),
+        ("cd a_ws\nroslaunch map map.launch", "b_ws"),
+        ("roslaunch map absent.launch", "a_ws"),
+    ],
+)
+def test_the_workspace_that_a_page_starts_is_built(tree: Tree, page: str, built: str) -> None:
+    decision = tree(THREE | BOTH_HAVE_IT | {"README.md": f"```\n{page}\n```\n"})
+    assert decision.packages == (f"{built}/src/map/package.xml",)
+    (told,) = [each.message for each in decision.warnings if each.message.startswith("not built: ")]
+    assert all((f"{name}_ws" in told) == (name != built[0]) for name in "abc")
+    started = {argv[2] for argv in decision.command_candidates if argv[0] == "roslaunch"}
+    assert started == {f"{built}.launch"} | ({"map.launch"} if built != "a_ws" else set())
+
+
+def test_the_copy_that_a_page_starts_is_built(tree: Tree) -> None:
+    copies = package("a/map", "map") | package("b/map", "map") | launch("b/map")
+    decision = tree(copies | {"README.md": "```\nroslaunch map map.launch\n```\n"})
+    assert (decision.packages, decision.ignored) == (("b/map/package.xml",), ("a/map",))
+
+
+def test_what_else_a_page_starts_leaves_the_others_as_they_are(tree: Tree) -> None:
+    other = package("z_ws/src/arm", "arm") | launch("z_ws/src/arm", "arm.launch")
+    decision = tree(MAIN | SWARM | other | {"README.md": "```\nroslaunch arm arm.launch\n```\n"})
+    assert decision.packages == ("play/main_ws/src/planner/package.xml", "z_ws/src/arm/package.xml")
+
+
+def test_tests_of_what_is_not_built_are_no_proof(tree: Tree) -> None:
+    tests = {f"{name}_ws/tests/test_map.py": "def test_map():\n    assert True\n" for name in "abc"}
+    decision = tree(THREE | tests)
+    assert [test.file for test in decision.tests] == ["a_ws/tests/test_map.py"]
+
+
 def test_the_tool_does_not_look_into_the_others(tmp_path: Path) -> None:
     for path, text in (MAIN | SWARM).items():
         target = tmp_path / path

@@ -8,6 +8,7 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.programs import beside_top, compiled, top_of
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.other_workspaces import warn_of_others
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence
@@ -45,13 +46,14 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
     if not packages.built:
         return Choice(answer=Layout())
     first = Place(file=packages.built[0].file, line=1)
+    others = warn_of_others(evidence, packages.built, packages.doubles)
     refused = kind == "ros1" and any(project.file == "CMakeLists.txt" for project in evidence.cmake)
     in_src = all(manifest.file.startswith("src/") and manifest.file.count("/") > 1 for manifest in packages.built)
     if in_src and not refused:
         why = because("workspace", "root", "every package lies in src/", first, weight=LAYOUT)
-        return Choice(answer=Layout(workspace="root"), reasons=(why,))
+        return Choice(answer=Layout(workspace="root"), reasons=(why,), warnings=others)
     why = because("workspace", "overlay", "its packages lie beside its other files", first, weight=LAYOUT)
-    return Choice(answer=Layout(workspace="overlay"), reasons=(why,))
+    return Choice(answer=Layout(workspace="overlay"), reasons=(why,), warnings=others)
 
 
 def _alone(evidence: Evidence, top: CMakeProject) -> tuple[Warning_, ...]:

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Literal
 
 from roslab.config.model import BuildTool, Kind
+from roslab.decide.ros.other_workspaces import Launches, other_workspaces, page_launches, started
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.ros.conditions import holds
@@ -18,10 +19,6 @@ from roslab.values.pattern import pattern
 RosVersion = Literal[1, 2]
 _ASSET = pattern(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
 """Folders of robot descriptions: programs read a package there, it is not built."""
-
-_SOURCES = pattern(r"((?:[^/]+/)*?[^/]+)/src/.+/package\.xml$")
-"""A package in the ``src`` of a workspace below the root."""
-_MAIN = pattern(r"(?:^|[-_/])main(?:[-_]|$)", re.IGNORECASE)
 _CATKIN = frozenset({"catkin", "catkin_simple", "roscpp", "rospy"})
 _AMENT = frozenset({"ament_cmake", "ament_python", "ament_cmake_auto", "ament_cmake_ros", "rosidl_default_generators"})
 """A package built with one of these is a catkin or ament package, whatever its build type says."""
@@ -54,6 +51,20 @@ def packages_of(evidence: Evidence) -> Packages:
         tuple(p.file for p in evidence.cmake),
         tuple(p.folder for p in evidence.python),
         tuple(p.file for p in evidence.cmake if p.always),
+        page_launches(evidence),
+    )
+
+
+def of_what_is_built(evidence: Evidence, kind: Kind) -> Evidence:
+    """Return the evidence without launch files and tests of workspaces and copies that no tool of ROS looks into."""
+    doubles = packages_of(evidence).doubles if kind in {"ros1", "ros2"} else ()
+    aside = tuple(f"{folder}/" for folder in doubles)
+    if not aside:
+        return evidence
+    return replace(
+        evidence,
+        launch=tuple(each for each in evidence.launch if not each.file.startswith(aside)),
+        tests=tuple(each for each in evidence.tests if not each.file.startswith(aside)),
     )
 
 
@@ -89,11 +100,16 @@ def _of_rosbuild(manifests: tuple[PackageManifest, ...], *, whole: bool) -> Pack
 
 @cache
 def _packages(
-    manifests: tuple[PackageManifest, ...], cmake: tuple[str, ...], python: tuple[str, ...], always: tuple[str, ...]
+    manifests: tuple[PackageManifest, ...],
+    cmake: tuple[str, ...],
+    python: tuple[str, ...],
+    always: tuple[str, ...],
+    launches: Launches,
 ) -> Packages:
     """Sort the manifests; ``cmake`` are the CMakeLists.txt, ``python`` the folders that Python's tools can install.
 
-    ``always``: those CMakeLists.txt that others add whatever the options are.
+    ``always``: those CMakeLists.txt that others add whatever the options are; ``launches``: what pages start. Of copies
+    of a package at the same depth the one with what is started first is built.
     """
     built: list[PackageManifest] = []
     assets: list[PackageManifest] = []
@@ -101,9 +117,10 @@ def _packages(
     by_cmake = frozenset(file.rpartition("/")[0] for file in cmake)
     buildable = by_cmake | set(python)
     seen: set[str] = set()
-    doubles = _other_workspaces(manifests)
+    doubles = other_workspaces(manifests, launches)
     kept = set(doubles)
-    for manifest in sorted(manifests, key=lambda m: (m.file.count("/"), m.file)):
+    run = started([manifest.file.rpartition("/")[0] for manifest in manifests], launches)
+    for manifest in sorted(manifests, key=lambda m: (m.file.count("/"), m.file.rpartition("/")[0] not in run, m.file)):
         folder = manifest.file.rpartition("/")[0]
         if manifest.ignored or manifest.name is None or _below(folder, kept):
             left_out.append(manifest)
@@ -144,23 +161,6 @@ def _added_to(
         folder = manifest.file.rpartition("/")[0]
         if manifest.name and not manifest.ignored and folder in always and _below(folder, folders):
             yield manifest
-
-
-def _other_workspaces(manifests: tuple[PackageManifest, ...]) -> set[str]:
-    """Return the workspaces of a tree that hold packages of the same names as one that is built, and those of tests.
-
-    The one that is called the main one is built, else the one with most packages.
-    """
-    inside: dict[str, set[str]] = {}
-    for manifest in manifests:
-        found = _SOURCES.match(manifest.file)
-        if found and manifest.name and not manifest.ignored:
-            inside.setdefault(found[1], set()).add(manifest.name)
-    tests = {root for root in inside if places.test(f"{root}/src")}
-    tests = tests if len(tests) < len(inside) else set()
-    left = inside.keys() - tests
-    best = max(sorted(left), key=lambda root: (bool(_MAIN.search(root)), len(inside[root])), default="")
-    return {root for root in left if root != best and inside[root] & inside[best]} | tests
 
 
 def _below(folder: str, folders: set[str]) -> bool:

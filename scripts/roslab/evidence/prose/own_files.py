@@ -71,7 +71,9 @@ def _with_ending(path: str, repository: Repository) -> str:
 
 
 def _folder_of(mention: Mention, words: list[str], repository: Repository) -> str:
-    """Return the folder that a program has to be started in, ``""`` if any will do."""
+    """Return the folder that a program has to be started in, ``""`` if any will do; of a launch where the page is."""
+    if words[0] == "roslaunch" or words[:2] == ["ros2", "launch"]:
+        return next((folder for folder in ends(mention.inside) if folder in repository.folders), "")
     found = started_in(mention, words, repository) or beside_build(mention, words, repository)
     return found or started_above(words, repository)
 
