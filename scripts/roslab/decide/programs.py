@@ -157,7 +157,7 @@ def in_packages(evidence: Evidence) -> dict[str, str]:
     found: dict[str, str] = {}
     twice: set[str] = set()
     for project in evidence.cmake:
-        package = _owner(project.file, folders)
+        package = owner(project.file, folders)
         for name, _ in project.executables if package else ():
             if (project.file, name) not in outside and found.setdefault(name, package or "") != package:
                 twice.add(name)
@@ -171,14 +171,14 @@ def outside_of_packages(evidence: Evidence) -> tuple[Compiled, ...]:
     versions = {folder: ros_versions(m, macros.get(folder, ())) for folder, m in made_for.items()}
     found = []
     for project in evidence.cmake:
-        ros = _owner(project.file, versions) if project.outside else None
+        ros = owner(project.file, versions) if project.outside else None
         for name, line in project.executables if ros else ():
             if all((name, each) in project.outside for each in ros or ()):
                 found.append(Compiled(name=name, folder=_place(project), file=project.file, line=line))
     return tuple(found)
 
 
-def _owner(path: str, folders: Mapping[str, Owner]) -> Owner | None:
+def owner(path: str, folders: Mapping[str, Owner]) -> Owner | None:
     """Return what stands for the package that a file lies in, at any depth."""
     while path:
         path = path.rpartition("/")[0]

@@ -78,6 +78,8 @@ class CMakeProject:
     """Programs that are written to another folder than most, each with it."""
     made: tuple[str, ...] = ()
     """Libraries that are targets of it, but for imported ones."""
+    targets: tuple[str, ...] = ()
+    """Programs and libraries that are always targets of it, as CMake calls them."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
     lacks: bool = False

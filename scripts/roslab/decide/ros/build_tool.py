@@ -7,13 +7,14 @@ from typing import ClassVar
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, WorkspaceTool
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.programs import owner
 from roslab.decide.reasons import because, ranked, strongest
 from roslab.decide.ros.source_names import wraps
 from roslab.decide.ros.without_manifest import by_catkin
-from roslab.decide.ros.workspace import of_rosbuild, packages_of, ros_versions, types
+from roslab.decide.ros.workspace import of_one_ros, of_rosbuild, packages_of, ros_versions, types
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.facts import CMakeProject, Evidence, Mention
 from roslab.knowledge.distros import distros
 
 OF_ROS1: tuple[WorkspaceTool, ...] = tuple(tool for tool in WORKSPACE_TOOLS if tool != "colcon")
@@ -32,6 +33,7 @@ class Weight:
     ELSEWHERE = 100
     ROSBUILD = 500  # nothing else builds them
     PLAIN_CMAKE = 350  # catkin_make refuses plain CMake packages: wins over a script, not over what people type
+    SAME_TARGETS = 410  # catkin_make stops there, whatever a page says; what a Dockerfile built is read better there
     CATKIN_SIMPLE = 250  # its authors build with catkin_tools, but catkin_make can often build it too
     DEFAULT = 1
     DEEPER = 30  # subtracted for each folder above it: deeper files are about a part
@@ -67,9 +69,25 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
         reasons.append(because("build_tool", one_by_one, why, simple, weight=Weight.CATKIN_SIMPLE))
     if not reasons:
         reasons.append(because("build_tool", "catkin_make", "ROS 1's own", weight=Weight.DEFAULT))
+    if strongest(reasons).answer == "catkin_make" and (twice := same_targets(evidence)):
+        why = f"two packages have a CMake target `{twice[0]}`, at which one catkin_make stops"
+        reasons.append(because("build_tool", "catkin_make_isolated", why, twice[1], weight=Weight.SAME_TARGETS))
     best = strongest(reasons).answer
     answer: BuildTool = next((tool for tool in OF_ROS1 if tool == best), "catkin_make")
     return Choice(answer=answer, reasons=ranked(reasons, answer))
+
+
+def same_targets(evidence: Evidence) -> tuple[str, CMakeProject] | None:
+    """Return a name that is a target of two packages, with the second file that makes it, if there is any."""
+    built = of_one_ros(packages_of(evidence), evidence, "ros1").built
+    folders = {manifest.file.rpartition("/")[0]: manifest.name for manifest in built}
+    owners: dict[str, str] = {}
+    for project in evidence.cmake:
+        package = owner(project.file, folders)
+        for name in project.targets if package else ():
+            if owners.setdefault(name, str(package)) != package:
+                return name, project
+    return None
 
 
 def _one_by_one(reasons: Sequence[Reason]) -> WorkspaceTool:

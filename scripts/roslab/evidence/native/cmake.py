@@ -90,6 +90,7 @@ class _Reading:
     placed: dict[str, str | None] = field(default_factory=dict)
     """Programs with the folder that was set when they were added."""
     libraries: set[str] = field(default_factory=set)
+    targets: dict[str, None] = field(default_factory=dict)
     made: dict[str, None] = field(default_factory=dict)
     """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
     named: set[str] = field(default_factory=set)
@@ -204,6 +205,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         programs_in=reading.programs_in,
         placed=tuple(_placed(reading)),
         made=tuple(reading.made),
+        targets=tuple(reading.targets) if above.always or file.folder not in added else (),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
         guards=tuple((reading.outputs.get(name, name), package) for name, package in reading.guards),
         outside=tuple((reading.outputs.get(name, name), ros) for name, ros in reading.outside),
@@ -227,6 +229,7 @@ def _include(call: Call, repository: Repository, file: File, reading: _Reading) 
 def _note(call: Call, path: str, reading: _Reading) -> None:
     name, words = call.name, call.words
     told = replace(call, conditions=(*reading.switches, *call.conditions)) if reading.switches else call
+    reading.targets |= _targets(call)
     if name == "project" and words:
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
@@ -250,6 +253,13 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
     reading.macros |= macros(call)
+
+
+def _targets(call: Call) -> dict[str, None]:
+    """Return the target that a call makes, whatever the conditions are."""
+    made = call.name in _EXECUTABLE | _LIBRARY and "IMPORTED" not in call.words
+    words = () if call.conditions or call.in_function or not made else call.words[:1]
+    return dict.fromkeys(word for word in words if _TARGET.match(word))
 
 
 def _program(call: Call, reading: _Reading) -> None:
