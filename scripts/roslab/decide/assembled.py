@@ -21,6 +21,7 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
+from roslab.decide.ros.not_there import decide_not_there
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.stops_without import decide_stops
 from roslab.decide.system.linked_headers import linked_headers
@@ -80,6 +81,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     """
     distro = of.release.answer.name if of.release.answer else None
     ros = of.kind.answer in _ROS
+    not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),
@@ -98,7 +100,11 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             of.platforms,
         ),
         *((replace(choice, warnings=()) if of.own.answer else choice) for choice in (of.sources, of.system, of.inside)),
-        *(() if of.own.answer else (of.repositories, of.scripts, of.missing, of.steps, of.variables, of.downloads)),
+        *(
+            ()
+            if of.own.answer
+            else (of.repositories, of.scripts, of.missing, not_there, of.steps, of.variables, of.downloads)
+        ),
         *(
             ()
             if of.own.answer
@@ -159,6 +165,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         if of.kind.answer in _ROS and not of.own.answer
         else (),
         ended=of.missing.answer.ended,
+        not_there=() if of.own.answer else not_there.answer,
         lacking=() if of.own.answer else of.missing.answer.lacking,
         undeclared=of.missing.answer.undeclared,
         workspace=of.layout.answer.workspace,

@@ -239,6 +239,8 @@ class Decision:
     """The compilers that it names there: the variable and the program."""
     ignored: tuple[str, ...] = ()
     """Folders of packages that are not built, for a build tool that would stop at them."""
+    not_there: tuple[str, ...] = ()
+    """Folders (``a/b/``) and files that packages install and the repository does not have: made, empty."""
     lacking: tuple[tuple[str, tuple[str, ...]], ...] = ()
     """Packages that a clone may bring, each with the folders of those that are not built where none does."""
     undeclared: bool = False

@@ -7,6 +7,7 @@ from typing import Literal
 from roslab.evidence.apt_source import AptSource
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.locked import Locked
 from roslab.evidence.makefile import Makefile
@@ -80,6 +81,8 @@ class CMakeProject:
     """Libraries that are targets of it, but for imported ones."""
     targets: tuple[str, ...] = ()
     """Programs and libraries that are always targets of it, as CMake calls them."""
+    not_there: tuple[InstalledPath, ...] = ()
+    """What it installs in any case and the tree does not have, and which none of its other lines may make."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
     lacks: bool = False

@@ -52,6 +52,8 @@ class RosBuild:
     """Sisters whose packages are not known before they are cloned: one may have the name of one in the repository."""
     lacking: tuple[tuple[str, tuple[str, ...]], ...] = ()
     """Packages that a clone may bring, each with the folders that the tool must not look into without it."""
+    not_there: tuple[str, ...] = ()
+    """Folders (``a/b/``) and files of the repository that its packages install, made empty where they are not there."""
     undeclared: bool = False
     """Packages may require others of the workspace that their package.xml does not name."""
 
@@ -214,6 +216,7 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
         jobs=decision.by_pages.jobs if own else None,
         unsure=() if config.compatible or tool == "rosmake" else tuple(_unsure(sisters)),
         lacking=decision.lacking if own else (),
+        not_there=decision.not_there if own else (),
         undeclared=not config.compatible and tool != "rosmake" and (decision.undeclared or bool(sisters)),
     )
 

@@ -134,6 +134,14 @@ class Repository:
         """Tell whether a regular file lies at a relative path."""
         return path in self._paths
 
+    def may_have(self, path: str) -> bool:
+        """Tell whether a file or a folder lies at a relative path, or it leads through what no walk looks into."""
+        parts = path.split("/")
+        unseen = {*self.listing.folder_links, *self.listing.outside, *self.listing.unreadable}
+        within = ("/".join(parts[: number + 1]) for number in range(len(parts)))
+        through = any(each in unseen for each in within) or not listing.SKIPPED_FOLDERS.isdisjoint(parts)
+        return self.has(path) or path in self.folders or through or self.listing.truncated
+
     @cached_property
     def _paths(self) -> frozenset[str]:
         return frozenset(file.path for file in self.files)

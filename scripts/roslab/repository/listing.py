@@ -47,6 +47,8 @@ class Listing:
     files: tuple[File, ...]
     links: frozenset[str]
     """Files among ``files`` that are links to a regular file inside the tree."""
+    folder_links: frozenset[str]
+    """Links to folders inside the tree, which no walk follows."""
     outside: tuple[str, ...]
     """Links that lead out of the tree or nowhere; never read."""
     unreadable: tuple[str, ...]
@@ -59,6 +61,7 @@ def list_tree(root: Path) -> Listing:
     """Walk a tree; folders that cannot be listed are named, links to folders are left out."""
     files: list[File] = []
     links: set[str] = set()
+    folder_links: set[str] = set()
     outside: list[str] = []
     unreadable: list[str] = []
     pending = [""]
@@ -72,7 +75,7 @@ def list_tree(root: Path) -> Listing:
                         break
                     path = f"{folder}/{entry.name}" if folder else entry.name
                     if entry.is_symlink():
-                        _follow(root, path, files, links, outside)
+                        _follow(root, path, files, (links, folder_links), outside)
                     elif entry.is_dir(follow_symlinks=False):
                         if entry.name not in SKIPPED_FOLDERS:
                             pending.append(path)
@@ -83,14 +86,18 @@ def list_tree(root: Path) -> Listing:
     return Listing(
         files=tuple(sorted(files, key=lambda file: file.path)),
         links=frozenset(links),
+        folder_links=frozenset(folder_links),
         outside=tuple(sorted(outside)),
         unreadable=tuple(sorted(unreadable)),
         truncated=bool(pending),
     )
 
 
-def _follow(root: Path, path: str, files: list[File], links: set[str], outside: list[str]) -> None:
-    """Keep a link to a regular file of the tree; a link to a folder is left out, so no walk can run in circles."""
+def _follow(root: Path, path: str, files: list[File], links: tuple[set[str], set[str]], outside: list[str]) -> None:
+    """Keep a link to a regular file of the tree; one to a folder is only noted, so no walk can run in circles.
+
+    ``links``: those to files, and those to folders.
+    """
     try:
         target = (root / path).resolve(strict=True)
         inside = target.is_relative_to(root) and ".git" not in target.relative_to(root).parts
@@ -102,4 +109,6 @@ def _follow(root: Path, path: str, files: list[File], links: set[str], outside: 
         outside.append(path)
     elif stat.S_ISREG(status.st_mode):
         files.append(File(path=path, size=status.st_size))
-        links.add(path)
+        links[0].add(path)
+    elif stat.S_ISDIR(status.st_mode):
+        links[1].add(path)

@@ -8,9 +8,12 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import CMakeProject
+from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, included, own_project
+from roslab.evidence.native.installed_paths import installed, not_there
 from roslab.evidence.native.macros import macros
+from roslab.evidence.native.made_targets import TARGET, target
 from roslab.evidence.native.output_folder import output_folder
 from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
 from roslab.repository.checkout import File, Repository, nearest
@@ -48,6 +51,7 @@ _NAMES = (
             "set",
             "set_target_properties",
             "catkin_package",
+            "install",
             "catkin_simple",
             "autoware_package",
         ]
@@ -59,7 +63,6 @@ _AT_ONCE = "CMAKE_RUNTIME_OUTPUT_DIRECTORY"
 """A program is written where this says when it is added; what the other says last is for all programs without it."""
 _PROGRAMS_IN = frozenset({_AT_ONCE, "EXECUTABLE_OUTPUT_PATH"})
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
-_TARGET = pattern(r"[A-Za-z][\w.+-]*$")
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
 _SWITCH = pattern(r"(?:OFF )?(?!UNIX$|LINUX$|WIN32$|MSVC$|APPLE$)[A-Za-z]\w*(?<!_FOUND)")
 _WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
@@ -91,6 +94,7 @@ class _Reading:
     """Programs with the folder that was set when they were added."""
     libraries: set[str] = field(default_factory=set)
     targets: dict[str, None] = field(default_factory=dict)
+    installed: list[InstalledPath] = field(default_factory=list)
     made: dict[str, None] = field(default_factory=dict)
     """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
     named: set[str] = field(default_factory=set)
@@ -206,6 +210,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         placed=tuple(_placed(reading)),
         made=tuple(reading.made),
         targets=tuple(reading.targets) if above.always or file.folder not in added else (),
+        not_there=not_there(reading.installed, text, repository) if above.always or file.folder not in added else (),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
         guards=tuple((reading.outputs.get(name, name), package) for name, package in reading.guards),
         outside=tuple((reading.outputs.get(name, name), ros) for name, ros in reading.outside),
@@ -218,7 +223,7 @@ def _include(call: Call, repository: Repository, file: File, reading: _Reading) 
     """Note the folder that a file of the tree, which is included, gives programs."""
     written = call.words[0] if call.words else ""
     name = written.rpartition("/")[2].removesuffix(".cmake")
-    if not _TARGET.match(name) or (written == name and name.startswith(included.OF_CMAKE)):
+    if not TARGET.match(name) or (written == name and name.startswith(included.OF_CMAKE)):
         return
     for module in repository.named(f"{name}.cmake")[:1]:
         text = repository.read(module) if module.size <= MAX_MODULE else ""
@@ -229,7 +234,8 @@ def _include(call: Call, repository: Repository, file: File, reading: _Reading) 
 def _note(call: Call, path: str, reading: _Reading) -> None:
     name, words = call.name, call.words
     told = replace(call, conditions=(*reading.switches, *call.conditions)) if reading.switches else call
-    reading.targets |= _targets(call)
+    reading.targets |= target(call) if name in _EXECUTABLE | _LIBRARY else {}
+    reading.installed += installed(call, path.rpartition("/")[0])
     if name == "project" and words:
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
@@ -240,7 +246,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.minimum = reading.minimum or cmake_since.minimum(call, path)
     elif name == "enable_language":
         reading.languages += words[:1]
-    elif name in _EXECUTABLE and words and _TARGET.match(words[0]):
+    elif name in _EXECUTABLE and words and TARGET.match(words[0]):
         _program(told, reading)
     elif name in _TESTS:
         reading.tests = True
@@ -253,13 +259,6 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
     reading.macros |= macros(call)
-
-
-def _targets(call: Call) -> dict[str, None]:
-    """Return the target that a call makes, whatever the conditions are."""
-    made = call.name in _EXECUTABLE | _LIBRARY and "IMPORTED" not in call.words
-    words = () if call.conditions or call.in_function or not made else call.words[:1]
-    return dict.fromkeys(word for word in words if _TARGET.match(word))
 
 
 def _program(call: Call, reading: _Reading) -> None:
@@ -290,7 +289,7 @@ def _place_programs(call: Call, folder: str, reading: _Reading) -> None:
         return
     split = words.index("PROPERTIES")
     values = dict(zip(words[split + 1 :: 2], words[split + 2 :: 2], strict=False))
-    if (output := values.get("OUTPUT_NAME")) and _TARGET.match(output):
+    if (output := values.get("OUTPUT_NAME")) and TARGET.match(output):
         reading.outputs |= dict.fromkeys(words[:split], output)
     if (place := values.get("RUNTIME_OUTPUT_DIRECTORY")) and any(word in reading.executables for word in words[:split]):
         written = output_folder(place, folder)

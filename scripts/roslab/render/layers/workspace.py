@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
-from roslab.render.layers import locks, manifests, secrets, shell
+from roslab.render.layers import locks, manifests, prepared, secrets, shell
+from roslab.render.layers.prepared import WITHOUT_LACKING
 from roslab.values.pattern import pattern
 from roslab.values.words import line_of
 
@@ -23,8 +24,6 @@ WITHOUT_DOUBLES = "leave-out-doubles"
 DECLARED = "declare-needs"
 """The script that completes package.xml files by what CMake requires of the workspace."""
 REQUIRED = "required-by-cmake"
-WITHOUT_LACKING = "leave-out-lacking"
-"""The script that hides packages where nothing brings what they require."""
 HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 UNKNOWN = "clone-unknown"
@@ -249,23 +248,11 @@ def tree_mount(plan: Plan) -> str:
 
 
 def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
+    source = source_folder(plan)
     unsure = [f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in build.unsure)}"] if build.unsure else []
     declared = [f"{DECLARED} src"] if build.undeclared else []
-    return [*_ignoring(plan, build), *unsure, *_lacking(plan, build), *declared, *_building(plan, build, again)]
-
-
-def _lacking(plan: Plan, build: RosBuild) -> Iterator[str]:
-    """Yield the commands that hide packages where no clone brings what they require."""
-    for name, folders in build.lacking:
-        hidden = " ".join(quote.shell_with_user(f"{source_folder(plan)}/{folder}".rstrip("/")) for folder in folders)
-        yield f"{WITHOUT_LACKING} {quote.shell(name)} {hidden}"
-
-
-def _ignoring(plan: Plan, build: RosBuild) -> list[str]:
-    """Return the command that puts the marker of a build tool into the folders that it must not look into."""
-    marker = "COLCON_IGNORE" if build.tool == "colcon" else "CATKIN_IGNORE"
-    files = (quote.shell_with_user(f"{source_folder(plan)}/{folder}/{marker}") for folder in build.ignored)
-    return [f"touch {' '.join(files)}"] if build.ignored else []
+    before = [*prepared.not_there(source, build), *prepared.ignoring(source, build), *unsure]
+    return [*before, *prepared.lacking(source, build), *declared, *_building(plan, build, again)]
 
 
 def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:

@@ -1,0 +1,72 @@
+"""What a CMakeLists.txt installs and the tree does not have: git keeps no empty folder and nothing that it ignores."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable, Iterator
+from itertools import takewhile
+
+from roslab.evidence.installed_path import InstalledPath
+from roslab.evidence.lex.cmake import Call
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_KINDS = {"DIRECTORY": True, "FILES": False, "PROGRAMS": False}
+"""What ``install`` takes by its path, and whether that is a folder.
+https://cmake.org/cmake/help/latest/command/install.html, read 2026-11-26."""
+_SHARED = "INSTALL_TO_SHARE"
+"""What follows are folders.
+https://github.com/ament/ament_cmake (ament_cmake_auto/cmake/ament_auto_package.cmake), 2026-11-26"""
+_HERE = pattern(r"^\$\{(?:CMAKE_CURRENT|PROJECT)_SOURCE_DIR\}/")
+_PATH = pattern(r"[\w.+@-]+(?:/[\w.+@-]+)*/?")
+_MODULE = pattern(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
+MAX_PATHS = 60
+
+
+def installed(call: Call, folder: str) -> Iterator[InstalledPath]:
+    """Yield the paths that a call installs whatever the conditions are; ``folder`` is that of its file."""
+    words, folders = call.words, True
+    if call.conditions or call.in_function or not words:
+        return
+    if call.name == "install" and words[0] in _KINDS and "OPTIONAL" not in words:
+        words, folders = words[1:], _KINDS[words[0]]
+    elif call.name == "ament_auto_package" and _SHARED in words:
+        words = words[words.index(_SHARED) + 1 :]
+    else:
+        return
+    for word in list(takewhile(lambda each: not _keyword(each), words))[:MAX_PATHS]:
+        if _PATH.fullmatch(written := _HERE.sub("", word)):
+            path = posixpath.normpath(posixpath.join(folder, written))
+            if not path.startswith("..") and path not in {".", folder}:
+                yield InstalledPath(path=path, folder=folders, line=call.line)
+
+
+def not_there(found: Iterable[InstalledPath], text: str, repository: Repository) -> tuple[InstalledPath, ...]:
+    """Return those that are not in the tree; ``text`` is the file's, which may make a file that it names twice.
+
+    Nothing is known of what lies in a submodule.
+    """
+    modules = repository.once(_submodules)
+    return tuple(
+        each
+        for each in found
+        if not (repository.may_have(each.path) or f"{each.path}/".startswith(modules))
+        if each.folder or text.count(posixpath.basename(each.path)) == 1
+    )
+
+
+def _submodules(repository: Repository) -> tuple[str, ...]:
+    """Return the folders of submodules, each with a ``/`` behind it."""
+    files = repository.named(".gitmodules")
+    found = ((file, match[1]) for file in files for match in _MODULE.finditer(repository.read(file)))
+    return tuple(posixpath.normpath(posixpath.join(file.folder, path)) + "/" for file, path in found)
+
+
+def _keyword(word: str) -> bool:
+    """Tell whether a word is one of CMake's: ``DESTINATION``, ``FILES_MATCHING``; a file may be called ``LICENSE``."""
+    return word in {
+        *("DESTINATION", "TYPE", "FILES_MATCHING", "PATTERN", "REGEX", "COMPONENT", "PERMISSIONS", "CONFIGURATIONS"),
+        *("RENAME", "USE_SOURCE_PERMISSIONS", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS", "MESSAGE_NEVER"),
+        *("EXCLUDE_FROM_ALL", "EXCLUDE", "USE_SCOPED_HEADER_INSTALL_DIR"),
+    }

@@ -1,0 +1,39 @@
+"""What is made and hidden in a workspace before its build tool looks into it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.plan.workspace import RosBuild
+from roslab.render import quote
+
+WITHOUT_LACKING = "leave-out-lacking"
+"""The script that hides packages where nothing brings what they require."""
+
+
+def not_there(source: str, build: RosBuild) -> Iterator[str]:
+    """Yield the commands that make what packages install and the repository, in ``source``, does not have."""
+    files = [_within(source, path) for path in build.not_there if not path.endswith("/")]
+    if build.not_there:
+        folders = dict.fromkeys(_within(source, path.rpartition("/")[0]) for path in build.not_there)
+        yield f"mkdir --parents {' '.join(folders)}"
+    if files:
+        yield f"touch {' '.join(files)}"
+
+
+def lacking(source: str, build: RosBuild) -> Iterator[str]:
+    """Yield the commands that hide packages where no clone brings what they require."""
+    for name, folders in build.lacking:
+        hidden = " ".join(_within(source, folder) for folder in folders)
+        yield f"{WITHOUT_LACKING} {quote.shell(name)} {hidden}"
+
+
+def ignoring(source: str, build: RosBuild) -> Iterator[str]:
+    """Yield the command that puts the marker of a build tool into the folders that it must not look into."""
+    marker = "COLCON_IGNORE" if build.tool == "colcon" else "CATKIN_IGNORE"
+    if build.ignored:
+        yield f"touch {' '.join(_within(source, f'{folder}/{marker}') for folder in build.ignored)}"
+
+
+def _within(source: str, path: str) -> str:
+    return quote.shell_with_user(f"{source}/{path}".rstrip("/"))
