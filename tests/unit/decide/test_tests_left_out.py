@@ -115,3 +115,31 @@ def test_what_the_tests_of_a_package_always_require_is_there(
     decision = tree({**files, "src/tests/CMakeLists.txt": ASKS, "src/tests/try.cpp": "int main() {}\n"})
     assert ("googletest" in [source.name for source in decision.source]) is built
     assert ("libgtest-dev" in decision.apt) is installed
+
+
+ARM_XML = "<package><name>arm</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+ARM_CMAKE = "project(arm)\nfind_package(ament_cmake REQUIRED)\nif(BUILD_TESTING)\nfind_package({} REQUIRED)\nendif()\n"
+
+
+@pytest.mark.parametrize(
+    ("asked", "files", "left_out"),
+    [
+        ("code_style", {}, True),
+        ("ament_lint_auto", {}, False),
+        ("GTest", {}, False),
+        (
+            "style",
+            {"style/package.xml": ARM_XML.replace("arm", "style"), "style/CMakeLists.txt": "project(style)\n"},
+            False,
+        ),
+        ("code_style", {"README.md": "```\ncolcon build --cmake-args -DBUILD_TESTING=ON\n```\n"}, False),
+        ("code_style", {"arm/COLCON_IGNORE": "", "b/package.xml": ARM_XML, "b/CMakeLists.txt": "project(b)\n"}, False),
+    ],
+)
+def test_tests_of_packages_that_ask_for_what_nobody_has(
+    tree: Tree, asked: str, files: dict[str, str], left_out: bool
+) -> None:
+    decision = tree({"arm/package.xml": ARM_XML, "arm/CMakeLists.txt": ARM_CMAKE.format(asked), **files})
+    assert decision.build_tool == "colcon"
+    assert ("-DBUILD_TESTING=OFF" in decision.cmake_options) is left_out
+    assert any(f"only the tests ask for {asked}" in each.message for each in decision.warnings) is left_out

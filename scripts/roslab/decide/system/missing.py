@@ -27,7 +27,7 @@ from roslab.decide.system.required import (
     undeclared,
 )
 from roslab.decide.system.switches import given, switch_of
-from roslab.decide.system.tests import left_to_a_switch
+from roslab.decide.system.tests import BUILD_TESTING, left_to_a_switch
 from roslab.decide.system.tried_headers import without_tried
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -125,6 +125,7 @@ def decide_missing(
         if switch_of(asked, options) not in off:
             lacking.setdefault((package, asked.name), asked)
     tests = _of_tests(evidence, target, packages, names) if switch else {}
+    tests |= _of_package_tests(evidence, target, packages, names, may_hold) if build_tool == "colcon" else {}
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
         asked
@@ -254,3 +255,17 @@ def _of_tests(evidence: Evidence, target: Target, packages: Packages, names: Col
         if asked.name not in inside and not of_cmake and not similar(plain(asked.name), names):
             switches.setdefault(switch, asked)
     return switches
+
+
+def _of_package_tests(
+    evidence: Evidence, target: Target, packages: Packages, names: Collection[str], may_hold: Callable[[str], bool]
+) -> dict[str, Dependency]:
+    """Return the option that leaves out the tests of packages, where these alone ask for a package that nobody has."""
+    inside, folders = own_names(evidence, packages), folders_of(packages, [str(m.name) for m in packages.built])
+    said = any(m.topic == "build_tool" and BUILD_TESTING in m.text for m in evidence.mentions)
+    for asked, switch in () if said else left_to_a_switch(evidence):
+        within = any(not folder or asked.file.startswith(f"{folder}/") for folder in folders)
+        known = asked.name in inside or resolve(asked, target).known or similar(plain(asked.name), names)
+        if switch == BUILD_TESTING and within and not known and not may_hold(asked.name):
+            return {switch: asked}
+    return {}
