@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
+from roslab.decide.ros.slips import meant
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency
@@ -22,6 +23,8 @@ from roslab.values.pattern import pattern
 _NO_KEY = pattern(r"rosdep has no key (\S+) for ROS (\S+): (.+)")
 _LOOKS = "the build looks for it in {}, and goes on without it where it is not there"
 _NOWHERE = "nothing here says where it comes from"
+_MOST_MEANT = 3
+"""Most names that a warning proposes for one."""
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
 
@@ -182,12 +185,13 @@ def not_tried(warnings: Iterable[Warning_], before: Mapping[str, str], after: Ma
 def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:
     if folder:
         return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
-    near = _nearest(name, rosdep_keys() | released(target.ros_distro or ""))
+    known = rosdep_keys() | released(target.ros_distro or "")
+    near = " or ".join(meant(name, known)[:_MOST_MEANT]) or _nearest(name, known)
     where = "one of the cloned repositories may hold it" if cloned else _NOWHERE
     if tried:
         where = _LOOKS.format(tried)
-    meant = f"correct the name (is {near} meant?)" if near else "correct the name"
-    return f"{where}; else {meant}, or give its repository under source in roslab.yaml"
+    correct = f"correct the name (is {near} meant?)" if near else "correct the name"
+    return f"{where}; else {correct}, or give its repository under source in roslab.yaml"
 
 
 def _nearest(name: str, known: frozenset[str]) -> str | None:

@@ -13,6 +13,7 @@ from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.slips import meant
 from roslab.decide.ros.source_names import address, plain, telling_words
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
@@ -47,13 +48,17 @@ def with_sought(
 
     ``needed``: names that the build uses, ``known``: what the repository, rosdep and the distribution
     have, ``cloned``: what pages clone; ``before``: the day of which they are taken. None for the old formats, whose
-    images never had them; where a source whose packages are not known may hold them, only what pages clone.
+    images never had them; where a source whose packages are not known may hold them, only what pages clone. Nor what is
+    one slip away from a known name that the repository has elsewhere.
     """
     sources = choice.answer
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     if build is None or config.compatible:
         return choice
     lacking = _lacking(needed, known | sources.names)
+    named = known & {each.name for m in evidence.manifests for each in m.dependencies}
+    named |= known & {each.name for project in evidence.cmake for each in project.dependencies}
+    lacking = {name: asked for name, asked in lacking.items() if not meant(name, named)}
     nowhere = [name for name in lacking if not sources.may_hold(name)]
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
     taken |= {address(git.url) for git in evidence.sources if git.into in known}  # itself, under another name
