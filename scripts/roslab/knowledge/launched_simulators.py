@@ -1,0 +1,35 @@
+"""Simulators that a launch file starts by a module of Python and that no package of ROS brings."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class LaunchedSimulator:
+    """A simulator, and how the module finds it."""
+
+    program: str
+    package: str
+    """Of apt, where a source of it is added."""
+    variables: tuple[str, ...]
+    """Each may name the folder that it is in."""
+    address: str
+    """Where it is to be had."""
+
+
+@cache
+def launched_simulators() -> dict[str, LaunchedSimulator]:
+    """Return the simulators by the modules that start them."""
+    return {
+        row["module"]: LaunchedSimulator(
+            program=row["program"],
+            package=row["package"],
+            variables=tuple(row["variables"].split()),
+            address=row["address"],
+        )
+        for row in rows("launched_simulators")
+    }
