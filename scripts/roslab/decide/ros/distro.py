@@ -11,6 +11,7 @@ from roslab.decide.ros.distro_dates import dated, of_its_time, supported
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.gazebo import by_gazebo, without_library
 from roslab.decide.ros.lost_keys import with_every_package
+from roslab.decide.ros.on_machines import on_machines
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits, unincluded, unlaunchable
@@ -55,6 +56,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unknown = {n: m | unlaunched.get(n, frozenset()) | other.get(n, frozenset()) for n, m in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
     every = [*reasons_for(evidence, ros), *by_gazebo(evidence, ros), *by_comparison(evidence, ros)]
+    every += on_machines(evidence, ros)
     named = [reason for reason in there(evidence, every) if not stale(reason, evidence.day)]
     if dated(evidence) and all(_tells_nothing(reason, unknown) for reason in named):
         named = []

@@ -1,0 +1,43 @@
+"""Distributions in what an editor or a build wrote on the author's machine, and that was committed."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.facts import Mention
+from roslab.evidence.lex.lines import end_of_line, matching_lines
+from roslab.knowledge.distros import distros
+from roslab.repository.checkout import Repository, nearest
+from roslab.repository.listing import File
+from roslab.values.pattern import pattern
+
+EDITOR = ".vscode"
+SETUPS = ("CMakeCache.txt", "setup.sh", "setup.bash", "_setup_util.py")
+"""What CMake, catkin and colcon write into a build, devel or install folder, with the underlay's path."""
+MOST = 40
+"""Files that are read: a build folder has one for each package."""
+_NAMED = r"/opt/ros/([a-z]+)\b(?!\.)"
+_BUILT = pattern(rf"[^\n]{{0,400}}?{_NAMED}")
+_SET = pattern(rf"(?![ \t]*//)[^\n]{{0,400}}?(?:{_NAMED}|\"ros\.distro\"[ \t]*:[ \t]*\"([a-z]+)\")")
+
+
+def read(repository: Repository) -> Iterator[Mention]:
+    """Yield each distribution that such a file names, at its first place in it, the nearest files first."""
+    found = [file for file in repository.suffixed(".json") if posixpath.basename(file.folder) == EDITOR]
+    found += repository.named(*SETUPS)
+    for file in nearest(file for file in found if not places.aside(file.path))[:MOST]:
+        yield from _named(file, repository.read(file))
+
+
+def _named(file: File, text: str) -> Iterator[Mention]:
+    lines, word = (_SET, "ros") if file.suffix == ".json" else (_BUILT, "/opt/ros/")
+    told: set[str] = set()
+    for match in matching_lines(lines, text, word) if word in text else ():
+        name = next(filter(None, match.groups()))
+        if name in distros() and name not in told:
+            told.add(name)
+            line = text.count("\n", 0, match.start()) + 1
+            said = text[match.start() : end_of_line(text, match.start())].strip()[:120]
+            yield Mention(topic="machine", value=name, source="code", file=file.path, line=line, text=said)

@@ -1,0 +1,68 @@
+"""An editor's settings and what a build wrote tell the distribution of the author's machine where no page does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.facts import Mention
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
+
+Tree = Callable[[dict[str, str]], Decision]
+AMENT = "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+CATKIN = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
+CMAKE = {AMENT: "project(a)\nfind_package(ament_cmake REQUIRED)\n", CATKIN: "project(a)\nfind_package(catkin)\n"}
+SETTINGS = '{\n  "ros.distro": "iron"\n}\n'
+INCLUDED = '{"configurations": [{"includePath": ["/opt/ros/iron/include/**"]}]}\n'
+CACHE = "actionlib_DIR:PATH=/opt/ros/indigo/share/actionlib/cmake\n"
+UNSAID = "nothing says which ROS distribution"
+
+
+@pytest.mark.parametrize(
+    ("manifest", "files", "distro"),
+    [
+        (AMENT, {".vscode/settings.json": SETTINGS}, "iron"),
+        (AMENT, {".vscode/settings.json": SETTINGS, ".vscode/c_cpp_properties.json": INCLUDED}, "iron"),
+        (CATKIN, {"ws/build/CMakeCache.txt": CACHE}, "indigo"),
+        (CATKIN, {"devel/_setup_util.py": "CMAKE_PREFIX_PATH = '/opt/ros/kinetic'.split(';')\n"}, "kinetic"),
+        (AMENT, {".vscode/settings.json": SETTINGS, "README.md": "Tested on ROS 2 Jazzy.\n"}, "jazzy"),
+    ],
+)
+def test_the_distribution_of_a_machine(tree: Tree, manifest: str, files: dict[str, str], distro: str) -> None:
+    decision = tree({"package.xml": manifest, "CMakeLists.txt": CMAKE[manifest], **files})
+    assert decision.ros_distro == distro
+    assert not any(UNSAID in warning.message for warning in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {".vscode/settings.json": '{\n  // "ros.distro": "iron"\n}\n'},
+        {"third_party/b/.vscode/settings.json": SETTINGS},
+        {".vscode/settings.json": SETTINGS.replace("iron", "noetic")},
+    ],
+)
+def test_what_tells_of_no_machine(tree: Tree, files: dict[str, str]) -> None:
+    plain = {"package.xml": AMENT, "CMakeLists.txt": CMAKE[AMENT]}
+    without = tree(plain).ros_distro
+    assert without not in {"iron", "foxy", "noetic"}
+    assert tree({**plain, **files}).ros_distro == without
+
+
+def test_several_distributions_tell_less_than_the_date(tmp_path: Path) -> None:
+    plain = {"package.xml": AMENT, "CMakeLists.txt": CMAKE[AMENT], ".vscode/settings.json": SETTINGS}
+    for path, text in {**plain, ".vscode/c_cpp_properties.json": INCLUDED.replace("iron", "foxy")}.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    evidence = gather(Repository.open(tmp_path))
+    date = Mention(topic="date", value="2026-10-01", source="commit", file=".git/HEAD", line=1, text="a commit")
+    decision = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="demo")
+    assert decision.ros_distro == "jazzy"
+    assert any(UNSAID in warning.message for warning in decision.warnings)
