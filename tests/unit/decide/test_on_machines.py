@@ -66,3 +66,23 @@ def test_several_distributions_tell_less_than_the_date(tmp_path: Path) -> None:
     decision = decide(replace(evidence, mentions=(*evidence.mentions, date)), Config(), folder_name="demo")
     assert decision.ros_distro == "jazzy"
     assert any(UNSAID in warning.message for warning in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    ("manifest", "listed", "distro"),
+    [
+        (AMENT, "numpy==1.26.4\nrclpy==7.1.3\nros2cli==0.32.2\nlaunch==3.4.3\n", "jazzy"),
+        (CATKIN, "cv_bridge==1.16.2\nrospy==1.16.0\nsensor_msgs==1.13.1\ntf==1.13.2\n", "noetic"),
+        (CATKIN, "rospy==1.14.13\nroslaunch==1.14.13\nnumpy==1.19\n", "melodic"),
+    ],
+)
+def test_the_distribution_of_a_list_of_a_machine(tree: Tree, manifest: str, listed: str, distro: str) -> None:
+    decision = tree({"package.xml": manifest, "CMakeLists.txt": CMAKE[manifest], "requirements.txt": listed})
+    assert decision.ros_distro == distro
+    assert not any(UNSAID in warning.message for warning in decision.warnings)
+
+
+@pytest.mark.parametrize("listed", ["rclpy==7.1.3\n", "rclpy>=7.1.3\nros2cli\n", "rclpy==7.1.3\nros2cli==0.18.4\n"])
+def test_a_list_that_tells_of_no_machine(tree: Tree, listed: str) -> None:
+    plain = {"package.xml": AMENT, "CMakeLists.txt": CMAKE[AMENT]}
+    assert tree({**plain, "requirements.txt": listed}).ros_distro == "humble"
