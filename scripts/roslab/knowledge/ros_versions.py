@@ -13,13 +13,25 @@ from roslab.knowledge.table import rows
 @cache
 def versions(name: str) -> dict[str, Version]:
     """Return the last version of a package in each distribution that has it, by the distribution; of most, none."""
-    return {distro: of[key] for distro, of in _by_distro().items() if (key := name.replace("-", "_").lower()) in of}
+    key = name.replace("-", "_").lower()
+    return {distro: of[key][1] for distro, of in _by_distro().items() if key in of}
+
+
+def repositories_of(name: str) -> frozenset[str]:
+    """Return the names of the repositories that such a package is released from."""
+    return frozenset(of[name][0] for of in _by_distro().values() if name in of)
 
 
 @cache
-def _by_distro() -> dict[str, dict[str, Version]]:
-    read = ((row["distro"], (each.partition("=") for each in row["versions"].split())) for row in rows("ros_versions"))
-    return {distro: {name: Version(version) for name, _, version in found} for distro, found in read}
+def _by_distro() -> dict[str, dict[str, tuple[str, Version]]]:
+    return {row["distro"]: dict(_read(each) for each in row["versions"].split()) for row in rows("ros_versions")}
+
+
+def _read(written: str) -> tuple[str, tuple[str, Version]]:
+    """Return what ``REPOSITORY/NAME=VERSION`` says."""
+    path, _, version = written.partition("=")
+    repository, _, name = path.partition("/")
+    return name, (repository, Version(version))
 
 
 def with_version(name: str, version: Version, ros: int) -> frozenset[str]:

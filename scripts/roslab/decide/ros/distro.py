@@ -12,6 +12,7 @@ from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.gazebo import by_gazebo, without_library
 from roslab.decide.ros.lost_keys import with_every_package
 from roslab.decide.ros.on_machines import on_machines
+from roslab.decide.ros.required_versions import with_older
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits, unincluded, unlaunchable
@@ -60,7 +61,8 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     named = [reason for reason in there(evidence, every) if not stale(reason, evidence.day)]
     if dated(evidence) and all(_tells_nothing(reason, unknown) for reason in named):
         named = []
-    included = {name: missing | headers.get(name, frozenset()) for name, missing in unknown.items()}
+    older = with_older(evidence, ros)
+    included = {n: m | headers.get(n, frozenset()) | older.get(n, frozenset()) for n, m in unknown.items()}
     fitted = (_fitted(reason, unknown if _built(reason) else included) for reason in named)
     reasons = [_compiling(reason, lacking) for reason in fitted]
     unknown = included
