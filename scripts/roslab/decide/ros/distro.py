@@ -5,7 +5,8 @@ from __future__ import annotations
 from roslab.config.model import Config, Kind
 from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason, Warning_
-from roslab.decide.reasons import because, configured, ranked, warn
+from roslab.decide.reasons import Placed, because, configured, ranked, warn
+from roslab.decide.ros.by_python import by_python
 from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated, of_its_time, supported
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
@@ -242,6 +243,7 @@ def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[
 def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None]:
     """Return the distribution of the last commit's time, else the default; if that lacks a key, one with every key."""
     date = dated(evidence)
+    at: Placed | None = date
     answer = of_its_time(kind, date.value if date else None)
     why = "no distribution is named: the default"
     if date:
@@ -254,7 +256,10 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
         of_python2 = (found for found in distros().values() if found.python.startswith("2") and found.ros == 1)
         answer = max(of_python2, key=lambda found: found.preference).name
         why = f"no distribution is named, and {answer} is the last with Python 2: “{old.text.strip()[:60]}”"
-        date = old
+        date = at = old
+    ours = by_python(evidence, 1 if kind == "ros1" else 2)
+    if ours and not unknown.get(ours[0]):
+        answer, why, at = ours
     if lacks := sorted(unknown.get(answer, ())):
         fitting = [name for name, missing in unknown.items() if not missing]
         then = [name for name in fitting if date and date.topic == "date" and supported(name, date.value)]
@@ -269,8 +274,7 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
     fitting = [name for name, missing in unknown.items() if not missing]
     if older := with_every_package(evidence, 1 if kind == "ros1" else 2, answer, fitting):
         why = f"no distribution is named, and {older[0]} is the last that released {older[1].name}"
-        answer = older[0]
+        answer, at = older
     message = f"nothing says which ROS distribution this is for: {answer} is used; set base.ros in roslab.yaml"
-    at = older[1] if older else date
     reason = because("ros_distro", answer, why, at, weight=Weight.DEFAULT)
     return Choice(answer=distros()[answer], reasons=(reason,), warnings=(warn(message),))
