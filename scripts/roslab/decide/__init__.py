@@ -7,6 +7,7 @@ from roslab.decide.assembled import Choices, decision_of
 from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.authored import as_authored
 from roslab.decide.base import decide_base
+from roslab.decide.beside_cmake import without_packages_beside
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
 from roslab.decide.command import decide_command
@@ -69,9 +70,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(of_one_environment(evidence, config), config)
     kind = decide_kind(evidence, config, folder_name)
-    evidence = of_what_is_built(
-        with_compiled_signs(with_what_is_brought(evidence, kind.answer, folder_name), kind.answer), kind.answer
-    )
+    evidence = without_packages_beside(evidence, kind.answer)
+    evidence = with_compiled_signs(with_what_is_brought(evidence, kind.answer, folder_name), kind.answer)
+    evidence = of_what_is_built(evidence, kind.answer)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))
