@@ -10,7 +10,7 @@ from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_o
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
-from roslab.decide.ros.plain_workspace import built_together
+from roslab.decide.ros.plain_workspace import built_by_cmake_alone, built_together
 from roslab.decide.ros.without_manifest import CLIENTS, by_catkin, client_of
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
@@ -34,6 +34,7 @@ class Weight:
     PACKAGES = 500  # only ROS's tools build them
     CATKIN_ALONE = 470  # without ROS, CMake stops
     BUILT = 460  # a C++ project that its page builds with CMake, and never with pip
+    NEVER_CALLED = 440  # a package whose CMake calls nothing of ROS: what its page builds with counts more
     BINDINGS = 450  # a C++ project whose setup.py only wraps it: wins over that setup.py
     ROS_ALONE = 410  # its program imports what only ROS has: wins over a setup.py, which knows nothing of it
     INSTALLABLE = 400  # pip installs the repository itself
@@ -132,6 +133,7 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
             continue
         others = len(by_version[3 - version])
         weight = Weight.WRAPPER if wrapper else Weight.EXAMPLES if examples else Weight.PACKAGES
+        weight = Weight.NEVER_CALLED if built_by_cmake_alone(evidence, made) else weight
         weight += _leaning(evidence, version, len(made) - others) if others else 0
         number = "a package" if len(made) == 1 else f"{len(made)} packages"
         why = f"{number} built by {'catkin' if version == 1 else 'ament'}"

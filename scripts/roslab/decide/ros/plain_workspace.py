@@ -1,9 +1,11 @@
-"""Packages of plain CMake that lie beside each other, which only colcon builds together."""
+"""Packages of plain CMake: those beside each other, which only colcon builds together, and one that names catkin."""
 
 from __future__ import annotations
 
+from roslab.config.model import WORKSPACE_TOOLS
+from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of
-from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.facts import Evidence, Mention, PackageManifest
 
 FEWEST = 2
 """A single package is built by CMake alone."""
@@ -16,3 +18,15 @@ def built_together(evidence: Evidence) -> Mention | None:
     if len(apart) < FEWEST or any(project.file == "CMakeLists.txt" for project in evidence.cmake):
         return None
     return next(said, None)
+
+
+def built_by_cmake_alone(evidence: Evidence, made: list[PackageManifest]) -> bool:
+    """Tell whether the only package is the root, whose CMake calls nothing of ROS, and the page builds by CMake alone.
+
+    Many libraries have a package.xml for ROS's build farm, which names catkin and is not meant for it.
+    """
+    top = top_of(evidence)
+    if top is None or [manifest.file for manifest in made] != ["package.xml"] or "/" in top.file:
+        return False
+    said = {m.value for m in evidence.mentions if m.topic == "build_tool" and m.source == "readme"}
+    return not {"catkin", "ament"} & {*top.macros} and "cmake" in said and said.isdisjoint(WORKSPACE_TOOLS)
