@@ -324,3 +324,12 @@ def test_what_the_default_launch_file_needs_is_looked_for(tree: Tree, started: s
     assert all(
         f"stops without it: the build looks for it in {url};" in each for each, url in zip(told, found, strict=True)
     )
+
+
+@pytest.mark.parametrize(
+    ("needed", "looked"),
+    [("acme-util", True), ("other-util", False), ("acme-util-dev", False), ("acme-pip", False), ("acme_x-util", False)],
+)
+def test_a_sibling_may_have_a_dash_in_its_name(tree: Tree, needed: str, looked: bool) -> None:
+    decision = tree(_git(f"{LAB}/acme-core") | _package("acme-core", needed) | {"README.md": "ROS Noetic.\n"})
+    assert _sought(decision) == ({f"{LAB}/{needed}": (needed,)} if looked else {})

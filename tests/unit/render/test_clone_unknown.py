@@ -109,3 +109,10 @@ def test_what_is_no_name_of_a_package_of_ros_is_not_tried(image: Path) -> None:
 def test_nothing_is_tried_twice(image: Path) -> None:
     assert _run(image, "numeric", "nowhere")[0] == 0
     assert _run(image, "numeric", "nowhere")[0] == 1
+
+
+def test_a_name_may_have_a_dash(image: Path) -> None:
+    _manifest(image / "lab/lab-util", "lab-util")
+    _commit(image / "lab/lab-util")
+    _manifest(image / "ws/src/lib", "lib", "lab-util")
+    assert _run(image, "lab-util") == (0, ["docs", "lab-util", "lib"])

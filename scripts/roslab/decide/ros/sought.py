@@ -29,6 +29,8 @@ from roslab.values.pattern import pattern
 _OWNER = pattern(r"(https://([\w.-]+)/[\w.-]+)/[\w.-]+?/?$")
 _PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 """A name that a package of ROS may have (REP 144), and no package of a system is likely to."""
+_OF_SYSTEM = pattern(r"[^a-z0-9-]|^(?:lib|python|ros-)|-(?:dev|pip)$")
+"""In a name with a dash that is none of a package of ROS."""
 _MOST = 6
 """Most repositories that a build tries."""
 
@@ -55,7 +57,8 @@ def with_sought(
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     if build is None or config.compatible:
         return choice
-    lacking = _lacking(needed, known | sources.names)
+    own = {manifest.name for manifest in evidence.manifests if manifest.name}
+    lacking = _lacking(needed, known | sources.names, own)
     named = known & {each.name for m in evidence.manifests for each in m.dependencies}
     named |= known & {each.name for project in evidence.cmake for each in project.dependencies}
     lacking = {name: asked for name, asked in lacking.items() if not meant(name, named)}
@@ -111,14 +114,19 @@ def _without(sought: tuple[Source, ...], packages: Packages, left_out: Collectio
     return tuple(source for source in sought if not lost.issuperset(source.holding))
 
 
-def _lacking(needed: Iterable[Dependency], known: AbstractSet[str]) -> Mapping[str, Dependency]:
-    """Return the declared packages of ROS that are not known, by their names."""
+def _lacking(needed: Iterable[Dependency], known: AbstractSet[str], own: set[str]) -> Mapping[str, Dependency]:
+    """Return the declared packages of ROS that are not known, by their names.
+
+    One with a dash in its name only where one of the tree begins with the same word: ``hpp-core`` and ``hpp-util``.
+    """
     found: dict[str, Dependency] = {}
+    families = {name.partition("-")[0] for name in own if "-" in name}
     for asked in needed:
         of_ros = asked.namespace in {"rosdep", "ros"} and asked.role not in {"test", "doc"}
         if not of_ros or asked.strength != "declared" or asked.name in known or plain(asked.name) in known:
             continue
-        if _PACKAGE.fullmatch(asked.name) and not library("cmake", asked.name, None):
+        sibling = asked.name.partition("-")[0] in families and not _OF_SYSTEM.search(asked.name)
+        if (_PACKAGE.fullmatch(asked.name) or sibling) and not library("cmake", asked.name, None):
             found.setdefault(asked.name, asked)
     return found
 

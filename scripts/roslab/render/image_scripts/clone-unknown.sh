@@ -62,7 +62,8 @@ try() { # PACKAGE URL [REF]
 
 new=''
 for key in "$@"; do
-  if [[ ! "${key}" =~ ^[a-z][a-z0-9_]*$ || "${key}" =~ ^(lib|python) ]]; then continue; fi # no package of ROS
+  # What is named so is a package of the system or of pip, and none of ROS
+  if [[ ! "${key}" =~ ^[a-z][a-z0-9_-]*$ || "${key}" =~ ^(lib|python|ros-)|-(dev|pip)$ ]]; then continue; fi
   manifest="${asked["${key}"]:-}"
   if [ -z "${manifest}" ] || grep --quiet --line-regexp --fixed-strings "${key}" "${tried}"; then continue; fi
   echo "${key}" >>"${tried}"
