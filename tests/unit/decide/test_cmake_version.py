@@ -159,3 +159,21 @@ def test_a_newer_ubuntu_is_taken_where_none_is_named(tmp_path: Path) -> None:
     found = decided(tmp_path, {"CMakeLists.txt": PLAIN.format("block(SCOPE_FOR VARIABLES)\nendblock()")})
     assert found.base_image == "ubuntu:24.04"
     assert any(reason.reason == "block is called, which needs CMake 3.25" for reason in found.reasons)
+
+
+MATRIX = "jobs:\n  build:\n    strategy:\n      matrix:\n        os: [ubuntu-18.04, ubuntu-20.04, ubuntu-22.04]\n"
+
+
+@pytest.mark.parametrize(
+    ("demand", "page", "base"),
+    [
+        ("3.10", "", "ubuntu:18.04"),
+        ("3.11", "", "ubuntu:20.04"),
+        ("3.11", "Suppose that the Python version is 3.10.\n", "ubuntu:22.04"),
+        ("3.10", "Tested with Python 3.8.\n", "ubuntu:20.04"),
+        ("3.23", "", "ubuntu:18.04"),
+    ],
+)
+def test_of_equal_ubuntus_the_one_that_fits_the_pages(tmp_path: Path, demand: str, page: str, base: str) -> None:
+    files = {"CMakeLists.txt": TOP.format(demand), "README.md": page, ".github/workflows/build.yml": MATRIX}
+    assert decided(tmp_path, files).base_image == base
