@@ -123,7 +123,7 @@ def test_a_known_key_takes_the_place_of_one_without_https(tree: Tree) -> None:
     ("commands", "why"),
     [
         ((KEY.replace("https", "http"), ADD), "its key is fetched without https"),
-        ((ADD,), "the page fetches no key for it"),
+        ((ADD,), "nothing beside it fetches its key"),
         ((KEY, ADD.replace(SIGNED, "trusted=yes")), "it is trusted without a key"),
         ((KEY, ADD.replace("$(lsb_release -cs)", "focal")), "it is for focal, the image is jammy"),
         (
@@ -227,3 +227,39 @@ def test_the_release_in_an_address(tree: Tree, address: str, added: str | None, 
     decision = tree(page(KEY, add, INSTALL))
     assert decision.repositories == ((added,) if added else ())
     assert any(told in each.message for each in decision.warnings) if told else True
+
+
+STEPS = "jobs:\n  build:\n    runs-on: ${{ matrix.os }}\n    steps:\n"
+STEP = "      - name: for one\n        if: matrix.os == '%s'\n        run: |\n          sudo apt-get install %s\n"
+
+
+def workflow(*commands: str) -> str:
+    lines = "".join(commands).replace("\\\n", "").splitlines()
+    return STEPS + "      - run: |\n" + "".join(f"          {line}\n" for line in lines)
+
+
+def test_a_source_that_ci_adds_is_added(tree: Tree) -> None:
+    decision = tree({**page("cmake .\n"), ".github/workflows/build.yml": workflow(KEY, ADD, INSTALL)})
+    assert decision.repositories == (ADDED,)
+
+
+def test_a_source_of_ci_whose_key_came_without_https_is_told(tree: Tree) -> None:
+    insecure = KEY.replace("https://", "http://")
+    decision = tree({**page("cmake .\n"), ".github/workflows/build.yml": workflow(insecure, ADD, INSTALL)})
+    assert decision.repositories == ()
+    assert any("without https" in warning.message for warning in decision.warnings)
+
+
+def test_of_a_matrix_only_the_step_for_this_ubuntu_counts(tree: Tree) -> None:
+    steps = STEP % ("ubuntu-20.04", "libacme1-dev") + STEP % ("ubuntu-22.04", "libacme2-dev")
+    text = "on: push\n" + STEPS + steps + "      - run: sudo apt-get install libacme-common-dev\n"
+    decision = tree({**page("cmake .\n"), ".github/workflows/build.yml": text})
+    assert decision.ubuntu == "focal"  # the first that CI names
+    named = [name for name in decision.apt_guessed if name.startswith("libacme")]
+    assert named == ["libacme-common-dev", "libacme1-dev"]
+
+
+def test_a_condition_that_names_no_release_leaves_nothing_out(tree: Tree) -> None:
+    steps = STEP % ("ubuntu-20.04", "libacme1-dev") + STEP.replace("==", "!=") % ("ubuntu-22.04", "libacme2-dev")
+    apt = tree({**page("cmake .\n"), ".github/workflows/build.yml": STEPS + steps}).apt_guessed
+    assert [name for name in apt if name.startswith("libacme")] == ["libacme1-dev", "libacme2-dev"]

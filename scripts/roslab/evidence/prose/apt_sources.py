@@ -1,4 +1,4 @@
-"""Package sources of apt that pages and Dockerfiles add by a line ``deb …``, each with the key fetched for it."""
+"""Package sources of apt that pages, CI and Dockerfiles add by a line ``deb …``, each with the key fetched for it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 from urllib.parse import urlsplit
 
 from roslab.evidence.apt_source import AptSource
-from roslab.evidence.prose import author_dockerfile
+from roslab.evidence.prose import author_dockerfile, ci
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.apt_sources import keys_of_sources
 from roslab.repository.checkout import Repository
@@ -47,9 +47,10 @@ class _Key(NamedTuple):
 
 
 def read(repository: Repository) -> tuple[AptSource, ...]:
-    """Return the sources of the pages that explain how to install, and those of Dockerfiles whose key is known."""
+    """Return the sources that installing pages and CI add, and those of Dockerfiles whose key is known."""
     found = [each for file in pages(repository) for each in said(text_of(repository, file), file.path)]
     recipes = (each for file in author_dockerfile.files(repository) for each in said(repository.read(file), file.path))
+    found += [each for path in ci.files(repository) for each in said(repository.read(path), path)]
     found += [each for each in recipes if urlsplit(each.url).hostname in keys_of_sources()]
     return tuple({(each.url, each.suite, each.components): each for each in reversed(found)}.values())[::-1]
 
@@ -112,4 +113,4 @@ def _of(options: str, keys: list[_Key], line: int) -> _Key:
     named = [key for key in keys if place and key.place == place[0]]
     near = [key for key in keys if abs(key.line - line) <= NEAR and not (place and key.place)]
     best = min(named or near, key=lambda key: (key.url is None, abs(key.line - line)), default=None)
-    return best or _Key(None, "the page fetches no key for it", None, line)
+    return best or _Key(None, "nothing beside it fetches its key", None, line)

@@ -12,6 +12,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
+from roslab.evidence.prose.ci_conditions import titled
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.other_branches import told
@@ -68,6 +69,12 @@ def read(repository: Repository) -> Prose:
     """
     found, others = repository.once(_all)
     return merge(prose for path, prose in found.items() if path not in others)
+
+
+def files(repository: Repository) -> tuple[str, ...]:
+    """Return the paths of the CI files that ``read`` reads."""
+    found, others = repository.once(_all)
+    return tuple(path for path in found if path not in others)
 
 
 def of_others(repository: Repository) -> frozenset[str]:
@@ -136,7 +143,11 @@ def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
     found = collector.prose()
     sources = dict.fromkeys((*found.sources, *upstream(values, path)))
     said = (each for each in found.mentions if not conditional(each, text))
-    return found._replace(mentions=(*said, *images, *taken_out(values, path)), sources=tuple(sources))
+    return found._replace(
+        dependencies=tuple(titled(found.dependencies, text)),
+        mentions=(*said, *images, *taken_out(values, path)),
+        sources=tuple(sources),
+    )
 
 
 def _by_lines(text: str, path: str) -> Prose:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.yaml import Scalar
+from roslab.evidence.prose.ci_conditions import condition_of
 from roslab.values.pattern import pattern
 
 NAME = "target_workspace"
@@ -16,8 +17,6 @@ MARKERS = ("/COLCON_IGNORE", "/CATKIN_IGNORE", "/AMENT_IGNORE")
 """Files that make a build tool pass over the folder in which they lie."""
 _ASSIGNED = pattern(r"\bTARGET_WORKSPACE=(?:\"([^\"\n]*)\"|'([^'\n]*)'|(\S+))")
 _REMOVED = pattern(r"(?<!\S)-(\w[\w./-]*)")
-_ITEM = pattern(r"^([ \t]*)-[ \t]")
-_CONDITION = pattern(r"^[ \t]*(?:-[ \t]+)?if[ \t]*:")
 
 
 def taken_out(values: Iterable[Scalar], file: str) -> Iterator[Mention]:
@@ -44,15 +43,4 @@ def marked(words: tuple[str, ...], folder: str) -> Iterator[str]:
 
 def conditional(mention: Mention, text: str) -> bool:
     """Tell whether a step of a CI file that makes a marker has a condition: other runs build the package."""
-    if mention.topic != "skipped":
-        return False
-    lines = text.split("\n")
-    first = next((at for at in range(mention.line - 1, -1, -1) if _ITEM.match(lines[at])), 0)
-    indent = len(lines[first]) - len(lines[first].lstrip())
-    for at, line in enumerate(lines[first:], first):
-        inside = at == first or not line.strip() or len(line) - len(line.lstrip()) > indent
-        if not inside:
-            return False
-        if _CONDITION.match(line):
-            return True
-    return False
+    return mention.topic == "skipped" and condition_of(text, mention.line) is not None
