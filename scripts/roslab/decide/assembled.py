@@ -171,6 +171,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         workspace=of.layout.answer.workspace,
         cmake_folder=of.layout.answer.cmake_folder,
         program_folders=of.layout.answer.program_folders,
+        installed=of.layout.answer.installed,
         cmake_options=(
             *own_options(evidence, config, folder_name, of.build_tool.answer),
             *of.missing.answer.options,

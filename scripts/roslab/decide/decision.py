@@ -252,6 +252,8 @@ class Decision:
     cmake_folder: str = ""
     program_folders: tuple[str, ...] = ()
     """Folder of the top-level CMakeLists.txt of a plain CMake project, ``""`` for the root."""
+    installed: bool = False
+    """A page installs this project, too, and does not only compile it."""
     dockerfile: str | None = None
     bases: tuple[MendedBase, ...] = ()
     """Images that this Dockerfile starts from, and that its build replaces."""

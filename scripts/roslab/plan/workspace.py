@@ -75,6 +75,8 @@ class Program:
     """Further folders that hold its programs."""
     compilers: tuple[tuple[str, str], ...] = ()
     """Variables of the environment, each with the compiler that it names if the image has it."""
+    install: bool = False
+    """It is installed after that, so that others find its libraries and modules."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -248,6 +250,7 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         on_path=not config.compatible,
         programs=() if config.compatible else programs[:MAX_FOLDERS],
         compilers=decision.compilers,
+        install=decision.installed and not config.compatible,
     )
 
 

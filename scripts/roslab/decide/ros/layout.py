@@ -9,6 +9,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.programs import beside_top, compiled, top_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.other_workspaces import warn_of_others
+from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.facts import CMakeProject, Evidence
@@ -30,6 +31,8 @@ class Layout:
     """Folder of the top-level CMakeLists.txt of a plain CMake project."""
     program_folders: tuple[str, ...] = ()
     """Where its programs are: ``source/…``, relative to the repository's root, or ``build/…``."""
+    installed: bool = False
+    """A page installs it."""
 
 
 def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[Layout]:
@@ -42,7 +45,9 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
         folders = tuple(dict.fromkeys(program.folder for program in compiled(evidence)))
         folder = top.file.rpartition("/")[0] if top else ""
         warnings = _alone(evidence, top) if top and kind == "cpp" else ()
-        return Choice(answer=Layout(cmake_folder=folder, program_folders=folders), warnings=warnings)
+        installed = kind == "cpp" and _installed(evidence)
+        layout = Layout(cmake_folder=folder, program_folders=folders, installed=installed)
+        return Choice(answer=layout, warnings=warnings)
     if not packages.built:
         return Choice(answer=Layout())
     first = Place(file=packages.built[0].file, line=1)
@@ -54,6 +59,13 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
         return Choice(answer=Layout(workspace="root"), reasons=(why,), warnings=others)
     why = because("workspace", "overlay", "its packages lie beside its other files", first, weight=LAYOUT)
     return Choice(answer=Layout(workspace="overlay"), reasons=(why,), warnings=others)
+
+
+def _installed(evidence: Evidence) -> bool:
+    """Tell whether a page at the root clones the repository itself, compiles it and installs it."""
+    name = address(evidence.origin).rpartition("/")[2] if evidence.origin else ""
+    pages = (git for git in evidence.sources if git.kind == "clone" and git.installed and "/" not in git.file)
+    return any(git.itself or (name and plain(git.name) == plain(name)) for git in pages)
 
 
 def _alone(evidence: Evidence, top: CMakeProject) -> tuple[Warning_, ...]:

@@ -6,6 +6,8 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell, workspace
 
+INSTALL = "install-program"
+
 
 def _compiler(variable: str, name: str) -> str:
     """Return the command that names a compiler to CMake, the usual one where the image does not have it."""
@@ -28,4 +30,8 @@ def compile_program(plan: Plan) -> str:
         f"make --jobs={shell.JOBS}{workspace.words(program.arguments)}",
         workspace.TIDY,
     )
-    return f"# The program\nUSER ${{NB_USER}}\n{run}"
+    compiled = f"# The program\nUSER ${{NB_USER}}\n{run}"
+    if not program.install:
+        return compiled
+    installed = shell.run(f"{INSTALL} {build}")
+    return f"{compiled}\nUSER root\n{shell.copy_script(INSTALL)}{installed}\nUSER ${{NB_USER}}"
