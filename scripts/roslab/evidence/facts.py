@@ -157,6 +157,8 @@ class CondaEnvironment:
     channels: tuple[str, ...] = ()
     specs: tuple[str, ...] = ()
     """Of a manifest of pixi's, which no other manager reads: conda's packages in conda's notation."""
+    exported: bool = False
+    """A list that says that conda wrote it, on a Linux."""
     tasks: tuple[tuple[str, str, int], ...] = ()
     """Of pixi: name, command, line."""
 

@@ -148,3 +148,30 @@ def test_condas_name_of_opencvs_module_is_what_the_code_imports(tree: Tree) -> N
     file = "name: a\ndependencies:\n  - python=3.9\n  - py-opencv=4.6.0\n"
     python = tree({"train.py": "import cv2\n", "environment.yml": file}).python
     assert not [each for each in python.pip_guessed if each.key == "opencv-python"]
+
+
+EXPORT = (
+    f"# This file may be used to create an environment using:\n# $ conda create --name <env> --file <this file>\n{LIST}"
+)
+
+
+@pytest.mark.parametrize("path", ["requirements.txt", "setup/spec.txt"])
+def test_a_list_that_says_that_conda_wrote_it_is_the_environment(tree: Tree, path: str) -> None:
+    python = tree({**CODE, path: f"{EXPORT}einops=0.3.0=pypi_0\n", "README.md": _page(f"pip install -r {path}")}).python
+    assert (python.conda_file, python.version, python.requirements) == (path, "3.7", ())
+    assert [each.text for each in python.pip] == ["einops==0.3.0"]
+
+
+def test_a_list_that_conda_wrote_on_another_system_is_none(tree: Tree) -> None:
+    text = f"{EXPORT}einops=0.3.0=pypi_0\n".replace("linux-64", "win-64")
+    python = tree({**CODE, "requirements.txt": text}).python
+    assert python.conda_file is None
+    assert [each.text for each in python.pip] == ["einops==0.3.0"]
+
+
+def test_pip_gets_of_conda_s_list_what_it_had_installed_where_no_environment_is_made(tree: Tree) -> None:
+    package = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    cmake = "find_package(catkin REQUIRED)\ncatkin_package()\n"
+    text = f"{EXPORT}bzip2=1.0.8=h7b6447c_0\neinops=0.3.0=pypi_0\n"
+    decision = tree({"ws/node/package.xml": package, "ws/node/CMakeLists.txt": cmake, "ws/node/requirements.txt": text})
+    assert [each.text for each in decision.python.pip if each.file.endswith(".txt")] == ["einops==0.3.0"]

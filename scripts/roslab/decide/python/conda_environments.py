@@ -21,7 +21,7 @@ OF_OTHER_SYSTEM = pattern(
 )
 """An environment of another system."""
 _LIST = ".txt"
-"""How a list of conda's packages ends, which is no environment unless a page says so."""
+"""How a list of conda's packages ends, which is no environment unless a page or the list itself says so."""
 
 
 def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
@@ -37,13 +37,14 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     known = [each for each in evidence.conda if not places.vendored(each.file) and each.file not in aside]
     if said := _environment_of_readme(evidence, known):
         return said
-    own = [each for each in known if each.file.count("/") <= 1 and not each.file.endswith(_LIST)]
+    own = [each for each in known if each.file.count("/") <= 1 and (each.exported or not each.file.endswith(_LIST))]
     if not own:
         return None
     best = min(
         own,
         key=lambda e: (
             bool(e.specs),
+            e.exported,
             bool(OF_OTHER_SYSTEM.search(e.file)),
             e.file.count("/"),
             bool(VARIANT.search(e.file.rpartition(".")[0])),
@@ -54,6 +55,7 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     folder = best.file.rpartition("/")[0]
     beside = any(
         file.purpose == "run"
+        and file.file != best.file
         and file.file.rpartition("/")[0] in {"", folder}
         and not VARIANT.search(file.file.rpartition(".")[0])
         for file in evidence.requirements

@@ -18,6 +18,8 @@ from roslab.values.version import minor_of
 _NAME = pattern(
     r"^(?:.*[-_.])?(?:conda|env|environment|mamba|robostack)(?:[-_.\d].*)?\.ya?ml$|^conda.*\.ya?ml$|^env\w*\.ya?ml$"
 )
+_LIST = pattern(r"require|depend|conda|env|spec|package|pip|freeze")
+"""A word in the name of a list that conda may have written."""
 _SHAPE = pattern(r"^dependencies:", re.MULTILINE)
 _OPTIONS = ("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")
 _FOLDER = pattern(r"(?:(?:-e|--editable)\s+)?((?:\.{1,2}|[\w.-]+/)(?:[\w.-]+/?)*|\./?[\w./-]*)(?:\[[\w,-]+\])?")
@@ -26,28 +28,29 @@ MAX_SIZE = 256 * 1024
 
 
 def read(repository: Repository, asked: Iterable[Requirement] = ()) -> tuple[CondaEnvironment, ...]:
-    """Return every conda environment of the tree, sorted by path: files of its usual names, and those that are asked.
+    """Return every conda environment of the tree, sorted by path.
 
+    Files have its usual names, or are asked, or are lists that conda wrote.
     ``asked`` is what pages ask for: a file of any name that one gives conda is an environment.
     """
     asked = tuple(asked)
     given = {each.written.rpartition("/")[2]: each for each in asked if each.role == "environment"}
-    files = repository.suffixed(".yml", ".yaml", ".txt") if given else repository.suffixed(".yml", ".yaml")
     found: list[CondaEnvironment | None] = []
-    for file in sorted(files, key=lambda file: file.path):
+    for file in sorted(repository.suffixed(".yml", ".yaml", ".txt"), key=lambda file: file.path):
         said = given.get(file.name)
         if file.name.endswith(".txt"):
-            found.append(_list(repository, file, said, asked) if said else None)
+            if said or (_LIST.search(file.name.lower()) and conda_list.exported(repository.read(file, limit=MAX_SIZE))):
+                found.append(_list(repository, file, said, asked))
         elif said or _NAME.match(file.name.lower()):
             found.append(_environment(repository, file))
     return tuple(environment for environment in found if environment)
 
 
 def _list(
-    repository: Repository, file: File, said: Requirement, asked: Iterable[Requirement]
+    repository: Repository, file: File, said: Requirement | None, asked: Iterable[Requirement]
 ) -> CondaEnvironment | None:
     """Read a list of packages, with the channels of the command that names it."""
-    place = (said.file, said.line)
+    place = (said.file, said.line) if said else None
     channels = [each.written for each in asked if each.role == "channel" and (each.file, each.line) == place]
     return conda_list.parse(repository.read(file, limit=MAX_SIZE), file.path, channels)
 

@@ -5,6 +5,7 @@ https://docs.conda.io/projects/conda/en/stable/commands/create.html and …/comm
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from roslab.evidence.facts import CondaEnvironment
@@ -20,6 +21,21 @@ _FILE = pattern(r"https?://\S+/(?P<name>[\w.-]+)-(?P<version>[^-/\s]+)-[^-/\s]+\
 _BY_PIP = "pypi"
 """The first letters of the build string of what pip had installed; conda has no such package."""
 _EXPLICIT = "@EXPLICIT"
+_WRITTEN = pattern(r"^#\s*(?:\$ conda create\b|platform:\s*\w+-\w+)", re.MULTILINE)
+_ELSEWHERE = pattern(r"^#\s*platform:(?!\s*linux-)", re.MULTILINE)
+_HEAD = 400
+"""How many characters the first comments have at most."""
+
+
+def exported(text: str) -> bool:
+    """Tell whether conda itself wrote a list, whatever its file is called: it says so in its first lines."""
+    return bool(_WRITTEN.search(text[:_HEAD])) and any(_OF_CONDA.match(line) for line in text.split("\n"))
+
+
+def of_pip(line: str) -> str:
+    """Return what pip had installed of a line of such a list, ``""`` for a package of conda's."""
+    package = conda_package(line)
+    return f"{package.name}=={package.version}" if package and package.build.startswith(_BY_PIP) else ""
 
 
 def parse(text: str, path: str, channels: Sequence[str]) -> CondaEnvironment | None:
@@ -39,8 +55,8 @@ def parse(text: str, path: str, channels: Sequence[str]) -> CondaEnvironment | N
         package = conda_package(f"{match['name']}={match['version']}" if match else line)
         if package is None or line == _EXPLICIT:
             continue
-        if package.build.startswith(_BY_PIP):
-            pip.append(stated(f"{package.name}=={package.version}", "conda", path, number))
+        if pinned := of_pip(package.written):
+            pip.append(stated(pinned, "conda", path, number))
         else:
             packages.append(package)
     python = next((package.version for package in packages if package.name == "python" and package.version), None)
@@ -52,5 +68,6 @@ def parse(text: str, path: str, channels: Sequence[str]) -> CondaEnvironment | N
         packages=tuple(packages),
         requirements=tuple(pip),
         channels=tuple(channels) or ("defaults",),
+        exported=exported(text) and not _ELSEWHERE.search(text[:_HEAD]),
         specs=() if explicit else tuple(package.written for package in packages),
     )

@@ -8,11 +8,12 @@ from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.facts import RequirementFile
+from roslab.evidence.python import conda_list
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
-from roslab.values.requirement_line import requirement
+from roslab.values.requirement_line import requirement, stated
 
 MAX_LINES = 3_000
 """Most requirement lines read of one file; a longer one is data."""
@@ -88,14 +89,20 @@ def purpose_of(path: str) -> Purpose:
 
 
 def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
-    """Parse one file's text. A line that pip would refuse is repaired if its meaning is clear."""
+    """Parse one file's text. A line that pip would refuse is repaired if its meaning is clear.
+
+    Of a list that conda wrote, only what pip had installed is pip's.
+    """
     found: list[Requirement] = []
     includes: list[str] = []
     constraints: list[str] = []
     options: list[str] = []
     folder = path.rpartition("/")[0]
+    of_conda = conda_list.exported(text)
     for number, line in _lines(text):
-        if nested := _NESTED.match(line):
+        if of_conda:
+            found += [replace(stated(each, "manifest", path, number), role="repaired") for each in _by_pip(line)]
+        elif nested := _NESTED.match(line):
             includes.append(_inside(folder, nested[1]))
         elif constraint := _CONSTRAINT.match(line):
             constraints.append(_inside(folder, constraint[1]))
@@ -116,6 +123,11 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
         options=tuple(dict.fromkeys(options)),
         purpose=purpose,
     )
+
+
+def _by_pip(line: str) -> list[str]:
+    """Return what pip had installed of a line in a list that conda wrote, which may hold a line of pip's own."""
+    return [line] if "==" in line else [each for each in [conda_list.of_pip(line)] if each]
 
 
 def of_another_tool(text: str, file: RequirementFile) -> bool:
