@@ -92,6 +92,8 @@ class Python:
     """The Pythons that it may be, for the markers of requirements."""
     pip: tuple[Requirement, ...] = ()
     """Declared in a manifest: they must install."""
+    pip_tried: tuple[Requirement, ...] = ()
+    """Those of ``pip`` whose file pip refuses: one by one where they do not install together, so that none stops it."""
     pip_guessed: tuple[Requirement, ...] = ()
     """Read from imports or prose: installed where pip can, reported where not."""
     requirements: tuple[str, ...] = ()

@@ -31,6 +31,7 @@ class PythonPlan:
     pip_options: tuple[str, ...]
     python2: tuple[str, ...]
     python2_options: tuple[str, ...]
+    pip_tried: tuple[str, ...] = ()
     conda_specs: tuple[str, ...] = ()
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
@@ -66,6 +67,7 @@ def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> Pyth
         version=python.version,
         manager=python.manager,
         pip=_lines(python.pip),
+        pip_tried=_lines(python.pip_tried),
         pip_guessed=_lines(python.pip_guessed),
         requirements=python.requirements,
         manifests=python.manifests,

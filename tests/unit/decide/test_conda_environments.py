@@ -175,3 +175,4 @@ def test_pip_gets_of_conda_s_list_what_it_had_installed_where_no_environment_is_
     text = f"{EXPORT}bzip2=1.0.8=h7b6447c_0\neinops=0.3.0=pypi_0\n"
     decision = tree({"ws/node/package.xml": package, "ws/node/CMakeLists.txt": cmake, "ws/node/requirements.txt": text})
     assert [each.text for each in decision.python.pip if each.file.endswith(".txt")] == ["einops==0.3.0"]
+    assert [each.text for each in decision.python.pip_tried] == ["einops==0.3.0"]

@@ -114,6 +114,17 @@ def test_declared_packages_stop_the_build_and_guessed_ones_are_named() -> None:
     assert "    install-optional-apt libglew-dev\n" in guessed
 
 
+def test_what_a_file_asks_for_that_pip_refuses_is_tried_one_by_one() -> None:
+    pip = (stated("numpy==1.21.6"), stated("bzip2==1.0.8"))
+    text = written(plan(python=Python(version="3.8", manager="system", pip=pip, pip_tried=pip[1:])))
+    declared, tried = text.split("# Of a file that pip refuses")
+    assert "numpy==1.21.6" in declared.rpartition("# Python packages that are declared")[2]
+    assert "bzip2" not in declared
+    assert re.search(
+        r"pip install .* bzip2==1.0.8 \\\n      \|\| install-optional-pip python3 .* -- bzip2==1.0.8; }", tried
+    )
+
+
 def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> None:
     carried = re.compile(r"<<'EOF' /([\w-]+)$", re.MULTILINE)
     python = Python(version="3.8", manager="system", pip_guessed=(stated("numpy"),))

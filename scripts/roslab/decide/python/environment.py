@@ -149,6 +149,7 @@ def decide_python(
         day=evidence.pip_day if everything or lists.python2 else None,
         interpreter=interpreter,
         pip=tuple(dict.fromkeys(declared)),
+        pip_tried=repaired.tried,
         pip_guessed=tuple(dict.fromkeys(one_build(right(chosen.guessed), cuda))),
         requirements=tuple(file.file for file in whole),
         beside_files=beside_lists(right(chosen.guessed), whole),
@@ -234,8 +235,7 @@ def _default_channels(evidence: Evidence, conda: str | None) -> bool:
 
     https://docs.conda.io/projects/conda/en/stable/user-guide/tasks/manage-environments.html, read 2026-11-21.
     """
-    of_file = (environment.channels for environment in evidence.conda if environment.file == conda)
-    return any(not {"defaults", "nodefaults"} & {*channels} for channels in of_file)
+    return any(not {"defaults", "nodefaults"} & {*each.channels} for each in evidence.conda if each.file == conda)
 
 
 def _interpreter(version: str | None) -> Interpreter:

@@ -32,9 +32,11 @@ NOTHING: Mapping[str, Requirement] = MappingProxyType({})
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Repaired:
-    """Requirements to install one by one in place of files and of projects' dependencies."""
+    """Requirements to install by name in place of files and of projects' dependencies."""
 
     requirements: tuple[Requirement, ...] = ()
+    tried: tuple[Requirement, ...] = ()
+    """Those of them that are installed one by one where that does not work together."""
     files: frozenset[str] = frozenset()
     """Requirement files that are not installed as they stand."""
     alone: tuple[str, ...] = ()
@@ -117,6 +119,7 @@ def repair(
     names = set(own)
     pages = of_pages(evidence, names)
     kept: list[Requirement] = []
+    tried: list[Requirement] = []
     broken: set[str] = set()
     alone: list[str] = []
     warnings: list[Warning_] = []
@@ -131,7 +134,9 @@ def repair(
         if not any((spelled, short, taken, missing, gone, newer, any(asked.role == "project" for asked in found))):
             continue
         broken.add(file.file)
-        kept += _kept((each for each in loosened(found, python) if each.role != "project"), names, pages)
+        named = _kept((each for each in loosened(found, python) if each.role != "project"), names, pages)
+        kept += named
+        tried += named if spelled or gone else []
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
         warnings += [warn(text, asked) for asked in spelled[:1]]
         warnings += map(_in_full, short)
@@ -153,6 +158,7 @@ def repair(
             warnings += [*map(_warning, missing), *map(_in_full, short), *(told(asked, python) for asked in newer)]
     return Repaired(
         requirements=tuple(kept),
+        tried=tuple(dict.fromkeys(tried)),
         files=frozenset(broken),
         alone=tuple(alone),
         warnings=tuple(dict.fromkeys(warnings)),

@@ -90,6 +90,13 @@ def also_with_what_is_there(plan: Plan, pip: str, words: str) -> str:
     return f"{{ {whole} \\\n      || {again}; }}" if plan.python.first else whole
 
 
+def also_one_by_one(plan: Plan, python: str, pip: str) -> str:
+    """Return a call of pip for what is asked by name, and one each where that fails: none of them stops the build."""
+    words = shell.words(plan.python.pip_tried)
+    options = pip.partition(" -m pip install ")[2]
+    return f"{{ {pip}{words} \\\n      || install-optional-pip {python} {options} --{words}; }}"
+
+
 def with_option(pip: str, option: str, line: str) -> str:
     """Return a call of pip that gives a package's setup.py an option, and one for a pip of 25.3 or newer.
 

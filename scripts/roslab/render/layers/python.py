@@ -155,11 +155,15 @@ def packages(plan: Plan) -> str:
     pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{pip_options(python.options)}"
     commands = [f"{pip}{shell.words(python.first)}"] if python.first else []
     commands += [building.with_option(pip, option, line) for line, option in python.cuda_options]
-    if python.pip:
-        words = f"{pip_options(python.pip_options)}{shell.words(_arguments(python.pip))}"
+    if required := [line for line in python.pip if line not in python.pip_tried]:
+        words = f"{pip_options(python.pip_options)}{shell.words(_arguments(required))}"
         commands.append(building.also_with_what_is_there(plan, pip, words))
     if commands:
         blocks.append(shell.run(*commands, comment="Python packages that are declared", secrets=secrets.for_pip(plan)))
+    if python.pip_tried:
+        tried = shell.run(building.also_one_by_one(plan, interpreter(plan), pip), secrets=secrets.for_pip(plan))
+        why = "# Of a file that pip refuses: together, else one by one"
+        blocks.append(f"{why}\n{shell.copy_script('install-optional-pip')}{tried}")
     if python.requirements:
         files = "".join(f" --requirement {quote.shell(f'{manifests.FOLDER}/{name}')}" for name in python.requirements)
         copy = manifests.copy(plan, manifests.of_pip(plan))
