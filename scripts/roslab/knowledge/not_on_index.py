@@ -19,6 +19,8 @@ class NotOnIndex:
     """conda's channels that have it."""
     source: str
     """Where its author tells how to install it."""
+    by_ros: bool = False
+    """A package of ROS's, which its own packages bring."""
 
 
 @cache
@@ -29,4 +31,9 @@ def not_on_index() -> dict[str, NotOnIndex]:
             instead=row["instead"], why=row["why"], conda=tuple(row["conda"].split()), source=row["source"]
         )
         for row in rows("not_on_index")
+    } | {
+        canonicalize_name(row["pip"]): NotOnIndex(
+            instead="", why="it is a package of ROS's", conda=(), source=row["source"], by_ros=True
+        )
+        for row in rows("of_ros")
     }

@@ -23,7 +23,6 @@ FROZEN = "catkin==0.7.6\nDjango==1.11\npycurl==7.19.3\nroslib==1.13.5\nrospy==1.
         (FROZEN, ()),
         ("ament-index-python==1.4.0\nlaunch-ros==0.19.4\nnumpy==1.21.5\nrclpy==3.3.7\n", ()),
         ("Django==1.11\npycurl==7.19.3\n", ("server/requirements.txt",)),
-        ("Django==1.11\nrospy\nroslib\ncatkin\n", ("server/requirements.txt",)),
     ],
 )
 def test_a_list_of_a_machine_with_ros_is_not_given_to_pip(tree: Tree, text: str, files: tuple[str, ...]) -> None:
@@ -37,3 +36,21 @@ def test_what_the_code_imports_is_still_guessed(tree: Tree) -> None:
     decision = tree({"main.py": "import cvxopt\nif __name__ == '__main__':\n    pass\n", "requirements.txt": FROZEN})
     assert decision.python.requirements == ()
     assert [each.key for each in decision.python.pip_guessed] == ["cvxopt"]
+
+
+@pytest.mark.parametrize(
+    ("text", "pip", "whole"),
+    [
+        ("Django==1.11\nrospy\ncv_bridge==1.16.2\n", ["Django==1.11"], False),
+        ("Django==1.11\nrospkg==1.5.0\n", [], True),
+        ("--extra-index-url https://rospypi.github.io/simple/\nDjango==1.11\nrospy\n", [], True),
+    ],
+)
+def test_a_few_of_ros_s_own_packages_are_left_out_of_a_list(tree: Tree, text: str, pip: list[str], whole: bool) -> None:
+    decision = tree({**NODE, "requirements.txt": text})
+    assert decision.python.requirements == (("requirements.txt",) if whole else ())
+    assert [each.written for each in decision.python.pip if each.file == "requirements.txt"] == pip
+    told = [
+        each.message for each in decision.warnings if "not installed by pip: it is a package of ROS" in each.message
+    ]
+    assert [message.split()[0] for message in told] == ([] if whole else ["rospy", "cv-bridge"])

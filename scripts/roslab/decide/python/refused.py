@@ -21,12 +21,14 @@ from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
 from roslab.knowledge.short_pins import numbered
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.specifier import specifiers
 
 _GONE = "{path} is included and is not in the tree: what it names is not installed, and the rest one by one"
 _SHORT = "pip has no {asked}, for its versions have more numbers: {taken} is installed"
+_FURTHER = pattern(r"--(?:extra-)?index-url|--find-links")
 NOTHING: Mapping[str, Requirement] = MappingProxyType({})
 
 
@@ -128,6 +130,8 @@ def repair(
         spelled = [asked for asked in found if asked.role == "repaired"]
         taken = [asked for asked in found if _from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
+        if any(_FURTHER.match(option) for option in file.options):  # one of ROS's packages for pip, perhaps
+            missing = [asked for asked in missing if not not_on_index()[asked.key].by_ros]
         short = [asked for asked in found if in_full(asked) is not asked]
         gone = [path for _, path in lacking(evidence, [file])]
         newer = [asked for asked in found if too_new(asked, python)]
@@ -185,6 +189,9 @@ def _in_full(asked: Requirement) -> Warning_:
 
 def _warning(asked: Requirement) -> Warning_:
     row = not_on_index()[asked.key]
+    if row.by_ros:
+        message = f"{row.why}, which its own packages bring and pip does not; it is left out here ({row.source})"
+        return warn(f"{asked.key} is not installed by pip: {message}", asked)
     without = f"the image is built without it, install it with `custom` or `pip` in roslab.yaml ({row.source})"
     does = f"{row.instead} is installed" if row.instead else without
     return warn(f"pip cannot install {asked.key}: {row.why}; {does}", asked)
