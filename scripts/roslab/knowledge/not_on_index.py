@@ -19,8 +19,6 @@ class NotOnIndex:
     """conda's channels that have it."""
     source: str
     """Where its author tells how to install it."""
-    by_ros: bool = False
-    """A package of ROS's, which its own packages bring."""
 
 
 @cache
@@ -31,9 +29,15 @@ def not_on_index() -> dict[str, NotOnIndex]:
             instead=row["instead"], why=row["why"], conda=tuple(row["conda"].split()), source=row["source"]
         )
         for row in rows("not_on_index")
-    } | {
+    }
+
+
+@cache
+def of_ros() -> dict[str, NotOnIndex]:
+    """Return ROS's own packages by normalised name: the index has none, or another thing of the name."""
+    return {
         canonicalize_name(row["pip"]): NotOnIndex(
-            instead="", why="it is a package of ROS's", conda=(), source=row["source"], by_ros=True
+            instead="", why="it is a package of ROS's", conda=(), source=row["source"]
         )
         for row in rows("of_ros")
     }

@@ -17,7 +17,7 @@ from roslab.decide.python.pythons import ANY
 from roslab.decide.python.too_new import loosened, told, too_new
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
-from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
+from roslab.knowledge.not_on_index import NotOnIndex, not_on_index, of_ros
 from roslab.knowledge.short_pins import numbered
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
@@ -48,11 +48,15 @@ class Repaired:
 
 def refused(asked: Requirement) -> NotOnIndex | None:
     """Return the table row of a name that pip cannot find or install; ``None`` for all others."""
-    row = not_on_index().get(asked.key)
+    row = _row(asked)
     if row is None or asked.url or not ANY.may(asked):
         return None
     same = bool(row.instead) and asked.key.startswith(canonicalize_name(row.instead))
     return None if asked.specifier and same else row
+
+
+def _row(asked: Requirement) -> NotOnIndex | None:
+    return not_on_index().get(asked.key) or of_ros().get(asked.key)
 
 
 def in_full(asked: Requirement) -> Requirement:
@@ -131,7 +135,7 @@ def repair(
         taken = [asked for asked in found if _from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
         if any(_FURTHER.match(option) for option in file.options):  # one of ROS's packages for pip, perhaps
-            missing = [asked for asked in missing if not not_on_index()[asked.key].by_ros]
+            missing = [asked for asked in missing if asked.key not in of_ros()]
         short = [asked for asked in found if in_full(asked) is not asked]
         gone = [path for _, path in lacking(evidence, [file])]
         newer = [asked for asked in found if too_new(asked, python)]
@@ -188,10 +192,10 @@ def _in_full(asked: Requirement) -> Warning_:
 
 
 def _warning(asked: Requirement) -> Warning_:
-    row = not_on_index()[asked.key]
-    if row.by_ros:
+    if row := of_ros().get(asked.key):
         message = f"{row.why}, which its own packages bring and pip does not; it is left out here ({row.source})"
         return warn(f"{asked.key} is not installed by pip: {message}", asked)
+    row = not_on_index()[asked.key]
     without = f"the image is built without it, install it with `custom` or `pip` in roslab.yaml ({row.source})"
     does = f"{row.instead} is installed" if row.instead else without
     return warn(f"pip cannot install {asked.key}: {row.why}; {does}", asked)
