@@ -108,3 +108,28 @@ def test_what_it_needs_for_an_extra_is_declared_too(tree: Tree) -> None:
     assert not [each for each in (*found.python.pip, *found.python.pip_guessed) if each.key == "acme-sim"]
     (told,) = [each.message for each in found.warnings if "no table" in each.message]
     assert "brings it: other_thing;" in told
+
+
+FLAT = "[project]\nname='demo'\nversion='1'\ndependencies=['einops']\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "files", "refused"),
+    [
+        (FLAT, ("core/a.py", "planners/b.py"), True),
+        (FLAT, ("core/a.py", "models/arm.xml"), True),
+        (FLAT, ("one.py", "two.py"), True),
+        (FLAT, ("core/a.py", "tests/b.py", "docs/a.md", "my-data/c.csv", "one.py", "two.py"), False),
+        (FLAT, ("src/core/a.py", "src/planners/b.py", "data/c.csv", "more/d.csv"), False),
+        (FLAT, ("core/a.py", "planners/b.py", "setup.cfg"), False),
+        (f"{FLAT}[tool.setuptools]\npackages=['core', 'planners']\n", ("core/a.py", "planners/b.py"), False),
+        (f"{FLAT}[build-system]\nbuild-backend='setuptools.build_meta'\n", ("core/a.py", "planners/b.py"), True),
+        (f"{FLAT}[build-system]\nbuild-backend='hatchling.build'\n", ("core/a.py", "planners/b.py"), False),
+    ],
+)
+def test_setuptools_takes_no_one_of_several_packages(
+    tree: Tree, text: str, files: tuple[str, ...], refused: bool
+) -> None:
+    python = tree({"pyproject.toml": text, **dict.fromkeys(files, "")}).python
+    assert python.projects == (() if refused else (".",))
+    assert [each.written for each in python.pip] == (["einops"] if refused else [])

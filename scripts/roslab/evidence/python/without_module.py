@@ -1,4 +1,4 @@
-"""Projects that their build backend refuses to install, for they hold no module of their name or say so."""
+"""Projects that their build backend refuses to install: they hold no module of their name, several, or say so."""
 
 from __future__ import annotations
 
@@ -7,6 +7,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_TASKS = r"tests?|examples?|build|tasks|fabfile|benchmarks?|exercises?|[._].*"
+_NO_PACKAGE = pattern(
+    rf"{_TASKS}|ci|bin|debian|docs?|documentation|manpages|news|newsfragments|changelog|unit_tests?|scripts|tools|utils?|"
+    r"python|dist|venv|env|requirements|site_scons"
+)
+_NO_MODULE = pattern(rf"{_TASKS}|setup|conftest|toxfile|noxfile|pavement|dodo|[Ss][Cc]onstruct|conanfile|manage")
+"""What setuptools takes for no part of a project: ``setuptools/discovery.py``, read 2026-11-26."""
 
 
 def without_module(repository: Repository, folder: str, name: str, data: Mapping[str, Any]) -> bool:
@@ -27,7 +36,28 @@ def without_module(repository: Repository, folder: str, name: str, data: Mapping
             "module"
         )
         return not _has_module(repository, folder, str(own or name))
+    if backend.startswith("setuptools") or not backend:
+        told = {"packages", "py-modules", "package-dir"} & _table(tool, "setuptools").keys()
+        return "project" in data and not told and _several(repository, folder)
     return False
+
+
+def _several(repository: Repository, folder: str) -> bool:
+    """Tell whether setuptools finds several packages, or several modules and no package, and so takes none of them.
+
+    https://setuptools.pypa.io/en/latest/userguide/package_discovery.html#flat-layout, read 2026-11-26.
+    """
+    if any(repository.has(posixpath.join(folder, name)) for name in ("setup.py", "setup.cfg")):
+        return False
+    start = f"{folder}/" if folder else ""
+    paths = [file.path.removeprefix(start) for file in repository.files if file.path.startswith(start)]
+    if any(path.startswith("src/") for path in paths):
+        return False
+    folders = {path.partition("/")[0] for path in paths if "/" in path}
+    if packages := {each for each in folders if each.isidentifier() and not _NO_PACKAGE.fullmatch(each)}:
+        return len(packages) > 1
+    modules = {path.removesuffix(".py") for path in paths if path.endswith(".py") and "/" not in path}
+    return sum(each.isidentifier() and not _NO_MODULE.fullmatch(each) for each in modules) > 1
 
 
 def _has_module(repository: Repository, folder: str, name: str) -> bool:
