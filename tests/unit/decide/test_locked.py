@@ -100,3 +100,12 @@ def test_no_build_is_given_the_setuptools_of_a_lock(tree: Tree) -> None:
     free = PROJECT.replace('"trimesh"', '"setuptools"')
     lock = uv("setuptools", "80.1.0") + uv("viser", "1.2.0")
     assert limits(tree({"pyproject.toml": free, "demo.py": "import viser\n", "uv.lock": lock})) == {"viser==1.2.0"}
+
+
+def test_what_a_list_takes_from_an_address_has_no_release_of_the_lock(tree: Tree) -> None:
+    lock = uv("trimesh", "4.1.0", more='dependencies = [{ name = "shapely" }]\n') + uv("viser", "1.2.0")
+    project = PROJECT.replace('"trimesh"', '"trimesh", "shapely"')
+    files = {"pyproject.toml": project, "uv.lock": lock + uv("shapely", "2.0.0")}
+    assert limits(tree(files)) == {"trimesh==4.1.0", "viser==1.2.0", "shapely==2.0.0"}
+    files["requirements.txt"] = "git+https://example.org/mikedh/trimesh.git@refs/pull/4/head\n"
+    assert limits(tree(files)) == {"viser==1.2.0"}

@@ -29,8 +29,9 @@ def locked_releases(
     """Return constraints for those of ``asked`` that no manifest pins, from a lock, for an image with this ``python``.
 
     Not for what ``taken`` limits already or another index has, nor for what needs that: a lock fits together as a whole
-    only. A framework and what is released with it count as one. Left free is also what has wheels, but none for this
-    Python, and pip's own tools, of which each package that is compiled asks for others.
+    only. Nor for what some line takes from an address, whose release is its own, and what that needs. A framework and
+    what is released with it count as one. Left free is also what has wheels, but none for this Python, and pip's own
+    tools, of which each package that is compiled asks for others.
     """
     if python is None:
         return Choice(answer=())
@@ -39,14 +40,17 @@ def locked_releases(
         if Interpreter(pythons=(python,), platforms=("linux/amd64",)).may(each.requirement):
             by_name.setdefault(each.requirement.key, []).append(each)
     one = {name: same[0] for name, same in by_name.items() if len({s.requirement.release for s in same}) == 1}
-    wanted = {each.key: each for each in asked if each.name and each.package}
+    named = [each for each in asked if each.name]
+    wanted = {each.key: each for each in named if each.package}
+    apart = {each.key for each in named if each.url}
+    apart |= {need for name in apart for each in by_name.get(name, ()) for need in each.needs}
     other = {each.key for each in taken} | {key for key, each in wanted.items() if _differs(each, one)}
     other |= {name for name, same in by_name.items() if any(each.elsewhere for each in same)}
     other = _needing(_families(other), by_name) | {*INSTALLERS}
     kept = [
         one[key].requirement
         for key, each in wanted.items()
-        if key in one and key not in other and not (each.release or each.url) and _has_wheel(one[key], python)
+        if key in one and key not in {*other, *apart} and not each.release and _has_wheel(one[key], python)
     ]
     lines = tuple(stated(each.written.partition("+")[0], "lock", each.file, each.line) for each in kept)
     reasons = (because("dependencies", each.written, WHY_LOCKED, each, weight=Weight.BOUND) for each in lines)
