@@ -233,6 +233,10 @@ class Repository:
         """Return the commit that the checkout's commit records for each submodule at one of the paths, if git tells."""
         return git.recorded(self.root, paths) if paths and self.git_folder else {}
 
+    def links(self) -> tuple[str, ...]:
+        """Return the paths of the submodules that the checkout's commit records, if git tells."""
+        return git.links(self.root) if self.git_folder else ()
+
     def _git_text(self, name: str) -> str:
         try:
             return (self.git_folder / name).read_text(errors="replace")[:65536] if self.git_folder else ""

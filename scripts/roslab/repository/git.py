@@ -36,6 +36,12 @@ def recorded(root: Path, paths: tuple[str, ...]) -> dict[str, str]:
     return {match[2]: match[1] for match in matches if match}
 
 
+def links(root: Path) -> tuple[str, ...]:
+    """Return the paths at which the checkout's commit records a commit of another repository."""
+    lines = _read(root, "ls-tree", "-r", "HEAD").split("\n")
+    return tuple(line.partition("\t")[2] for line in lines if line.startswith("160000 "))
+
+
 def entries(root: Path) -> dict[str, str]:
     """Return the object of each file and folder right below a checkout's folder: it changes with what is in it."""
     pairs = (line.split("\t", 1) for line in _read(root, "ls-tree", "HEAD").split("\n") if "\t" in line)

@@ -73,6 +73,25 @@ def test_the_recorded_commit_is_cloned(tmp_path: Path) -> None:
     assert text.index(COMMIT) < text.index(" && install-rosdep-keys") < text.index("\nCOPY --chown")
 
 
+@pytest.mark.parametrize("lost", ["ycb", ""])
+def test_the_advice_names_what_has_an_address_where_git_would_stop_at_another(tmp_path: Path, lost: str) -> None:
+    def git(*words: str) -> None:
+        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
+
+    for path, text in FILES.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    git("init")
+    git("add", ".")
+    for path in filter(None, ("third_party/planner", lost)):
+        git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{path}")
+    git("commit", "--message", "a")
+    said = next(w.message for w in plan_repository(tmp_path).plan.warnings if "git submodule update" in w.message)
+    command = said.partition("git submodule update --init --recursive")[2]
+    named = " third_party/planner (.gitmodules has no address for ycb, which stays empty)"
+    assert command == (named if lost else "")
+
+
 def test_a_library_that_a_submodule_links_is_built(tree: Tree) -> None:
     url = "https://github.com/Livox-SDK/livox_ros_driver"
     modules = f'[submodule "a"]\n\tpath = third_party/livox_ros_driver\n\turl = {url}\n'

@@ -7,7 +7,8 @@ https://gitman.readthedocs.io/ (``sources:``)
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+import shlex
+from collections.abc import Iterator, Sequence
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
@@ -32,6 +33,7 @@ _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 _GITMAN = frozenset({".gitman.yml", "gitman.yml"})
 """Its list, at the root: https://gitman.readthedocs.io/"""
 
+MAX_TOLD = 3
 SHORTEST = 2
 """Parts of an address at a public host: the owner and the name."""
 
@@ -75,7 +77,7 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
         if there:
             names = ", ".join(source.name for source in there)
             what = "a submodule is" if len(there) == 1 else "submodules are"
-            message = f"{what} not checked out and could not be read: {names}; git submodule update --init --recursive"
+            message = f"{what} not checked out and could not be read: {names}; {_fetched(repository, there)}"
             found.append((message, file.path, there[0].line))
         if gone:
             names = ", ".join(source.name for source in gone)
@@ -84,6 +86,17 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
             )
             found.append((f"{message}; the image clones its newest state", file.path, gone[0].line))
     return tuple(found)
+
+
+def _fetched(repository: Repository, there: Sequence[GitSource]) -> str:
+    """Return the command that fetches submodules: by name where git stops at one without an address in .gitmodules."""
+    known = {*submodules(repository)}
+    unknown = [path for path in repository.links() if path not in known]
+    if not unknown:
+        return "git submodule update --init --recursive"
+    paths = " ".join(shlex.quote(source.name) for source in there)
+    why = f".gitmodules has no address for {', '.join(unknown[:MAX_TOLD])}, which stays empty"
+    return f"git submodule update --init --recursive {paths} ({why})"
 
 
 def submodules(repository: Repository) -> tuple[str, ...]:
