@@ -205,3 +205,24 @@ def test_a_library_that_is_copied_to_be_linked_rules_out_arm(
     tree: Tree, lines: str, platforms: tuple[str, ...]
 ) -> None:
     assert tree(cmake(lines) | MAIN | {"sdk/libCamx64.so": X86_64}).platforms == platforms
+
+
+ARM = X86_64.replace("\x3e", "\xb7")
+NAME = '#define LIBRARY "libArm.so"\n'
+OPENS = "void open() { dlopen(LIBRARY, RTLD_NOW); }\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "platforms"),
+    [
+        ({"a.h": NAME, "b.cpp": OPENS, "lib/libArm.so": X86_64}, (AMD64,)),
+        ({"a.h": NAME, "lib/libArm.so": X86_64}, (AMD64, ARM64)),  # nothing opens one
+        ({"a.h": NAME.replace("Arm", "c"), "b.cpp": OPENS, "lib/libArm.so": X86_64}, (AMD64, ARM64)),
+        ({"a.h": f"#ifdef __aarch64__\n{NAME}#endif\n", "b.cpp": OPENS, "lib/libArm.so": X86_64}, (AMD64, ARM64)),
+        ({"a.h": NAME, "b.cpp": OPENS, "x64/libArm.so": X86_64, "arm/libArm.so": ARM}, (AMD64, ARM64)),
+    ],
+)
+def test_a_library_of_the_tree_that_code_opens_rules_out_arm(
+    tree: Tree, files: dict[str, str], platforms: tuple[str, ...]
+) -> None:
+    assert tree(cmake("") | MAIN | files).platforms == platforms

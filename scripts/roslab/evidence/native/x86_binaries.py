@@ -1,4 +1,4 @@
-"""Libraries for x86-64 that CMake downloads, or that lie in the tree and are linked, on every processor."""
+"""Libraries for x86-64 that CMake downloads, or that lie in the tree and are linked or opened, on every processor."""
 
 from __future__ import annotations
 
@@ -32,13 +32,22 @@ _ELF = b"\x7fELF"
 _ARCHIVE_OF_OBJECTS = b"!<arch>\n"
 _X86_64 = b"\x3e\x00"
 """https://refspecs.linuxfoundation.org/elf/gabi4+/ch4.eheader.html"""
+_CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp")
+_OPENS = pattern(r"\bdlm?open\s*\(")
+_NAMED = pattern(r"\"(?:[^\"\n]*/)?([\w.+-]+\.so)\"")
+_CHOOSES_IN_CODE = pattern(r"__aarch64__|__arm__|__x86_64__|\buname\b")
+MAX_LIBRARIES = 50
+MAX_CODE = 3_000
 MAX_HEAD = 1024 * 1024
 """What is read of a library: an archive begins with a table of names, before its first object."""
 _ROOT = pattern(r"^\$\{(?:(?:PROJECT|CMAKE|CMAKE_CURRENT|\w+)_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}/")
 
 
 def read(repository: Repository) -> Iterator[X86Only]:
-    """Yield each such download or path, once for a file of CMake that does not choose by the processor."""
+    """Yield each such download or path, once for a file of CMake that does not choose by the processor.
+
+    Then the first that code opens.
+    """
     for file in cmake_files(repository):
         text = repository.read(file)
         if (
@@ -56,6 +65,27 @@ def read(repository: Repository) -> Iterator[X86Only]:
             if what and always(call, repository):
                 yield X86Only(what, "binary", file.path, call.line)
                 break
+    yield from _opened(repository)
+
+
+def _opened(repository: Repository) -> Iterator[X86Only]:
+    """Yield the library of the tree that code of C or C++ opens by its name, if all of that name are for x86-64."""
+    libraries = [file for file in repository.suffixed(".so")[:MAX_LIBRARIES] if not places.vendored(file.path)]
+    only = {file.name for file in libraries if _is_x86(file.path, repository)}
+    only -= {file.name for file in libraries if not _is_x86(file.path, repository)}
+    if not only:
+        return
+    code = [file for file in repository.suffixed(*_CODE)[:MAX_CODE] if not places.vendored(file.path)]
+    texts = {file.path: repository.read(file) for file in code}
+    opens = any(_OPENS.search(text) for text in texts.values())
+    for path, text in texts.items():
+        if not opens or _CHOOSES_IN_CODE.search(text):
+            continue
+        for named in _NAMED.finditer(text):
+            if named[1] in only:
+                found = next(file.path for file in libraries if file.name == named[1])
+                yield X86Only(found, "opened", path, text.count("\n", 0, named.start()) + 1)
+                return
 
 
 def _copied_for(names: set[str], call: Call) -> bool:
