@@ -121,3 +121,14 @@ def test_a_package_that_was_built_and_installs_nothing_is_told_and_does_not_fail
     indexed = any("ament_index" in file for file in files)
     assert ("built and install nothing: empty\n" in answer.stdout) == (code == 0 and not indexed)
     assert asked("empty").returncode == (0 if indexed else 1)
+
+
+@pytest.mark.parametrize(("ubuntu", "asked"), [("focal", ["attrdict", "numpy"]), ("jammy", ["numpy"])])
+def test_what_this_python_cannot_import_is_not_imported(tmp_path: Path, ubuntu: str, asked: list[str]) -> None:
+    config = f"format: 3\nbase:\n  ubuntu: {ubuntu}\n"
+    (tmp_path / "main.py").write_text("import numpy\n")
+    (tmp_path / "requirements.txt").write_text("numpy\nattrdict\n")
+    (tmp_path / "roslab.yaml").write_text(config)
+    proofs = plan_repository(tmp_path, branch=None).plan.proofs
+    found = next(proof for proof in proofs if proof.name == "declared Python packages import")
+    assert list(found.command[3:]) == asked

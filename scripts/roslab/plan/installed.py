@@ -8,6 +8,7 @@ from packaging.version import Version
 
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import python_of_ubuntu
+from roslab.knowledge.not_importable import importable_below
 from roslab.plan.compiled import compiled
 from roslab.plan.proof import Proof
 from roslab.plan.run import WORKSPACES
@@ -102,9 +103,9 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
     """Return the proofs of rung 0; nothing depends on those of an author's Dockerfile, which may install less."""
     own = decision.dockerfile is not None
     found = _workspace_proofs(decision, own=own)
-    distributions = _declared_distributions(decision)
+    version = None if own else decision.python.version or python_of_ubuntu().get(decision.ubuntu or "")
+    distributions = _declared_distributions(decision, version)
     if distributions:
-        version = None if own else decision.python.version or python_of_ubuntu().get(decision.ubuntu or "")
         found.append(_import_proof(version, distributions))
     on_python2 = Interpreter(pythons=("2.7",), platforms=decision.platforms)
     if beside := _names(decision.python.python2, on_python2):
@@ -165,10 +166,17 @@ def _import_proof(version: str | None, distributions: list[str]) -> Proof:
     return Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions))
 
 
-def _declared_distributions(decision: Decision) -> list[str]:
-    """Return the declared packages, without guesses and without conda packages, which have names of their own."""
+def _declared_distributions(decision: Decision, version: str | None) -> list[str]:
+    """Return the declared packages, without guesses and without conda packages, which have names of their own.
+
+    Without what is only tried, too, and what this ``version`` of Python cannot import, whoever declared it.
+    """
     python = decision.python
     others = {*python.pip_guessed, *python.python2} - {*python.pip}
+    others |= {*python.pip_tried}
+    if version:
+        ended = {name for name, since in importable_below().items() if Version(version) >= since}
+        others |= {each for each in decision.pip if each.key in ended}
     asked = python.pip if python.manager == "conda" else decision.pip
     return _names((each for each in asked if each not in others), python.interpreter.on(*decision.platforms))
 

@@ -1,0 +1,15 @@
+"""Packages that install on a Python on which their last release cannot be imported."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from packaging.version import Version
+
+from roslab.knowledge.table import rows
+
+
+@cache
+def importable_below() -> dict[str, Version]:
+    """Return the first Python on which that is so, by the normalised name of the package."""
+    return {row["pip"]: Version(row["since_python"]) for row in rows("not_importable")}
