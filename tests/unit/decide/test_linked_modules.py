@@ -58,3 +58,23 @@ def test_a_build_that_is_not_isolated_needs_what_its_backend_would_ask_for(
     own = f"[project]\nname='a'\nversion='1'\ndependencies=['lap']\n[build-system]\nrequires=['{backend}']\n"
     first = {each.key for each in tree({"pyproject.toml": own, "a.py": "import lap\n"}).python.first}
     assert first >= {backend, "numpy", *tools}
+
+
+@pytest.mark.parametrize(
+    ("link", "module", "asked"),
+    [
+        ("maker/arm_sdk2_python/tree/master", "arm_sdk2py", "git+https://github.com/maker/arm_sdk2_python"),
+        ("maker/arm_sdk2_python/tree/v1.0", "arm_sdk2py", "git+https://github.com/maker/arm_sdk2_python@v1.0"),
+        ("maker/arm_sdk2_python/tree/master/docs", "arm_sdk2py", None),
+        ("maker/arm_sdk2", "arm_sdk2py", None),  # that of C++
+        ("maker/arm_sdk2_python", "arm_sdk2", None),
+    ],
+)
+@pytest.mark.parametrize("ros", [True, False])
+def test_a_linked_repository_for_python_brings_the_module_of_its_name(
+    tree: Tree, link: str, module: str, asked: str | None, ros: bool
+) -> None:
+    package = '<package format="3"><name>node</name><export><build_type>ament_python</build_type></export></package>'
+    files = {"README.md": f"# A\nIt uses [it](https://github.com/{link})\n", "node/node/a.py": f"import {module}\n"}
+    found = tree({**files, **({"node/package.xml": package} if ros else {})}).python.pip_guessed
+    assert [each.written for each in found if "maker" in each.written] == ([asked] if asked else [])

@@ -62,10 +62,10 @@ def guesses(
     for dependency in _imported(evidence, manifests=manifests):
         package, apt = imports().get(dependency.name) or (None, None)
         used = dependency.strength == "used"
-        linked = (
-            offered.get(canonicalize_name(dependency.name)) or offered.get(_joined(dependency.name)) if used else None
-        )
-        if linked and dependency.name not in imports() and not (ros or places.aside(dependency.file)):
+        spelled = (canonicalize_name(dependency.name), _joined(dependency.name)) if not ros else ()
+        names = (*spelled, _of_python(dependency.name)) if used else ()
+        linked = next((offered[name] for name in names if name in offered), None)
+        if linked and dependency.name not in imports() and not places.aside(dependency.file):
             if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:
                 found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
             continue
@@ -96,7 +96,7 @@ def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
 def _linked(evidence: Evidence) -> dict[str, Requirement]:
     """Return the repositories that a page at the root links to or clones: a module of no table may be one's package.
 
-    What it clones may have another spelling.
+    What it clones may have another spelling; of what says in its name that it is for Python, that may be shorter.
     One that has the name of a CMake project of the tree is the repository itself, which compiles that module; one that
     has a submodule's lies in the tree.
     """
@@ -109,6 +109,8 @@ def _linked(evidence: Evidence) -> dict[str, Requirement]:
             ref = f"@{git.ref}" if git.ref and re.fullmatch(r"[\w.-]+", git.ref) else ""
             asked = stated(f"git+{https(git.url)}{ref}", "import")
             found.setdefault(canonicalize_name(git.name), asked)
+            if of_python := _of_python(git.name):
+                found.setdefault(of_python, asked)
             if git.kind == "clone":
                 found.setdefault(_joined(git.name), asked)
     return found
@@ -117,6 +119,13 @@ def _linked(evidence: Evidence) -> dict[str, Requirement]:
 def _joined(name: str) -> str:
     """Return a name in the spelling in which a module and a repository are compared: ``easypbr`` is of ``easy_pbr``."""
     return canonicalize_name(name).replace("-", "")
+
+
+def _of_python(name: str) -> str:
+    """Return a name that says that it is for Python as modules do: ``sdk_python`` as ``sdkpy``, ``""`` if none."""
+    bare = bare_name(name)
+    short = f"{bare.removesuffix('python')}py" if bare.endswith("python") else bare
+    return f"{short} of Python" if short.endswith("py") and len(short) > len("py") else ""
 
 
 def _repository(url: str) -> str:

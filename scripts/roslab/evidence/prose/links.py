@@ -13,8 +13,11 @@ from roslab.values.pattern import pattern
 MAX_LINKS = 100
 MAX_DEPTH = 3
 """Of a page whose links count: that of a package may name the library that it alone needs."""
-_LINK = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/(?![\w.?#/-]))?(?!\.?[\w/-])")
-"""A page of a repository itself, not of a file in it."""
+_LINK = pattern(
+    r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/tree/([\w.-]*\w))?(?:/(?![\w.?#/-]))?(?!\.?[\w/-])"
+)
+"""A page of a repository itself or of its branch, not of a file in it."""
+_DEFAULT = frozenset({"master", "main", "HEAD"})
 _PINNED = pattern(r"(?:\.git)?\)?[ \t]{0,3}(?:@|\(?(?:at )?commit)[ \t]{0,3}`?\[?`?([0-9a-f]{7,40})(?![\w.])")
 """The commit behind a link: ``[odd](https://…/odd) @ 84bfc56``."""
 BEFORE = 240
@@ -54,12 +57,14 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
         refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
     found: dict[str, GitSource] = {}
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
-        url, name = match[0].rstrip("/").removesuffix(".git"), match[1].removesuffix(".git").rstrip(".")
+        url = match[0].partition("/tree/")[0].rstrip("/").removesuffix(".git")
+        name = match[1].removesuffix(".git").rstrip(".")
         line = text.count("\n", 0, match.start()) + 1
         pinned = _PINNED.match(text, match.end())
         if url not in found or (pinned and not found[url].ref):
             said = refs.get(url, set())
-            ref = pinned[1] if pinned else next(iter(said)) if len(said) == 1 else None
+            branch = match[2] if match[2] not in _DEFAULT else None
+            ref = pinned[1] if pinned else next(iter(said)) if len(said) == 1 else branch
             found[url] = GitSource(
                 name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
             )
