@@ -8,6 +8,7 @@ from roslab.decide.author_dockerfile import Dockerfile
 from roslab.decide.base import BaseImage
 from roslab.decide.command import Command
 from roslab.decide.conflicts import decide_conflicts
+from roslab.decide.cuda.cpu_releases import without_cuda
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Python, Warning_
 from roslab.decide.launch_needs import decide_launch_needs
@@ -207,6 +208,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
             *(warn(message, origin) for message, origin in config.warnings),
             *(warning for choice in choices for warning in choice.warnings),
+            *(() if of.on_cuda or of.own.answer or config.gpu is not None else without_cuda(evidence, of.everything)),
         ),
         reasons=tuple(reason for choice in choices for reason in choice.reasons),
     )

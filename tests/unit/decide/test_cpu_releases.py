@@ -11,6 +11,7 @@ from roslab.config.model import Config
 from roslab.decide.decision import Decision
 from roslab.decide.kind import decide_kind
 from roslab.evidence.gather import gather
+from roslab.pipeline import plan_repository
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 
@@ -57,3 +58,30 @@ def test_a_framework_that_only_ci_installs_for_the_tests_is_no_sign_of_cuda(
     assert decision.kind == "python"
     assert decision.platforms == ("linux/amd64", "linux/arm64")
     assert tree({**files, "src/walker/model.py": "import torch\n"}).kind == "cuda"
+
+
+PACKAGE = "<package><name>node</name><buildtool_depend>catkin</buildtool_depend></package>"
+ROS = {
+    "ws/node/package.xml": PACKAGE,
+    "ws/node/CMakeLists.txt": "find_package(catkin REQUIRED)\ncatkin_package()\n",
+    "requirements.txt": "tensorflow==2.9.1\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"README.md": "# A\n- Install CUDA 11.2 at least.\n"}, True),
+        ({"README.md": "# A\nWe measured it with CUDA 11.2.\n"}, False),
+        ({"README.md": "# A\n- Install CUDA 11.2 at least.\n", "requirements.txt": "numpy\n"}, False),
+        ({"README.md": "# A\n- Install CUDA 11.2 at least.\n", "roslab.yaml": "format: 3\ngpu: true\n"}, False),
+    ],
+)
+def test_a_page_that_requires_cuda_is_told_where_the_image_has_none(
+    tmp_path: Path, files: dict[str, str], told: bool
+) -> None:
+    for path, text in {**ROS, **files}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    warnings = plan_repository(tmp_path, branch=None).plan.warnings
+    assert any("requires CUDA 11.2" in each.message for each in warnings) == told
