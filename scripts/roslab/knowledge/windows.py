@@ -23,6 +23,12 @@ def opens(where: str, name: str) -> bool:
     return any(each.search(name) for each in _patterns().get(where, ()))
 
 
+@cache
+def shown_with() -> dict[str, str]:
+    """Return by library of Python what pip installs so that it opens windows: it does not ask for it itself."""
+    return {row["library"]: row["pip"] for row in rows("shown_with")}
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class _Call:
     """A call that opens a window."""

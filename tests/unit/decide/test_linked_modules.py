@@ -78,3 +78,15 @@ def test_a_linked_repository_for_python_brings_the_module_of_its_name(
     files = {"README.md": f"# A\nIt uses [it](https://github.com/{link})\n", "node/node/a.py": f"import {module}\n"}
     found = tree({**files, **({"node/package.xml": package} if ros else {})}).python.pip_guessed
     assert [each.written for each in found if "maker" in each.written] == ([asked] if asked else [])
+
+
+@pytest.mark.parametrize(
+    ("code", "pip"),
+    [
+        ("import trimesh\nscene = trimesh.Scene()\nscene.show()\n", ["trimesh", "pyglet<2"]),
+        ("import trimesh\nprint(trimesh.Scene())\n", ["trimesh"]),
+        ("import einops\nscene.show()\n", ["einops"]),
+    ],
+)
+def test_a_library_that_opens_a_window_has_what_it_needs_for_that(tree: Tree, code: str, pip: list[str]) -> None:
+    assert [each.written for each in tree({"main.py": code}).python.pip_guessed] == pip

@@ -16,6 +16,7 @@ from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports, released_together, tabled
 from roslab.knowledge.guesses import ros_modules, same_module, tooling
+from roslab.knowledge.windows import shown_with
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.pattern import pattern
@@ -61,10 +62,7 @@ def guesses(
     offered = _linked(evidence)
     for dependency in _imported(evidence, manifests=manifests):
         package, apt = imports().get(dependency.name) or (None, None)
-        used = dependency.strength == "used"
-        spelled = (canonicalize_name(dependency.name), _joined(dependency.name)) if not ros else ()
-        names = (*spelled, _of_python(dependency.name)) if used else ()
-        linked = next((offered[name] for name in names if name in offered), None)
+        linked = _of_link(dependency, offered, ros=ros)
         if linked and dependency.name not in imports() and not places.aside(dependency.file):
             if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:
                 found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
@@ -81,6 +79,18 @@ def guesses(
     return tuple(found.values())[:MAX_GUESSES]
 
 
+def to_show(evidence: Evidence, known: Set[str]) -> Iterator[Requirement]:
+    """Yield what a library needs to open a window where code imports it and has it open one; not what is ``known``."""
+    used = {each.name for each in evidence.code if each.namespace == "import"}
+    for each in evidence.code:
+        opens = each.namespace == "call" and each.name in shown_with() and not places.aside(each.file)
+        if opens and each.name in used:
+            asked = stated(shown_with()[each.name], "import", each.file, each.line)
+            if asked.key not in known:
+                yield asked
+                return
+
+
 def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
     """Yield the imports that count: those that may fail where no manifest is, or where the code says what to install.
 
@@ -91,6 +101,13 @@ def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
         counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests))
         if each.namespace == "import" and counts and not places.test(each.file):
             yield each
+
+
+def _of_link(used: Dependency, offered: Mapping[str, Requirement], *, ros: bool) -> Requirement | None:
+    """Return the linked repository of a module; of a ROS package's, only one that says that it is for Python."""
+    spelled = () if ros else (canonicalize_name(used.name), _joined(used.name))
+    names = (*spelled, _of_python(used.name)) if used.strength == "used" else ()
+    return next((offered[name] for name in names if name in offered), None)
 
 
 def _linked(evidence: Evidence) -> dict[str, Requirement]:

@@ -9,7 +9,7 @@ from roslab.decide.python.conda_environments import conda_file
 from roslab.decide.python.contradicting import afterwards, of_one_call
 from roslab.decide.python.environment_extras import for_environments
 from roslab.decide.python.extras import extras, of_pages
-from roslab.decide.python.guesses import guesses, known_names, loose_names
+from roslab.decide.python.guesses import guesses, known_names, loose_names, to_show
 from roslab.decide.python.manifests import projects, requirement_files
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
@@ -58,6 +58,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
             *of_pages(evidence, files, folders),
             *guessed,
             *for_environments(evidence, guessed, known),
+            *to_show(evidence, known | {each.key for each in guessed}),
             *afterwards(evidence, kept, left),
         ),
         options=tuple(dict.fromkeys(_options(evidence))),
