@@ -137,7 +137,8 @@ def test_a_page_of_the_documentation_about_launching_it_is_read(tree: Tree) -> N
 )
 def test_what_a_line_starts_by_way_of_another_program(tree: Tree, line: str, command: str) -> None:
     files = {
-        "pyproject.toml": "[project]\nname = 'net'\nversion = '1'\n[project.scripts]\nwalk = 'net.fit:main'\n",
+        "pyproject.toml": "[project]\nname = 'net'\nversion = '1'\n[project.scripts]\nwalk = 'net.fit:main'\n"
+        "[tool.setuptools]\npackages = ['net']\n",
         "pixi.toml": "[workspace]\nchannels = ['conda-forge']\n[dependencies]\npython = '3'\n"
         "[tasks]\nfilm = 'python train.py -s'\n",
         "net/__init__.py": "",
