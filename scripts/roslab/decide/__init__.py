@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.config.model import Config
+from roslab.config.model import Config, Kind
 from roslab.decide.assembled import Choices, decision_of
 from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.authored import as_authored
@@ -70,9 +70,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(of_one_environment(evidence, config), config)
     kind = decide_kind(evidence, config, folder_name)
-    evidence = without_packages_beside(evidence, kind.answer)
-    evidence = with_compiled_signs(with_what_is_brought(evidence, kind.answer, folder_name), kind.answer)
-    evidence = of_what_is_built(evidence, kind.answer)
+    evidence = _of_kind(evidence, kind.answer, folder_name)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))
@@ -277,3 +275,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         config,
         folder_name=folder_name,
     )
+
+
+def _of_kind(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
+    """Return the evidence of what a repository of a kind builds, with the signs of what it brings and compiles."""
+    brought = with_what_is_brought(without_packages_beside(evidence, kind), kind, folder_name)
+    return of_what_is_built(with_compiled_signs(brought, kind), kind)
