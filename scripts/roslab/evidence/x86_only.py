@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import Literal
+
+from roslab.values.dataclass import dataclass
 
 
-class X86Only(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class X86Only:
     """An option of the compiler, a header or a library of x86 alone that is used when the tree is compiled for ARM."""
 
     what: str

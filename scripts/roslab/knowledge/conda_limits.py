@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
 
 from roslab.knowledge.table import rows
+from roslab.values.dataclass import dataclass
 
 
-class CondaLimit(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class CondaLimit:
     """A limit beside a package of ``before`` a release and from a channel, ``""`` for any."""
 
     name: str

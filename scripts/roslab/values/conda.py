@@ -6,8 +6,7 @@ No library parses these without conda itself.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 _MATCH = pattern(
@@ -17,7 +16,8 @@ _MATCH = pattern(
 _EXACT = frozenset({"=", "==", "~="})
 
 
-class CondaPackage(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class CondaPackage:
     """One package of an environment or of an install line."""
 
     name: str

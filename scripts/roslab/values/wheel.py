@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 if TYPE_CHECKING:
@@ -14,7 +15,8 @@ if TYPE_CHECKING:
 _CPYTHON = pattern(r"cp(\d)(\d{1,2})")
 
 
-class Wheel(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Wheel:
     """The parts of a wheel's file name."""
 
     name: str

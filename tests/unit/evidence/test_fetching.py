@@ -50,4 +50,6 @@ def test_cmake_clones_with_git_and_copied_code_names_no_hosts(tmp_path: Path) ->
 
 
 def test_nothing_is_cloned(tmp_path: Path) -> None:
-    assert _read(tmp_path, {"CMakeLists.txt": "project(a)\n# git clone x\n", "Makefile": CHECKOUT}) == ((), ())
+    assert (
+        _read(tmp_path, {"CMakeLists.txt": "project(a)\n# git clone x\n", "Makefile": CHECKOUT}) == fetching.Fetching()
+    )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
@@ -11,7 +10,7 @@ from roslab.evidence.facts import AuthorDockerfile, CondaEnvironment, Evidence
 from roslab.knowledge.frameworks import conda_names, framework_on_cuda, imports, released_together, tabled, unstated
 from roslab.knowledge.guesses import same_module
 from roslab.values.conda import CondaPackage
-from roslab.values.dataclass import replace
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -24,7 +23,8 @@ DEVELOPMENT = pattern(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci)(?:/|$)|(?:^|/)doc
 """Files that build the documentation or run in CI; a documentation page on how to install is not one of them."""
 
 
-class Pin(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Pin:
     """One mention of a Python package."""
 
     requirement: Requirement

@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from operator import gt, lt, ne
-from typing import NamedTuple
 
 from packaging.version import Version
 
@@ -20,6 +19,7 @@ from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.days import ended
 from roslab.knowledge.ended_packages import ended_packages
 from roslab.knowledge.frameworks import Framework, framework, last_below
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
 
@@ -35,7 +35,8 @@ _AFTER = 2
 """A project most likely still runs this many minor versions after its newest classifier."""
 
 
-class Range(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Range:
     """The Pythons of ``PREFERRED`` that fit one piece of evidence, and the reason."""
 
     pythons: frozenset[str]

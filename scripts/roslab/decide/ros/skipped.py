@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from typing import NamedTuple
 
 from roslab.config.model import BuildTool
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 _SKIP = frozenset({"--packages-skip", "--packages-ignore"})
@@ -17,7 +17,8 @@ _SOURCES = frozenset({"", ".", "..", "src", "~", "…"})
 """What may stand before a path in the tree: the ``src`` of a workspace, or a folder that is not known."""
 
 
-class Skipped(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Skipped:
     """Where the author's build leaves a package out, and who says so."""
 
     place: Place

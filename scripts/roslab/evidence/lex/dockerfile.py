@@ -9,9 +9,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from roslab.evidence.lex.shell import logical_lines
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 _INSTRUCTION = pattern(r"^\s*([A-Za-z]+)\s+(.*)$", re.DOTALL)
@@ -28,7 +28,8 @@ _GAP = pattern(
 _HEREDOC = pattern(r"<<-?\s*[\"']?(\w+)[\"']?")
 
 
-class Instruction(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Instruction:
     """One instruction: its name in capitals, the text after it, its line."""
 
     name: str
@@ -60,7 +61,7 @@ def instructions(text: str) -> Iterator[Instruction]:
         start = _HEREDOC.search(pending.text) if name in {"RUN", "COPY"} else None
         if start:
             heredoc, following = start[1], line + 1
-            pending = pending._replace(text=pending.text[: start.start()] if name == "RUN" else pending.text)
+            pending = replace(pending, text=pending.text[: start.start()] if name == "RUN" else pending.text)
         else:
             yield pending
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import first_line, matching_lines
 from roslab.knowledge.rosbuild_makefiles import program_of
 from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -20,7 +20,8 @@ _INCLUDED = pattern(r"include\s[^#\n]{0,80}\bmk\)?/(\w+)\.mk\b")
 _UNSAFE = pattern(r"[^#\n]*?\bgit://([\w.-]+)/")
 
 
-class Fetching(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Fetching:
     """What a build needs to clone."""
 
     programs: tuple[Dependency, ...] = ()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 from urllib.parse import urlsplit
 
 from roslab.evidence.apt_source import AptSource
@@ -12,6 +11,7 @@ from roslab.evidence.prose import author_dockerfile, ci
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.apt_sources import keys_of_sources
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 _SOURCE = pattern(
@@ -39,7 +39,8 @@ NEAR = 20
 """Most lines between a source and a key that neither of them names."""
 
 
-class _Key(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Key:
     url: str | None
     refused: str | None
     place: str | None

@@ -21,6 +21,7 @@ from roslab.evidence.prose.taken_out import conditional, taken_out
 from roslab.evidence.prose.upstream import upstream
 from roslab.knowledge.distros import ever
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
@@ -111,7 +112,7 @@ def _is_ci(file: File) -> bool:
 def _read(text: str, values: tuple[Scalar, ...] | None, path: str) -> Prose:
     found = _by_lines(text, path) if values is None else _by_values(values, text, path)
     uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
-    return found._replace(mentions=(*found.mentions, *mentions.read(uncommented, path, "ci")))
+    return replace(found, mentions=(*found.mentions, *mentions.read(uncommented, path, "ci")))
 
 
 def _for_others(values: tuple[Scalar, ...], branch: str) -> bool:
@@ -143,7 +144,8 @@ def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
     found = collector.prose()
     sources = dict.fromkeys((*found.sources, *upstream(values, path)))
     said = (each for each in found.mentions if not conditional(each, text))
-    return found._replace(
+    return replace(
+        found,
         dependencies=tuple(titled(found.dependencies, text)),
         mentions=(*said, *images, *taken_out(values, path)),
         sources=tuple(sources),
@@ -167,7 +169,7 @@ def _by_lines(text: str, path: str) -> Prose:
                 collector.logical(f"apt-get install {line.strip(' -')}", _line(text, match) + 1 + offset)
     found = collector.prose()
     images = (_image(match, path, _line(text, match)) for match in _IMAGE.finditer(text))
-    return found._replace(mentions=(*found.mentions, *images))
+    return replace(found, mentions=(*found.mentions, *images))
 
 
 def _known(shell: str) -> str:

@@ -18,6 +18,7 @@ from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.knowledge.distros import distros
 from roslab.repository.checkout import Repository, nearest
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
@@ -69,11 +70,11 @@ def read(repository: Repository) -> Prose:
             _assignments(text, collector)
             collector.text(spelled_out(text))
             found = collector.prose()
-            found = found._replace(requirements=_of_one_branch(found.requirements, text))
+            found = replace(found, requirements=_of_one_branch(found.requirements, text))
             kept = (*(m for m in found.mentions if m.topic in _KEPT), *_distros(found.dependencies))
             if file.path.count("/") <= 1:
                 kept = (*kept, *only_on.read(text, file.path))
-            parts.append(found._replace(mentions=kept))
+            parts.append(replace(found, mentions=kept))
     lists = (
         file
         for file in repository.suffixed(".txt")

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Mention
+from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 
 
-class Prose(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Prose:
     """What texts for people or for other machines tell: READMEs, CI files, install scripts, Dockerfiles."""
 
     dependencies: tuple[Dependency, ...] = ()

@@ -108,7 +108,7 @@ def read(repository: Repository) -> Prose:
     above = (mention for file, text in texts for mention in _exported(repository, file, text))
     made = (mention for file, text in texts for mention in generated.read(repository, file, text))
     read = merge(of_page(repository, file) for file in found)
-    return read._replace(mentions=(*read.mentions, *paths, *exported, *above, *made))
+    return replace(read, mentions=(*read.mentions, *paths, *exported, *above, *made))
 
 
 def _exported(repository: Repository, file: File, text: str) -> Iterator[Mention]:
@@ -158,7 +158,7 @@ def of_page(repository: Repository, file: File) -> Prose:
     prose = _read(text_of(repository, file), file)
     told = tuple(each for m in prose.mentions for each in _checked(m, repository))
     asked = (each for mention in told for each in called(mention, repository))
-    return prose._replace(mentions=told, dependencies=(*prose.dependencies, *asked))
+    return replace(prose, mentions=told, dependencies=(*prose.dependencies, *asked))
 
 
 def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
@@ -196,7 +196,7 @@ def _read(text: str, file: File) -> Prose:
         *apt_scripts.read(file.path, text),
         *libtorch.read(file.path, text),
     )
-    return found._replace(mentions=(*found.mentions, *contained, *said))
+    return replace(found, mentions=(*found.mentions, *contained, *said))
 
 
 def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int, str, str]]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterator, Sequence
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.knowledge.frameworks import conda_names
 from roslab.values.conda import CondaPackage, conda_package
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role
 from roslab.values.requirement_line import requirement, stated
@@ -45,7 +46,8 @@ _EXACT = pattern(r"\d+(?:\.\d+)*")
 _NAME = pattern(r"[a-z][a-z0-9._-]*")
 
 
-class Version(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Version:
     """The version of Python or CUDA that conda is asked for."""
 
     topic: Literal["python", "cuda"]
