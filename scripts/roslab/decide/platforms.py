@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.cuda.version import DEFAULT as CUDA
 from roslab.decide.decision import Choice, Python, Reason
@@ -19,7 +17,7 @@ from roslab.knowledge.distros import distro
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.native_part import NativePart
 from roslab.values.requirement import Requirement
-from roslab.values.version import version_of
+from roslab.values.version import Version, version_of
 
 AMD64, ARM64 = "linux/amd64", "linux/arm64"
 

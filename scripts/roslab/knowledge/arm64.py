@@ -5,9 +5,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Literal
 
-from packaging.version import Version
-
 from roslab.knowledge.table import rows
+from roslab.values.version import Version
 
 
 @cache

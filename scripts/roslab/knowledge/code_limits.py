@@ -7,12 +7,11 @@ from functools import cache
 from itertools import takewhile
 from typing import Literal, cast
 
-from packaging.version import Version
-
 from roslab.knowledge.hints import Hints, hints
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
+from roslab.values.version import Version
 
 Sign = Literal["include", "name", "standard", "cpp11", "line", "python", "launch", "module"]
 """A header, a name in C++, a C++ standard that CMake asks for, a header in what is compiled as C++11, what stands on

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from packaging.version import Version
-
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
-from roslab.values.version import minor_of, version_of
+from roslab.values.version import Version, minor_of, version_of
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from packaging.version import Version
-
 from roslab.knowledge.frameworks import framework
 from roslab.knowledge.table import rows
+from roslab.values.version import Version
 
 OLDEST = Version(rows("libtorch")[0]["first"])
 """Archives of earlier releases do not link with libraries of Ubuntu: they have the ABI from before C++11."""

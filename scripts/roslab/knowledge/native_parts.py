@@ -6,12 +6,10 @@ from collections.abc import Iterable
 from functools import cache
 from typing import TypeVar
 
-from packaging.version import Version
-
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
-from roslab.values.version import version_of
+from roslab.values.version import Version, version_of
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

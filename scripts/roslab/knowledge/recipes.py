@@ -9,11 +9,10 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from packaging.version import Version
-
 from roslab.values import toml
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
+from roslab.values.version import Version
 
 Bound = tuple[str | None, str | None]
 """The oldest version that fits, and the first that does not."""

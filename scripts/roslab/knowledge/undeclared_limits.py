@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from functools import cache
 
-from packaging.version import Version
-
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -18,7 +18,7 @@ from urllib.parse import unquote, urlsplit, urlunsplit
 from roslab.plan.locked import Distribution, Missing
 
 if TYPE_CHECKING:
-    from packaging.version import Version
+    from roslab.values.version import Version
 
 DEFAULT = "from pip._internal.models.index import PyPI; print(PyPI.simple_url)"
 """Prints the index that pip asks where nothing else is said: pip's own value."""
@@ -60,7 +60,7 @@ def missing(packages: Sequence[Distribution], indexes: Sequence[str]) -> tuple[t
 
 
 def _missing(package: Distribution, found: Sequence[File]) -> Missing | None:
-    from packaging.version import Version  # noqa: PLC0415 - slow to import
+    from roslab.values.version import Version  # noqa: PLC0415 - slow to import
 
     wanted = {each.removeprefix("sha256:") for each in package.hashes}
     if any(digest in wanted for _, digest in found):

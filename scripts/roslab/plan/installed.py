@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.not_importable import importable_below
@@ -16,6 +14,7 @@ from roslab.plan.workspace import ROS_TOOLS, WORKSPACE, Workspace
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
+from roslab.values.version import Version
 
 IMPORT_SCRIPT = """\
 import importlib, importlib.util, os, sys

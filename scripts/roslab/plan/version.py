@@ -5,13 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from packaging.version import InvalidVersion, Version
-
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.version_tools import version_tools
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
+from roslab.values.version import InvalidVersion, Version
 
 UNKNOWN = "0.1.dev0"
 """If no tag has a version: the first version of setuptools_scm."""

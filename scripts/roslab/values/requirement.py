@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from packaging.version import Version
-
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
 from roslab.values.specifier import Allowed, Specifiers
-from roslab.values.version import version_of
+from roslab.values.version import Version, version_of
 from roslab.values.wheel import Wheel, wheel_of
 
 if TYPE_CHECKING:

@@ -7,10 +7,9 @@ from functools import cache
 from operator import ge, gt, le, lt
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from packaging.version import Version
-
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
+from roslab.values.version import Version
 
 if TYPE_CHECKING:
     from packaging.specifiers import SpecifierSet

@@ -1,10 +1,18 @@
-"""Version numbers as people write them."""
+"""Version numbers as people write them.
+
+``packaging`` is imported here alone, so that its patterns wait for their first use, and are kept.
+"""
 
 from __future__ import annotations
 
 from functools import cache
 
-from packaging.version import InvalidVersion, Version
+from roslab.values.pattern import postponed
+
+with postponed():
+    from packaging.version import InvalidVersion, Version
+
+__all__ = ["InvalidVersion", "Version", "minor_of", "version_of"]
 
 
 @cache

@@ -10,7 +10,8 @@ from roslab.values.pattern import pattern
 
 if TYPE_CHECKING:
     from packaging.tags import Tag
-    from packaging.version import Version
+
+    from roslab.values.version import Version
 
 _CPYTHON = pattern(r"cp(\d)(\d{1,2})")
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from packaging.version import Version
-
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import extends_torch
 from roslab.decide.cuda.version import DEFAULT, Cuda, Weight
@@ -13,6 +11,7 @@ from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import cuda_image, newest_framework
 from roslab.values.dataclass import replace
+from roslab.values.version import Version
 
 
 def for_extensions(cuda: Choice[Cuda], evidence: Evidence, config: Config, kind: Kind, own: OwnPython) -> Choice[Cuda]:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.decide.decision import Reason, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.cuda_gpus import NAME
 from roslab.knowledge.frameworks import cuda_images
+from roslab.values.version import Version
 
 
 def gpu_limits(evidence: Evidence) -> tuple[CodeLimit, ...]:

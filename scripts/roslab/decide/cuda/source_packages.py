@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import warn
 from roslab.knowledge.cuda_sources import newest_cuda
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
+from roslab.values.version import Version
 
 
 def with_too_old_sources(cuda: Choice[Cuda], installed: Iterable[Requirement]) -> Choice[Cuda]:

@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterator
 from typing import ClassVar
 
-from packaging.version import Version
-
 from roslab.config.model import Config
 from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
@@ -36,7 +34,7 @@ from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
-from roslab.values.version import minor_of, version_of
+from roslab.values.version import Version, minor_of, version_of
 
 DEFAULT = "11.8"
 """The version when nothing names one: most frameworks of 2022 to 2025 have wheels for it."""

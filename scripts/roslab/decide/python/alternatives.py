@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from packaging.version import Version
-
 from roslab.config.model import Kind
 from roslab.decide.cuda.local import cuda_of
 from roslab.evidence.facts import Evidence
@@ -14,6 +12,7 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 _TORCH = "torch"
 _CPU = "cpuonly"

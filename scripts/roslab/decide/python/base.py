@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from packaging.version import Version
-
 from roslab.config.model import Kind
 from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.decision import Reason
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
 from roslab.knowledge.python_images import python_images
+from roslab.values.version import Version
 
 PREFERRED = ("focal", "jammy", "noble", "bionic", "xenial")
 """The Ubuntu when nothing decides: old enough for the code of papers, new enough to have packages."""

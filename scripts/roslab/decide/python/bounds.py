@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
 from roslab.evidence.removed_name import Removed
 from roslab.knowledge.removals import removals
 from roslab.values.requirement import Requirement
+from roslab.values.version import Version
 
 Constraints = tuple[Requirement, ...]
 

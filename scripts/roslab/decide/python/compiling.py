@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from packaging.version import Version
-
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.compiled import (
     architectures,
@@ -19,6 +17,7 @@ from roslab.knowledge.frameworks import build_needs
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
+from roslab.values.version import Version
 
 _RUST = frozenset({"maturin", "setuptools-rust"})
 COMPILED_ON_IMPORT = frozenset({"meson-python", "scikit-build-core"})

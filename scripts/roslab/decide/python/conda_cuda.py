@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from packaging.version import Version
-
 from roslab.config.model import Kind
 from roslab.decide.cuda.version import OF_CONDA
 from roslab.evidence.facts import Evidence
-from roslab.values.version import minor_of
+from roslab.values.version import Version, minor_of
 
 
 def cuda_of_conda(evidence: Evidence, kind: Kind, file: str | None, cuda: str | None) -> str:

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from packaging.version import Version
-
 from roslab.decide.decision import Choice
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.conda_limits import CondaLimit, conda_limits
 from roslab.values.conda import CondaPackage, conda_package
-from roslab.values.version import version_of
+from roslab.values.version import Version, version_of
 
 _WITH_MOST = frozenset({"conda-forge", "defaults", "main", "anaconda"})
 """Channels with packages of every kind; others have a few of their own."""

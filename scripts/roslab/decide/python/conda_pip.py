@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from packaging.version import Version
-
 from roslab.decide.decision import Python, Reason
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.weights import PackageWeight as Weight
@@ -14,6 +12,7 @@ from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.knowledge.frameworks import build_needs
 from roslab.knowledge.tools import ALWAYS_ISOLATED
 from roslab.values.origin import Place
+from roslab.values.version import Version
 
 NEW_WHEELS = Version("20.3")
 """The first pip that takes every kind of wheel for Linux (PEP 600). https://github.com/pypa/manylinux#readme"""

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from packaging.version import Version
-
 from roslab.decide.decision import Warning_
 from roslab.decide.python.manifests import resolve, with_includes
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.values.requirement import Requirement
+from roslab.values.version import Version
 
 
 def of_one_call(

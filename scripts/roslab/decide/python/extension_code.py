@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from packaging.version import Version
-
 from roslab.config.model import Kind
 from roslab.decide.cuda.toolkit import by_script
 from roslab.decide.decision import Choice, Warning_
@@ -20,6 +18,7 @@ from roslab.knowledge.frameworks import newest_framework
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 
 def with_bounds(evidence: Evidence, kind: Kind) -> Evidence:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from packaging.version import Version
-
 from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.bounds import Constraints
@@ -16,6 +14,7 @@ from roslab.knowledge.frameworks import framework, released_together
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 _BUILD = pattern(r"(.+)-cu(?:da)?(\d{2,3}|\d{2}x)")
 _LEADING = ("torch", "tensorflow", "jax")

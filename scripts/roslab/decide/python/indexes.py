@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from packaging.version import Version
-
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.refused import Repaired
@@ -13,6 +11,7 @@ from roslab.decide.python.torch_build import OLDEST_PAGE, ON_INDEX, ONE_PAGE_BEF
 from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
+from roslab.values.version import Version
 
 _WITH_LOCAL_VERSIONS = frozenset({"torch", "torchvision", "torchaudio"})
 _PLACES = pattern(r"--(?:extra-index-url|find-links) https?://")

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 
-from packaging.version import Version
-
 from roslab.decide.decision import Choice
 from roslab.decide.python.bounds import Constraints
 from roslab.decide.python.framework_pins import WHY_LOCKED
@@ -18,6 +16,7 @@ from roslab.values.interpreter import Interpreter
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 from roslab.values.wheel import wheel_of
 
 _CPYTHON = pattern(r"cp3(\d{1,2})")

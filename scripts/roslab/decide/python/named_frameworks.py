@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.decide.cuda.local import cuda_of
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight as Weight
@@ -14,6 +12,7 @@ from roslab.knowledge.frameworks import framework, framework_on_cuda, released_t
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 _WHY = "a page names this version: what is installed after it fits it"
 

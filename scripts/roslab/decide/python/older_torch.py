@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.knowledge.frameworks import framework, released_together
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 
 def older_torch(asked: Iterable[Requirement], cuda: str | None) -> str | None:

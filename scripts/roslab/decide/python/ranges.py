@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from operator import gt, lt, ne
 
-from packaging.version import Version
-
 from roslab.decide.decision import Reason
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
@@ -22,6 +20,7 @@ from roslab.knowledge.frameworks import Framework, framework, last_below
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
+from roslab.values.version import Version
 
 _TRUSTED = 3
 """Of ``Pin.trust``: a manifest of the project itself."""

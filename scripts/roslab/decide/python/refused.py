@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from types import MappingProxyType
 
-from packaging.version import Version
-
 from roslab.decide.decision import Warning_
 from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
@@ -25,6 +23,7 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.specifier import specifiers
+from roslab.values.version import Version
 
 _GONE = "{path} is included and is not in the tree: what it names is not installed, and the rest one by one"
 _SHORT = "pip has no {asked}, for its versions have more numbers: {taken} is installed"

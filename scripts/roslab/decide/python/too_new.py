@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from packaging.version import Version
-
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.knowledge.frameworks import framework
@@ -13,6 +11,7 @@ from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 
 def too_new(asked: Requirement, python: str | None) -> bool:

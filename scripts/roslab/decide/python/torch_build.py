@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from packaging.version import Version
-
 from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.packages import Chosen
@@ -23,6 +21,7 @@ from roslab.knowledge.frameworks import (
 )
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 ONE_PAGE_BEFORE = Version("1.11")
 """Before this release torch's wheels for a CUDA were listed on a page, not in an index of their own.

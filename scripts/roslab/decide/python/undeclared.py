@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.bounds import Constraints, excluded
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
 from roslab.knowledge.undeclared_limits import UndeclaredLimit, undeclared_limits
 from roslab.values.requirement import Requirement
+from roslab.values.version import Version
 
 
 def decide_undeclared(asked: Iterable[Requirement]) -> Choice[Constraints]:

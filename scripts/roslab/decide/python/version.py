@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
-from packaging.version import Version
-
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import Pin
@@ -30,7 +28,7 @@ from roslab.knowledge.days import existed, usual
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
-from roslab.values.version import version_of
+from roslab.values.version import Version, version_of
 
 _OLDEST = Version("2.7")
 _UBUNTU = pattern(r"(?:^|/|-)ubuntu:?(\d\d\.04)")

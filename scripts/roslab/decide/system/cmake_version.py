@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.config.model import Kind
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
@@ -14,6 +12,7 @@ from roslab.evidence.facts import CMakeProject, Evidence
 from roslab.knowledge.distros import cmake_of_ubuntu
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 NEW = Version("4.0")
 """The first CMake that refuses code which asks for one before ``KEPT_BY_NEW``, but for what a variable tells it."""

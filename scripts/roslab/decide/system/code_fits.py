@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from packaging.version import Version
-
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.decide.system.page_releases import built_older
@@ -16,6 +14,7 @@ from roslab.knowledge.code_limits import fits, satisfies
 from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus
 from roslab.knowledge.shared_objects import ubuntus_with
+from roslab.values.version import Version
 
 WORKFLOWS = ".github/workflows/"
 TOO_OLD_FOR_PIP = frozenset({"trusty"})

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import shlex
 
-from packaging.version import Version
-
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.workspace import Packages
@@ -16,7 +14,7 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import newest_framework
 from roslab.knowledge.libtorch import OLDEST, libtorch_archive
 from roslab.values.origin import Place
-from roslab.values.version import version_of
+from roslab.values.version import Version, version_of
 
 NAME = "libtorch"
 _LINES = "%s\\n"

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from packaging.version import InvalidVersion, Version
-
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.recipes import releases
+from roslab.values.version import InvalidVersion, Version
 
 
 def built_older(limit: CodeLimit, evidence: Evidence) -> bool:

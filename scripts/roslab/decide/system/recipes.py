@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from packaging.version import Version
-
 from roslab.config.model import Source
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
@@ -18,6 +16,7 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import bounds_of, fits, satisfies
 from roslab.knowledge.libraries import library
 from roslab.knowledge.recipes import Bound, Recipe, recipe, releases
+from roslab.values.version import Version
 
 
 def recipes_for(

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from packaging.version import Version
-
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call
@@ -15,6 +13,7 @@ from roslab.knowledge.cmake_since import since
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
+from roslab.values.version import Version
 
 NAMES = frozenset(since())
 """The calls that are looked at."""

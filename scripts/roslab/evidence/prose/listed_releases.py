@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 
-from packaging.version import Version
-
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.prose import page_lists
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.code_limits import bounds_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
+from roslab.values.version import Version
 
 _LIBRARIES = {"opencv": "OpenCV", "pcl": "PCL", "boost": "Boost", "eigen": "Eigen3", "ceres": "Ceres"}
 """What pages call those of which the versions of each Ubuntu are known."""

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from packaging.version import Version
-
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.lines import end_of_line, lines_with
@@ -13,6 +11,7 @@ from roslab.evidence.python.modules import modules
 from roslab.knowledge.code_limits import Limit, limits
 from roslab.knowledge.hints import Search
 from roslab.repository.checkout import Repository
+from roslab.values.version import Version
 
 NODES = "Python of nodes"
 """The library of a sign in the code of a node of ROS, which runs with the Python of the Ubuntu."""
