@@ -24,6 +24,8 @@ else:
     class Field:
         """A field of a class: its name, the text of its type, its default, and what it takes part in."""
 
+        __slots__ = ("compare", "default", "default_factory", "init", "name", "repr", "type")
+
         def __init__(self, default: Any, default_factory: Any, init: bool, repr_: bool, compare: bool) -> None:
             self.name = self.type = ""
             self.default, self.default_factory = default, default_factory
@@ -112,21 +114,23 @@ def _fields(cls: type) -> dict[str, Field[Any]]:
     found: dict[str, Any] = {}
     for base in reversed(cls.__mro__[1:]):
         found.update(vars(base).get("__record_fields__", {}))
+    own = vars(cls)
     for name, annotation in cls.__annotations__.items():
         if "ClassVar" in str(annotation):
             continue
-        given = vars(cls).get(name, ...)
-        each: Any = given if isinstance(given, Field) else field(default=given)
+        given = own.get(name, ...)
+        each: Any = given if given.__class__ is Field else field(default=given)
         if each.default is not ... and each.default.__class__.__hash__ is None:
             raise ValueError(f"{cls.__qualname__}: the default of {name} could be changed: use default_factory")
-        if each.default is not ...:
-            setattr(cls, name, each.default)
-        elif name in vars(cls):
-            delattr(cls, name)
+        if each is given:
+            if each.default is not ...:
+                setattr(cls, name, each.default)
+            else:
+                delattr(cls, name)
         each.name, each.type = name, annotation
         found[name] = each
-    for name, given in vars(cls).items():
-        if isinstance(given, Field):
+    for name, given in own.items():
+        if given.__class__ is Field:
             raise TypeError(f"{cls.__qualname__}: {name} has no type")
     return found
 
@@ -138,33 +142,43 @@ def _add(cls: type, name: str, method: Callable[..., Any]) -> None:
 
 
 def _init(cls: type, found: dict[str, Any], *, by_position: bool) -> Callable[..., None]:
-    defaults = {name: each.default for name, each in found.items() if each.default is not ...}
-    factories = [(name, each.default_factory) for name, each in found.items() if each.default_factory]
-    taken = [name for name, each in found.items() if each.init]
-    required = {name for name in taken if not (name in defaults or found[name].default_factory)}
-    filled = required | defaults.keys() | {name for name, _ in factories}
-    refused = found.keys() - taken
-    after = getattr(cls, "__post_init__", None)
+    shape: _Shape | None = None  # made with the first value: of most classes no plan makes one
 
     def __init__(self: Any, /, *words: Any, **given: Any) -> None:  # noqa: N807 - it becomes one
+        nonlocal shape
+        if shape is None:
+            shape = _Shape(cls, found)
         if words:
-            named = dict(zip(taken if by_position else (), words, strict=False))
+            named = dict(zip(shape.taken if by_position else (), words, strict=False))
             if len(named) < len(words) or named.keys() & given.keys():
                 raise TypeError(f"{cls.__qualname__}: {len(words)} fields by position")
             given |= named
         values = self.__dict__
-        values.update(defaults)
-        for name, make in factories:
+        values.update(shape.defaults)
+        for name, make in shape.factories:
             if name not in given:
                 values[name] = make()
         values.update(given)
-        if values.keys() != filled or (refused and not refused.isdisjoint(given)):
-            missing, unknown = sorted(required - given.keys()), sorted(given.keys() - set(taken))
+        if values.keys() != shape.filled or (shape.refused and not shape.refused.isdisjoint(given)):
+            missing, unknown = sorted(shape.required - given.keys()), sorted(given.keys() - set(shape.taken))
             raise TypeError(f"{cls.__qualname__}: missing fields {missing}, unknown fields {unknown}")
-        if after:
-            after(self)
+        if shape.after:
+            shape.after(self)
 
     return __init__
+
+
+class _Shape:
+    """What the fields of a class say of how a value is made."""
+
+    def __init__(self, cls: type, found: dict[str, Any]) -> None:
+        self.defaults = {name: each.default for name, each in found.items() if each.default is not ...}
+        self.factories = [(name, each.default_factory) for name, each in found.items() if each.default_factory]
+        self.taken = [name for name, each in found.items() if each.init]
+        self.required = {name for name in self.taken if not (name in self.defaults or found[name].default_factory)}
+        self.filled = self.required | self.defaults.keys() | {name for name, _ in self.factories}
+        self.refused = found.keys() - self.taken
+        self.after = getattr(cls, "__post_init__", None)
 
 
 def _repr(cls: type, found: dict[str, Any]) -> Callable[[Any], str]:
