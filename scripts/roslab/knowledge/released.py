@@ -26,14 +26,15 @@ def released(distro: str) -> frozenset[str]:
 
 @cache
 def _ever() -> str:
-    """Return the text of the table without rosdep's own keys."""
+    """Return the text of the table without rosdep's own keys, a blank before and behind each name."""
     before, _, rest = whole("released").partition("\nrosdep,")
-    return before + rest.partition("\n")[2]
+    return (before + rest.partition("\n")[2]).replace(",", " ")
 
 
+@cache
 def ever_released(package: str) -> bool:
     """Tell whether any distribution released a package of this name."""
-    return any(f"{before}{package}{behind}" in _ever() for before in " ," for behind in " ,")
+    return f" {package} " in _ever()
 
 
 @cache
