@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import csv
 from functools import cache
-from pathlib import Path
+from os.path import dirname
 
-_FOLDER = Path(__file__).parent
+_FOLDER = dirname(__file__)  # noqa: PTH120 - the tables are many, and `Path` would be slower
 
 
 @cache
 def rows(name: str) -> tuple[dict[str, str], ...]:
     """Return the rows of ``NAME.csv``; each has a ``source`` and the ``date`` on which it was read."""
-    with (_FOLDER / f"{name}.csv").open(encoding="utf-8", newline="") as stream:
+    with open(f"{_FOLDER}/{name}.csv", encoding="utf-8", newline="") as stream:  # noqa: PTH123 - as above
         lines = csv.reader(stream)
         head = next(lines)
-        return tuple(dict(zip(head, line, strict=True)) for line in lines)
+        return tuple([dict(zip(head, line, strict=True)) for line in lines])
 
 
 def row(name: str, key: str) -> dict[str, str] | None:
@@ -35,4 +35,5 @@ def row(name: str, key: str) -> dict[str, str] | None:
 @cache
 def whole(name: str) -> str:
     """Return the text of ``NAME.csv``, for a search in a large one."""
-    return (_FOLDER / f"{name}.csv").read_text(encoding="utf-8")
+    with open(f"{_FOLDER}/{name}.csv", encoding="utf-8") as stream:  # noqa: PTH123 - as above
+        return stream.read()

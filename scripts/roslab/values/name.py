@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from roslab.values.pattern import pattern
 
 _RUN = pattern(r"[-_.]+")
 _OTHER = pattern(r"[^a-z0-9]")
 
 
+@cache
 def canonicalize_name(name: str) -> str:
     """Return the name in lower case with one hyphen for each run of ``-``, ``_`` and ``.``.
 
