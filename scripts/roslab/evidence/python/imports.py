@@ -200,6 +200,10 @@ def _standard(module: str) -> bool:
 
 def programs(repository: Repository) -> tuple[Program, ...]:
     """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
+    return repository.once(_programs)
+
+
+def _programs(repository: Repository) -> tuple[Program, ...]:
     found = []
     for module in modules(repository):
         file, text = module.file, module.text

@@ -23,7 +23,7 @@ class Module:
     file: File
     repository: Repository
 
-    @property
+    @cached_property
     def text(self) -> str:
         """Its code, or the beginning of it."""
         return self.repository.read(self.file, limit=MAX_READ)
