@@ -22,13 +22,16 @@ _BESIDE = pattern(
     r"(?:\$ENV\{HOME\}|~|\$\{(?:PROJECT|CMAKE|CMAKE_CURRENT)_(?:SOURCE|LIST)_DIR\})(?!.*/\.\.(?:/|$))(?:/|$)"
 )
 """Not above a package: there lies its workspace."""
+_PLACES = ("$ENV{HOME}", "~", "_SOURCE_DIR}", "_LIST_DIR}")
+"""Of these each such path has one."""
 
 
 def found(repository: Repository) -> bool:
     """Tell whether a CMakeLists.txt, but for tests and examples, has what runs written there."""
     for file in repository.named("CMakeLists.txt")[:MAX_FILES]:
         text = repository.read(file) if file.size <= MAX_SIZE and not places.sample(file.path) else ""
-        if any(word in text for word in _WORDS) and "rosbuild_init" not in text:
+        told = any(word in text for word in _WORDS) and any(place in text for place in _PLACES)
+        if told and "rosbuild_init" not in text:
             by_catkin = text.count("\n", 0, text.find("catkin_package(")) + 1 if "catkin_package(" in text else 0
             written = (path for call in calls(text, _NAMES) for path in _written(call, by_catkin))
             if any(_BESIDE.match(path) for path in written):

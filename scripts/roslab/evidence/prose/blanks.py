@@ -30,6 +30,8 @@ _CHOSEN = tuple(
     )
 )
 """A sentence that gives the values of a name in the commands of its page: replace `METHOD` with one of `bc`, `iql`."""
+_SAID = ("e.g.", "for example", *(f"{one} {of}" for one in ("one", "any", "either") for of in ("of", "from")))
+"""Of these each such sentence has one, in any case."""
 
 _EXAMPLE = pattern(
     r"^(?P<before>[ \t$>]*)(?P<program>(?:python|bash|sh|ros|\./)\S*)[ \t]+(?P<rest>[^\n#]*)(?P<end>\n?)"
@@ -88,7 +90,8 @@ def chosen(text: str) -> str:
 
     The name stays in backquotes, where the page speaks of it.
     """
-    for form in _CHOSEN:
+    lowered = text.lower()
+    for form in _CHOSEN if any(said in lowered for said in _SAID) else ():
         for match in form.finditer(text):
             if _RELEASE.search(match["name"]):
                 continue  # which one is meant is weighed with all that the tree says

@@ -25,8 +25,9 @@ _FOUND = pattern(rf"\$\(\s*find(?:-pkg-share)?\s+['\"]?({_PACKAGE})['\"]?\s*\)(?
 _NODE = pattern(r"<node\s([^>]{0,2000})>")
 _SAID = pattern(r"\b(pkg|type|exec)\s{0,9}=\s{0,9}[\"']([\w.-]{1,80})[\"']")
 _QUOTED = pattern(r"[\"'](?:[\w./-]{0,200}/)?([\w.-]{1,80}\.(?:py|launch\.xml|launch|xacro|urdf))[\"']")
+_LOOK_UP = ("get_path", "get_package_share_directory", "get_package_share_path")
 _LOOKED_UP = pattern(
-    rf"^[ \t]{{0,99}}[^\n#]{{0,200}}\b(?:get_path|get_package_share_directory|get_package_share_path)"
+    rf"^[ \t]{{0,99}}[^\n#]{{0,200}}\b(?:{'|'.join(_LOOK_UP)})"
     rf"\(\s{{0,9}}[\"']({_PACKAGE})[\"']\s{{0,9}}\)",
     re.MULTILINE,
 )
@@ -143,9 +144,8 @@ class _Follow:
             text = _always(_without(_COMMENT, text))
             return tuple(self._files(text)), tuple(_asked(m[1], m, text, file) for m in _FOUND.finditer(text))
         if path.endswith(".py"):
-            return (), tuple(
-                _asked(m[1], m, text, file) for m in _LOOKED_UP.finditer(text) if always_run(text, m.start())
-            )
+            found = _LOOKED_UP.finditer(text) if any(call in text for call in _LOOK_UP) else ()
+            return (), tuple(_asked(m[1], m, text, file) for m in found if always_run(text, m.start()))
         return (), ()
 
     def _started(self, text: str) -> Iterator[str]:
