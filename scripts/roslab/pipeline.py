@@ -13,15 +13,13 @@ from roslab.config import Config, Override, configure, locate
 from roslab.decide import decide, nothing
 from roslab.decide.decision import Decision, Warning_
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
-from roslab.evidence import matlab
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.evidence.native import made_elsewhere, unread, written_beside
 from roslab.evidence.ros import vcs
 from roslab.knowledge.days import rosdistro_ref
 from roslab.knowledge.distros import rosdistro_tag
-from roslab.knowledge.keys import expires
-from roslab.plan import lock as locks
+from roslab.plan.locked import NAME as LOCK
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.version import SourceVersion, of_projects, source_version
 from roslab.render import FILES, OutputFile, render_all
@@ -80,6 +78,8 @@ def plan_repository(
     try:
         decision = decide(evidence, config, folder_name=name)
     except NothingToBuildError as error:
+        from roslab.evidence import matlab  # noqa: PLC0415 - nearly every tree has something to build
+
         found = _what_is_there(repository)
         if number := matlab.files(repository):
             raise NothingToBuildError(nothing.of_matlab(number, found)) from None
@@ -99,13 +99,15 @@ def plan_repository(
     plan = replace(plan, workspace=replace(plan.workspace, made_elsewhere=hidden, written_beside=beside))
     file = lock_file(config)
     if locked and repository.has(file):
+        from roslab.plan import lock as locks  # noqa: PLC0415 - few trees have one
+
         plan = locks.use(plan, locks.from_text(repository.read(file), file=file), file=file)
     return Planned(repository=repository, config=config, evidence=evidence, decision=decision, plan=plan)
 
 
 def lock_file(config: Config) -> str:
     """Return the path of roslab.lock, which lies beside roslab.yaml, relative to the repository."""
-    return posixpath.join(posixpath.dirname(config.file or ""), locks.NAME)
+    return posixpath.join(posixpath.dirname(config.file or ""), LOCK)
 
 
 def _tables(decision: Decision) -> str | None:
@@ -231,6 +233,7 @@ def write_bases(plan: Plan, folder: Path) -> Path | None:
 def preflight(plan: Plan, platforms: Sequence[str]) -> tuple[Finding, ...]:
     """Return what is wrong with the base and the package source of a plan, where the network tells, with what to do."""
     from roslab.engine import preflight as ask  # noqa: PLC0415 - only a build asks
+    from roslab.knowledge.keys import expires  # noqa: PLC0415 - only a build, or a key of ROS, asks
 
     found = ask.base(plan.base_image, platforms) if not plan.author_dockerfile else ()
     ros = plan.package_sources.ros if plan.package_sources else None

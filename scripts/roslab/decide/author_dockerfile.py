@@ -16,9 +16,7 @@ from roslab.decide.system.code_fits import misfits
 from roslab.decide.uncopied_packages import only_manifest, uncopied_by_command, uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import codename_of, distro, distros, ubuntus
-from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image
-from roslab.knowledge.official_images import published
 from roslab.knowledge.os_releases import has_ended, release_of
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
@@ -139,6 +137,8 @@ def doubt(  # noqa: PLR0911 - one doubt a line
 
     ``mended``: the build replaces bases that ended; ``local``: it builds the base from the tree first.
     """
+    from roslab.knowledge.official_images import published  # noqa: PLC0415 - most trees have no Dockerfile
+
     if authored.purpose != "project":
         return {
             "documentation": "it is for the documentation",
@@ -217,6 +217,8 @@ def _base_doubt(base: str, kind: Kind, ros_distro: str | None, *, mended: bool) 
 
 def _gone(base: str) -> str | None:
     """Return why an image can no longer serve as a base."""
+    from roslab.knowledge.ended_bases import ended  # noqa: PLC0415 - most trees have no Dockerfile
+
     if match := _CUDA.search(base):
         row = cuda_image(match[1])
         if row is None or not row.tag or (match[2] and match[1] + match[2] != row.tag):

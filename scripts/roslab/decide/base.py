@@ -10,7 +10,6 @@ from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.day import existed
 from roslab.decide.decision import Choice, MendedBase, Reason
-from roslab.decide.listed_releases import of_listed_releases
 from roslab.decide.python.base import base_for, cuda_ubuntus
 from roslab.decide.reasons import CONFIGURED, because, configured, ranked, strongest
 from roslab.decide.ros.distro_dates import ADOPTED, dated
@@ -160,6 +159,8 @@ def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
 
 
 def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
+    from roslab.decide.listed_releases import of_listed_releases  # noqa: PLC0415 - few trees list releases
+
     reasons = [_by_date(evidence)]
     if config.base.ubuntu:
         reasons.append(configured(config, "ubuntu", config.base.ubuntu, "base.ubuntu"))

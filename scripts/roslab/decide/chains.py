@@ -13,8 +13,6 @@ from roslab.decide.decision import Choice, MendedBase, Reason
 from roslab.decide.mended_bases import mended
 from roslab.decide.reasons import because
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
-from roslab.knowledge.ended_bases import ended
-from roslab.knowledge.official_images import published
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
@@ -71,6 +69,9 @@ def wanted(words: Sequence[str]) -> str:
 
 
 def _problem(base: AuthorDockerfile, said: Mention) -> str | None:  # noqa: PLR0911 - one reason a line
+    from roslab.knowledge.ended_bases import ended  # noqa: PLC0415 - most trees have no Dockerfile
+    from roslab.knowledge.official_images import published  # noqa: PLC0415 - as above
+
     if base.problem:
         return f"from {base.file}: {base.problem}"
     if base.recipe is None:

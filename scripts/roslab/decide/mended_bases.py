@@ -5,7 +5,6 @@ from __future__ import annotations
 from roslab.decide.decision import MendedBase
 from roslab.evidence.facts import AuthorDockerfile
 from roslab.knowledge.distros import Distro, distro, ubuntus
-from roslab.knowledge.ended_bases import ended
 from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
 from roslab.knowledge.os_releases import ends, has_ended, release_of
 from roslab.values.dataclass import dataclass
@@ -58,6 +57,8 @@ def nearest(image: str) -> Nearest | None:
     Of CUDA: the last patch release, else the oldest newer CUDA with images; the flavour and the Ubuntu stay where
     there are images of them.
     """
+    from roslab.knowledge.ended_bases import ended  # noqa: PLC0415 - most trees have no Dockerfile
+
     match = _CUDA.fullmatch(image)
     if match is None:
         return None

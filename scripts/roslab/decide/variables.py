@@ -11,7 +11,6 @@ from roslab.decide.reasons import because
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.own_places import OPT, PYTHON
-from roslab.knowledge.build_variables import build_variables
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.machine_variables import of_one_machine
 from roslab.knowledge.offscreen import offscreen, onscreen
@@ -130,6 +129,8 @@ def _installed(value: str, mention: Mention, evidence: Evidence) -> bool:
 
 def _reader(name: str, value: str) -> str:
     """Return what reads a variable, in words, nothing where that was not looked for."""
+    from roslab.knowledge.build_variables import build_variables  # noqa: PLC0415 - few variables are asked for
+
     if name in build_variables():
         return f", and the build of {build_variables()[name]} reads it"
     if name in search_paths():

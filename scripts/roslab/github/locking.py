@@ -11,8 +11,8 @@ from roslab.github import workflow
 from roslab.github.run import Folder, Run, artifact_name, slug
 from roslab.lock import check, inventory, making
 from roslab.lock.materials import of_metadata
-from roslab.plan.lock import NAME, digest, from_text, to_text, without
-from roslab.plan.locked import Lock
+from roslab.plan.lock import digest, from_text, to_text, without
+from roslab.plan.locked import NAME, Lock
 from roslab.plan.plan import Plan
 from roslab.render.dockerfile import question
 from roslab.values.dataclass import replace

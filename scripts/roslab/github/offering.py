@@ -18,7 +18,8 @@ from roslab.github.event import Event
 from roslab.github.issues import AUTHOR
 from roslab.github.run import Folder, Run, slug
 from roslab.lock.comparison import of_locks
-from roslab.plan.lock import NAME, from_text
+from roslab.plan.lock import from_text
+from roslab.plan.locked import NAME
 from roslab.render import moved
 
 RIGHTS = "contents: write, pull-requests: write"

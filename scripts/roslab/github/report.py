@@ -10,7 +10,7 @@ from roslab.errors import ConfigurationError
 from roslab.github import kept
 from roslab.github.event import Event
 from roslab.github.run import Folder, Run
-from roslab.plan.lock import NAME
+from roslab.plan.locked import NAME
 from roslab.render import climbed
 from roslab.render.markdown import code
 from roslab.render.outcome import Report, platforms_of

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
-from packaging.version import Version
-
 from roslab.knowledge.table import rows
+from roslab.values.version import Version
 
 
 @cache

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from packaging.version import Version
-
 from roslab.knowledge.distros import distros
 from roslab.knowledge.table import rows
+from roslab.values.version import Version
 
 
 @cache

@@ -13,12 +13,21 @@ from typing import Any, TypeVar
 
 from roslab.config.model import Source
 from roslab.errors import ConfigurationError, Problem
-from roslab.plan.locked import Distribution, Environment, Lock, LockedSource, Machine, Material, Missing, Package
+from roslab.plan.locked import (
+    NAME,
+    Distribution,
+    Environment,
+    Lock,
+    LockedSource,
+    Machine,
+    Material,
+    Missing,
+    Package,
+)
 from roslab.plan.plan import Plan
 from roslab.values.dataclass import asdict, fields, replace
 from roslab.values.origin import Place
 
-NAME = "roslab.lock"
 VERSION = 1
 """Version of the file's format; a reader refuses any other."""
 AGAIN = "build with `roslab build --no-lock`, then run `roslab lock`; or delete the file"

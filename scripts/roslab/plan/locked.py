@@ -6,6 +6,9 @@ from typing import Literal
 
 from roslab.values.dataclass import dataclass
 
+NAME = "roslab.lock"
+"""The file's name."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Package:

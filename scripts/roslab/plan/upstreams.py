@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import distro
-from roslab.knowledge.keys import expires
 from roslab.knowledge.os_releases import ends, has_ended, moved_to, release_of
 from roslab.knowledge.ros_packages import first_source
 from roslab.knowledge.tools import why_bounded
@@ -96,6 +95,8 @@ def _of_base(
 
 
 def _ros(source: RosSource, tag: str | None) -> Iterator[Upstream]:
+    from roslab.knowledge.keys import expires  # noqa: PLC0415 - only a build, or a key of ROS, asks
+
     release = distro(source.distro)
     if release is None or release.rosdistro_tag is None:
         return

@@ -11,7 +11,6 @@ from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated, of_its_time, supported
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
 from roslab.decide.ros.gazebo import by_gazebo, without_library
-from roslab.decide.ros.lost_keys import with_every_package
 from roslab.decide.ros.on_machines import on_machines
 from roslab.decide.ros.required_versions import with_older
 from roslab.decide.ros.source_names import plain
@@ -242,6 +241,8 @@ def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[
 
 def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None]:
     """Return the distribution of the last commit's time, else the default; if that lacks a key, one with every key."""
+    from roslab.decide.ros.lost_keys import with_every_package  # noqa: PLC0415 - nearly every tree says more
+
     date = dated(evidence)
     at: Placed | None = date
     answer = of_its_time(kind, date.value if date else None)

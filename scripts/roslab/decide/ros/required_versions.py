@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from packaging.version import Version
-
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distros
 from roslab.knowledge.ros_versions import repositories_of, versions
+from roslab.values.version import Version
 
 
 def with_older(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:

@@ -14,12 +14,8 @@ from roslab.evidence.prose import mentions, other_dockerfiles
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.composed import services
 from roslab.evidence.prose.copies import in_copy
-from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_its_copy
-from roslab.evidence.prose.entry_scripts import started_by
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
-from roslab.evidence.prose.recipe import recipe
-from roslab.evidence.prose.uncopied import paths_of, uncopied
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -199,6 +195,11 @@ class _Reading:
 
 
 def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
+    from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
+    from roslab.evidence.prose.entry_scripts import started_by  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
+
     known: dict[str, str] = {}
     reading = _Reading(collector=Collector(file.path, "dockerfile", known), known=known)
     text = repository.read(file, limit=MAX_SIZE)

@@ -18,7 +18,6 @@ from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.other_branches import told
 from roslab.evidence.prose.pages import pages
 from roslab.evidence.prose.taken_out import conditional, taken_out
-from roslab.evidence.prose.upstream import upstream
 from roslab.knowledge.distros import ever
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -126,6 +125,8 @@ def _for_others(values: tuple[Scalar, ...], branch: str) -> bool:
 
 def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
     """Read the values of a YAML file as shell, and those of some keys as package lists or images."""
+    from roslab.evidence.prose.upstream import upstream  # noqa: PLC0415 - many trees have no CI
+
     collector = Collector(path, "ci")
     images = []
     for value in values:

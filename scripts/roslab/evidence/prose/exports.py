@@ -9,7 +9,6 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose import own_places, search_paths
 from roslab.evidence.prose.python_path import HERE, folder_of
-from roslab.knowledge.build_variables import build_variables
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
@@ -75,6 +74,8 @@ def _is_read(name: str, repository: Repository) -> bool:
 
     Those are not cloned before the build.
     """
+    from roslab.knowledge.build_variables import build_variables  # noqa: PLC0415 - few variables are asked for
+
     if name in build_variables():
         return True
     reads = re.compile(_READS.replace("%s", name))

@@ -9,7 +9,6 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.fixtures import of_tests
-from roslab.evidence.lex.branches import branches
 from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.shell import fill_placeholders
 from roslab.evidence.prose import author_dockerfile, only_on
@@ -103,6 +102,8 @@ def _distros(asked: tuple[Dependency, ...]) -> Iterator[Mention]:
 
 def _of_one_branch(asked: tuple[Requirement, ...], text: str) -> tuple[Requirement, ...]:
     """Keep of the branches of one ``if`` or ``case`` the first that installs a package: they are alternatives."""
+    from roslab.evidence.lex.branches import branches  # noqa: PLC0415 - few scripts choose
+
     if len({each.key for each in asked}) == len(asked):
         return asked
     places = branches(text)

@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.unset import stops_unset
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -47,6 +46,8 @@ def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
 
 
 def _leads_elsewhere(text: str) -> bool:
+    from roslab.evidence.prose.unset import stops_unset  # noqa: PLC0415 - few scripts stop so
+
     if _INSTALLS.search(text) and not _STARTS.search(text):
         return True
     return stops_unset(text) or starts_container(text) or any(map(_OPENS.match, text.splitlines()))

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 
 from roslab.evidence.facts import CondaEnvironment
 from roslab.evidence.lex.yaml import load
-from roslab.evidence.python import conda_list
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
 from roslab.values.pattern import pattern
@@ -39,7 +38,7 @@ def read(repository: Repository, asked: Iterable[Requirement] = ()) -> tuple[Con
     for file in sorted(repository.suffixed(".yml", ".yaml", ".txt"), key=lambda file: file.path):
         said = given.get(file.name)
         if file.name.endswith(".txt"):
-            if said or (_LIST.search(file.name.lower()) and conda_list.exported(repository.read(file, limit=MAX_SIZE))):
+            if said or _LIST.search(file.name.lower()):
                 found.append(_list(repository, file, said, asked))
         elif said or _NAME.match(file.name.lower()):
             found.append(_environment(repository, file))
@@ -50,9 +49,14 @@ def _list(
     repository: Repository, file: File, said: Requirement | None, asked: Iterable[Requirement]
 ) -> CondaEnvironment | None:
     """Read a list of packages, with the channels of the command that names it."""
+    from roslab.evidence.python import conda_list  # noqa: PLC0415 - few trees have one
+
+    text = repository.read(file, limit=MAX_SIZE)
+    if not (said or conda_list.exported(text)):
+        return None
     place = (said.file, said.line) if said else None
     channels = [each.written for each in asked if each.role == "channel" and (each.file, each.line) == place]
-    return conda_list.parse(repository.read(file, limit=MAX_SIZE), file.path, channels)
+    return conda_list.parse(text, file.path, channels)
 
 
 def _environment(repository: Repository, file: File) -> CondaEnvironment | None:

@@ -9,8 +9,6 @@ from collections.abc import Iterator
 from typing import Any
 
 from roslab.evidence.facts import CondaEnvironment
-from roslab.evidence.python.pixi_lock import pinned, releases
-from roslab.evidence.python.poetry import lines as of_poetry
 from roslab.repository.checkout import File, Repository
 from roslab.values import toml
 from roslab.values.conda import conda_package
@@ -31,6 +29,8 @@ def read(repository: Repository) -> tuple[CondaEnvironment, ...]:
 
 
 def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
+    from roslab.evidence.python.pixi_lock import releases  # noqa: PLC0415 - few trees use pixi
+
     text = repository.read(file, limit=MAX_SIZE)
     if file.name != "pixi.toml" and "[tool.pixi" not in text:
         return None
@@ -63,6 +63,8 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
 
 def _specs(dependencies: dict[str, Any], locked: dict[str, str]) -> Iterator[str]:
     """Yield conda's way of writing what pixi asks for, at the versions of its lock."""
+    from roslab.evidence.python.pixi_lock import pinned  # noqa: PLC0415 - few trees use pixi
+
     for name, said in dependencies.items():
         version = said.get("version", "*") if isinstance(said, dict) else said
         if isinstance(version, str) and not (isinstance(said, dict) and "path" in said):
@@ -71,6 +73,8 @@ def _specs(dependencies: dict[str, Any], locked: dict[str, str]) -> Iterator[str
 
 def _pip(dependencies: dict[str, Any], file: str, lines: list[str]) -> Iterator[Requirement]:
     """Yield pip's packages; what lies in the tree is installed as a project."""
+    from roslab.evidence.python.poetry import lines as of_poetry  # noqa: PLC0415 - many trees have no pyproject.toml
+
     for name, said in dependencies.items():
         number = next((n for n, line in enumerate(lines, 1) if name in line), 1)
         if isinstance(said, dict) and "path" in said:

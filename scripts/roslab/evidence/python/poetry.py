@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from roslab.evidence.python.uv import of_work
 from roslab.values.name import canonicalize_name
 from roslab.values.specifier import specifiers
 
@@ -45,6 +44,8 @@ def groups_of(table: dict[str, Any]) -> dict[str, list[str]]:
 
 def default_groups(table: dict[str, Any]) -> list[str]:
     """Return the lines of the groups that ``poetry install`` installs: none that is optional or for work on it."""
+    from roslab.evidence.python.uv import of_work  # noqa: PLC0415 - many trees have no pyproject.toml
+
     return [
         line for name, said, own in _groups(table) if not (said.get("optional") or of_work(name)) for line in lines(own)
     ]

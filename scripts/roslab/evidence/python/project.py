@@ -8,10 +8,8 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from roslab.evidence.facts import PythonProject
-from roslab.evidence.python import poetry, requirements, uv
-from roslab.evidence.python.extensions import by_install, extensions
+from roslab.evidence.python import requirements
 from roslab.evidence.python.manager_lines import GROUP
-from roslab.evidence.python.without_module import without_module
 from roslab.repository.checkout import Repository
 from roslab.values import toml
 from roslab.values.dataclass import replace
@@ -133,6 +131,8 @@ def from_file(repository: Repository, folder: str, name: str) -> list[Requiremen
 
 
 def _setup_py(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
+    from roslab.evidence.python.extensions import by_install, extensions  # noqa: PLC0415 - many trees have no project of Python
+
     if not re.search(r"\bsetup\s*\(", text):
         return None
     from roslab.evidence.python import setup_py  # noqa: PLC0415 - it imports Python's own parser
@@ -225,6 +225,10 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
 
 
 def _pyproject(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
+    from roslab.evidence.python import poetry, uv  # noqa: PLC0415 - many trees have no project of Python
+    from roslab.evidence.python.extensions import extensions  # noqa: PLC0415 - as above
+    from roslab.evidence.python.without_module import without_module  # noqa: PLC0415 - as above
+
     try:
         data = toml.parsed(text)
     except ValueError:
