@@ -13,6 +13,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from roslab.values.pattern import pattern
+
 Schema = dict[str, Any]
 """A part of the JSON schema: a mapping of keywords."""
 SCHEMA = Path(__file__).with_name("schema.json")
@@ -37,9 +39,9 @@ def resolve(schema: Schema) -> Schema:
 
 
 @cache
-def compiled(pattern: str) -> re.Pattern[str]:
+def compiled(source: str) -> re.Pattern[str]:
     """Compile a pattern of the schema, only once."""
-    return re.compile(pattern)
+    return pattern(source)
 
 
 @cache

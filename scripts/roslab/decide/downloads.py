@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
 import shlex
 from collections.abc import Iterator
 
@@ -14,7 +13,10 @@ from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.downloads import stem_of
+from roslab.values.pattern import pattern
 from roslab.values.words import line_of
+
+_ASSIGNS = pattern(r":?=")
 
 WEIGHT = 300
 """Files do not compete, so it only orders the report."""
@@ -75,7 +77,7 @@ def _named(command: str) -> Iterator[str]:
     words = shlex.split(command)
     folder = words[1] if words[:1] == ["cd"] and len(words) > 1 else ""
     for word in words:
-        path = re.split(r":?=", word, maxsplit=1)[-1]
+        path = _ASSIGNS.split(word, maxsplit=1)[-1]
         if path and not path.startswith(("/", "~", "-")):
             yield posixpath.normpath(posixpath.join(folder, path))
 

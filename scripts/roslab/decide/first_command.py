@@ -76,6 +76,8 @@ _TOPIC = pattern(r"(?!\w*(?:file|path|dir|folder|map|bag|conf|data|world|model|u
 """An argument that names a topic or a namespace of ROS: ``image:=/camera/color/image_raw``."""
 _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
 """A value that the reader fills in: ``name:=---``."""
+_SUFFIX = pattern(r"\.\w+$")
+_HUMP = pattern(r"(?<=[a-z])(?=[A-Z])")
 
 
 def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
@@ -243,8 +245,8 @@ def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:
 def _stem(words: tuple[str, ...]) -> str:
     """Return the name of a program without its folder and ending, its parts joined by ``_``."""
     name = words[-1].rpartition("/")[2]
-    name = name.rpartition(".")[2] if words[1:2] == ("-m",) else re.sub(r"\.\w+$", "", name)
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name)
+    name = name.rpartition(".")[2] if words[1:2] == ("-m",) else _SUFFIX.sub("", name)
+    return _HUMP.sub("_", name)
 
 
 def _lacks(candidate: Candidate) -> bool:

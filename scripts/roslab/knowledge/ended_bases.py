@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.knowledge.table import rows
+from roslab.values.pattern import pattern
 
 
 def ended(image: str) -> str | None:
     """Return why an image can no longer be a base, ``None`` if no row matches it."""
-    row = next((row for row in rows("ended_bases") if re.fullmatch(row["pattern"], image)), None)
+    row = next((row for row in rows("ended_bases") if pattern(row["pattern"]).fullmatch(image)), None)
     return row["why"].format(image=image) if row else None

@@ -44,7 +44,7 @@ def release_of(image: str) -> str | None:
     words = re.split(r"[:_-]", name.partition(":")[2])
     named = next((word for word in words if word in ends()), None)
     return named or next(
-        (row["codename"] for row in rows("image_releases") if re.fullmatch(row["pattern"], name)), None
+        (row["codename"] for row in rows("image_releases") if pattern(row["pattern"]).fullmatch(name)), None
     )
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.config.model import Config, Source
 from roslab.decide.decision import Decision
 from roslab.decide.ros.source_names import wraps
@@ -12,7 +10,10 @@ from roslab.knowledge.distros import distro
 from roslab.knowledge.on_request import packages
 from roslab.knowledge.package_data import PackageData, package_data
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 from roslab.values.secret import SSH
+
+_OFFICIAL_ROS = pattern(r"(?:^|/)ros:")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -99,7 +100,7 @@ def _ros_tools(decision: Decision, in_workspace: tuple[Source, ...]) -> list[str
     python = "python" if release.python.startswith("2") else "python3"
     used = {decision.build_tool, *(source.build for source in in_workspace)}
     tools = [f"{python}-catkin-tools"] if "catkin_tools" in used else []
-    bare = not re.search(r"(?:^|/)ros:", decision.base_image) or decision.base_image.endswith("-ros-core")
+    bare = not _OFFICIAL_ROS.search(decision.base_image) or decision.base_image.endswith("-ros-core")
     if bare and (decision.packages or in_workspace):
         tools += ["build-essential", f"{python}-rosdep"]
         tools += [f"ros-{release.name}-rosmake", f"ros-{release.name}-mk"] if "rosmake" in used else []

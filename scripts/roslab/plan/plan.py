@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from typing import Any
 
 from roslab.config.model import (
@@ -35,6 +34,10 @@ from roslab.plan.upstreams import Upstream, upstreams
 from roslab.plan.version import SourceVersion
 from roslab.plan.workspace import Workspace, custom, library, workspace
 from roslab.values.dataclass import asdict, dataclass
+from roslab.values.pattern import pattern
+
+_NO_NAME = pattern(r"[^a-z0-9._-]+")
+_SEPARATORS = pattern(r"[._-]*([._-])[._-]*")
 
 VERSION = 1
 """Version of the plan's JSON; a reader refuses any other."""
@@ -151,9 +154,7 @@ def image_name(text: str) -> str:
     The grammar is the distribution project's ``path-component``:
     https://github.com/distribution/reference/blob/main/regexp.go
     """
-    name = re.sub(r"[^a-z0-9._-]+", "-", text.lower())
-    name = re.sub(r"[._-]*([._-])[._-]*", r"\1", name).strip("._-")
-    return name or "image"
+    return _SEPARATORS.sub(r"\1", _NO_NAME.sub("-", text.lower())).strip("._-") or "image"
 
 
 def make_plan(

@@ -14,6 +14,10 @@ from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.repository import git, listing
 from roslab.repository.listing import File, Listing, list_tree
 from roslab.values.dataclass import dataclass, field, replace
+from roslab.values.pattern import pattern
+
+_HEAD = pattern(r"ref: refs/heads/(.+)")
+_ORIGIN = pattern(r'\[remote "origin"\][^\[]*?\burl\s*=\s*(\S+)')
 
 __all__ = ["MAX_TEXT", "File", "Repository", "printable"]
 
@@ -210,12 +214,12 @@ class Repository:
         if self.branch_hint:
             return self.branch_hint
         head = self._git_text("HEAD")
-        return match[1].strip() if (match := re.match(r"ref: refs/heads/(.+)", head)) else None
+        return match[1].strip() if (match := _HEAD.match(head)) else None
 
     @cached_property
     def origin(self) -> str | None:
         """URL of the remote ``origin``, as ``.git/config`` has it."""
-        match = re.search(r'\[remote "origin"\][^\[]*?\burl\s*=\s*(\S+)', self._git_text("config"))
+        match = _ORIGIN.search(self._git_text("config"))
         return match[1] if match else None
 
     @cached_property

@@ -28,6 +28,7 @@ _VERSIONS = pattern(r"\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?"
 _EXPORTED = pattern(r"=([\w.+!-]+?)(?:=[^=\s]+)?")
 _EGG = pattern(r"[#&]egg=([\w.-]+)")
 _LAST = pattern(r"/([\w.-]+?)(?:\.git(?:@.*)?|@[^/]*)?/?$")
+_BLANKS = pattern(r"\s+")
 _NOWHERE = partial(Requirement, origin="table")
 """A requirement before its place and origin are known."""
 
@@ -67,7 +68,7 @@ def _read(text: str) -> Requirement | None:
     """Parse a line without its place: by the standard, else as a URL or a path, else after repairs."""
     if plain := _PLAIN.fullmatch(text):
         extras = tuple(sorted({each.strip() for each in (plain[2] or "").split(",")} - {""}))
-        written, allowed = re.sub(r"\s+", "", text), specifiers(plain[3])
+        written, allowed = _BLANKS.sub("", text), specifiers(plain[3])
         return _NOWHERE(name=plain[1], written=written, specifier=allowed or FREE, extras=extras)
     editable = _EDITABLE.match(text)
     role: Role = "editable" if editable else ""

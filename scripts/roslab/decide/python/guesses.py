@@ -24,6 +24,7 @@ from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 _FOR_DEVELOPERS = pattern(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)")
+_REPOSITORY = pattern(r"git\+\w+://(?:[^@/]*@)?([\w.-]+/[\w.-]+/[\w.-]+?)(?:\.git)?(?:[@#].*)?$")
 _FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
 MAX_GUESSES = 40
 
@@ -147,7 +148,7 @@ def _of_python(name: str) -> str:
 
 def _repository(url: str) -> str:
     """Return the repository of a ``git+`` URL, so that two spellings of one package are not both installed."""
-    match = re.search(r"git\+\w+://(?:[^@/]*@)?([\w.-]+/[\w.-]+/[\w.-]+?)(?:\.git)?(?:[@#].*)?$", url)
+    match = _REPOSITORY.search(url)
     return match[1].lower() if match else ""
 
 

@@ -47,6 +47,8 @@ _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)(?!\w)", re.IGNORECASE
 _RECOMMENDED = pattern(r"(?<!not )(?<!n't )\brecommend", re.IGNORECASE)
 _LIST = (".repos", ".rosinstall")
 _SENTENCE = pattern(r"(?<=[.;!?])\s+|\s*\|\s*")
+_NO_LETTERS = pattern(r"[^a-z]+")
+_OFFICIAL = pattern(r"(?:.*/)?ros[12]?(?:[:@]|$)")
 _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's image:", "script": "a script:"}
 
 
@@ -166,7 +168,7 @@ def _dockerfile_weight(authored: AuthorDockerfile) -> int:
 
 def _names(image: str) -> list[str]:
     """Return the distributions in an image's name: ``ros:noetic-perception``, ``…/ros-humble:main``."""
-    return [word for word in re.split(r"[^a-z]+", image.lower()) if word in distros()]
+    return [word for word in _NO_LETTERS.split(image.lower()) if word in distros()]
 
 
 def _mentions(evidence: Evidence, ros: int) -> Iterator[Reason]:
@@ -182,8 +184,7 @@ def _mentions(evidence: Evidence, ros: int) -> Iterator[Reason]:
             yield from _ubuntu(mention, ros)
         elif mention.topic == "base":
             for name in _names(mention.value):
-                official = re.match(r"(?:.*/)?ros[12]?(?:[:@]|$)", mention.value)
-                weight = Weight.CI_IMAGE if official else Weight.PLACE["ci"] - Weight.DEEPER
+                weight = Weight.CI_IMAGE if _OFFICIAL.match(mention.value) else Weight.PLACE["ci"] - Weight.DEEPER
                 yield because("ros_distro", name, f"CI runs in {mention.value}", mention, weight=weight)
 
 

@@ -15,6 +15,7 @@ SHORTEST = 4
 """Fewest letters of a word that can identify a family of packages."""
 _COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
 _BRANCH = pattern(r"(?:[a-z]+[-_])?(?:dev|devel|develop|development|testing|nightly)")
+_SEPARATORS = pattern(r"[-_.]+")
 _TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
 
 
@@ -46,7 +47,7 @@ def address(url: str) -> str:
 @cache
 def plain(name: str) -> str:
     """Return a name in the one spelling in which two are compared."""
-    return re.sub(r"[-_.]+", "_", name.rpartition("/")[2]).lower()
+    return _SEPARATORS.sub("_", name.rpartition("/")[2]).lower()
 
 
 def telling_words(name: str) -> set[str]:

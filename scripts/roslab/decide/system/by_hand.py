@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal
 
@@ -22,6 +21,9 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
+from roslab.values.pattern import pattern
+
+_LIB = pattern(r"^lib(?=[a-z])")
 
 SHORTEST = 3
 """Fewest letters of a name by which a link is taken for a library."""
@@ -66,7 +68,7 @@ def _like(source: Source, git: GitSource, day: str) -> Source:
 
 def _bare(name: str) -> str:
     """Return a name in the one spelling in which two are compared, without ``lib``: ``libfreenect2``, ``freenect2``."""
-    return re.sub(r"^lib(?=[a-z])", "", plain(name))
+    return _LIB.sub("", plain(name))
 
 
 def by_hand(

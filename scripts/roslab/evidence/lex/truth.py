@@ -70,8 +70,8 @@ def cmake_holds(condition: str, unset: Callable[[str], bool]) -> Truth:
     """Tell whether a condition of CMake holds, as ``lex.cmake`` gives it; ``unset``: nothing sets such a variable."""
     if condition.startswith("NOT (") and condition.endswith(")"):
         return _not(cmake_holds(condition[len("NOT (") : -1], unset))
-    each = re.split(r"\s+OR\s+", condition[:_LONGEST])
-    return _any(_all(_term(term, unset) for term in re.split(r"\s+AND\s+", part)) for part in each)
+    each = _OR.split(condition[:_LONGEST])
+    return _any(_all(_term(term, unset) for term in _AND.split(part)) for part in each)
 
 
 def _term(written: str, unset: Callable[[str], bool]) -> Truth:
@@ -109,6 +109,8 @@ _OF_TOOL = pattern(
     r"[\"']?\$ENV\{ROS_VERSION\}[\"']? (?:STREQUAL|EQUAL|VERSION_EQUAL) [\"']?([12])[\"']?"
 )
 """What a workspace of catkin sets or finds; one of ament; any; the ROS that it asks for."""
+_OR = pattern(r"\s+OR\s+")
+_AND = pattern(r"\s+AND\s+")
 
 
 def workspace_holds(condition: str, ros: int) -> Truth:
@@ -118,8 +120,8 @@ def workspace_holds(condition: str, ros: int) -> Truth:
     """
     if condition.startswith("NOT (") and condition.endswith(")"):
         return _not(workspace_holds(condition[len("NOT (") : -1], ros))
-    each = re.split(r"\s+OR\s+", condition[:_LONGEST])
-    return _any(_all(_of_tool(term, ros) for term in re.split(r"\s+AND\s+", part)) for part in each)
+    each = _OR.split(condition[:_LONGEST])
+    return _any(_all(_of_tool(term, ros) for term in _AND.split(part)) for part in each)
 
 
 def _of_tool(written: str, ros: int) -> Truth:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from roslab.evidence import places
@@ -66,6 +65,7 @@ _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$"
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
 _SWITCH = pattern(r"(?:OFF )?(?!UNIX$|LINUX$|WIN32$|MSVC$|APPLE$)[A-Za-z]\w*(?<!_FOUND)")
 _WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
+_FROM_HERE = pattern(r"^\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR)\}/|^\./")
 
 
 @dataclass
@@ -306,5 +306,5 @@ def _placed(reading: _Reading) -> Iterator[tuple[str, str]]:
 
 
 def _joined(folder: str, path: str) -> str:
-    path = re.sub(r"^\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR)\}/|^\./", "", path).rstrip("/")
+    path = _FROM_HERE.sub("", path).rstrip("/")
     return f"{folder}/{path}" if folder else path

@@ -20,6 +20,7 @@ NAMES = frozenset(since())
 OF_INCLUDED = frozenset(name for name, each in since().items() if not each[0].words)
 """Those that tell as much in a file that is included."""
 _DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:]+)", re.IGNORECASE | re.MULTILINE)
+_VERSION = pattern(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)")
 _DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRARY")
 _MODULE = ("include", "find_package")
 MAX_SIZE = 256 * 1024
@@ -52,7 +53,7 @@ def note(call: Call, path: str, into: dict[str, Dependency]) -> None:
 
 def minimum(call: Call, path: str) -> Dependency | None:
     """Return the release that is required, of ``VERSION 3.15...3.28`` the first: the second is for policies."""
-    version = next((m[1] for word in call.words if (m := re.match(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)", word))), None)
+    version = next((m[1] for word in call.words if (m := _VERSION.match(word))), None)
     if version is None or call.conditions:
         return None
     return Dependency(

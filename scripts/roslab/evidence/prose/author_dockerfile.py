@@ -43,6 +43,7 @@ _MOUNT = pattern(r"--mount=(\S*\btype=(?:ssh|secret)\b\S*)")
 _COMPILES = pattern(r"\b(?:cmake|make|ninja)\b")
 _OPTIONS = pattern(r"^(?:--\S+\s+)+")
 """Options of RUN."""
+_COMMENT = pattern(r"^[ \t]*#.*$", re.MULTILINE)
 _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
@@ -54,7 +55,7 @@ def read(repository: Repository) -> tuple[AuthorDockerfile, ...]:
 def prose(repository: Repository) -> Prose:
     """Return the versions and build commands that the Dockerfiles name."""
     return merge(
-        Prose(mentions=(*mentions.read(_uncommented(text), file.path, "dockerfile"), *_built(text, file.path)))
+        Prose(mentions=(*mentions.read(_COMMENT.sub("", text), file.path, "dockerfile"), *_built(text, file.path)))
         for file in files(repository)
         if (text := repository.read(file, limit=MAX_SIZE))
     )
@@ -69,10 +70,6 @@ def _files(repository: Repository) -> list[File]:
     names = (name for name in repository.by_name if _NAME.match(name) and not _NOT.search(name))
     found = (*repository.named(*names), *other_dockerfiles.read(repository))
     return sorted((file for file in found if file.size < 4 * MAX_SIZE), key=lambda file: file.path)[:200]
-
-
-def _uncommented(text: str) -> str:
-    return re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
 
 
 def _built(text: str, path: str) -> tuple[Mention, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
@@ -21,6 +20,7 @@ _SHORTEST = 4
 _ELSEWHERE = pattern(r"~/|/(?:home|root|path/to)/|\$\{?\w+\}?/|…/")
 """What a path begins with that leads to the reader's own folders."""
 _SHEBANG = pattern(r"#![^\n]*?\b(python[23]?|bash|sh)\b")
+_BEFORE = pattern(r"^(?:\.{1,2}/)+")
 
 
 def with_files(mention: Mention, repository: Repository) -> Mention:
@@ -36,7 +36,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         if index == 0 and not (script or word.endswith(".sh")):
             continue
         named = any(sign in word for sign in "/._")
-        path = posixpath.normpath(re.sub(r"^(?:\.{1,2}/)+", "", written(word))) if named else ""
+        path = posixpath.normpath(_BEFORE.sub("", written(word))) if named else ""
         path = _in_checkout(path, repository) or _from_above(path, repository) or path
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then

@@ -45,6 +45,7 @@ _ASIDE = pattern(
     re.IGNORECASE,
 )
 """What a page is about that an installation also names, and that is none of it."""
+_ABOUT = pattern(r"readme|install")
 
 
 def text_of(repository: Repository, file: File) -> str:
@@ -74,7 +75,7 @@ def _pages(repository: Repository) -> tuple[File, ...]:
         name = file.name.lower()
         if file.size > MAX_SIZE or places.vendored(file.path) or places.test(file.path) or name.endswith("lists.txt"):
             continue
-        if (name.endswith(".txt") or "." not in name) and not re.match(r"readme|install", name):
+        if (name.endswith(".txt") or "." not in name) and not _ABOUT.match(name):
             continue
         page = _PAGE.match(name.rpartition(".")[0] or name)
         docs = places.documentation(file.path) and _DOCS_PAGE.search(name)

@@ -97,6 +97,7 @@ _BRANCH = pattern(r"\s{0,40}(?:[├└]─|[|`+]--)")
 """A branch of a drawn tree: the line above the first one names its root and is no command."""
 _STRUCK = pattern(r"(?<!~)~~(?!~)((?:(?!~~)[\s\S]){1,2000})~~(?!~)")
 """Text that is struck through: ``~~outdated~~``."""
+_PROMPT = pattern(r"^(?:\$|!|%)\s*")
 
 
 def read(repository: Repository) -> Prose:
@@ -245,7 +246,7 @@ def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
 def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
     line = typed(line)
     if match := _START.match(line.replace("\\\n", "\\\x01")):
-        shell = re.sub(r"^(?:\$|!|%)\s*", "", match[1].strip()).replace("\\\x01", "\\\n")
+        shell = _PROMPT.sub("", match[1].strip()).replace("\\\x01", "\\\n")
         # In a block they are the shell's, else Markdown's, but for the distribution in ros-`rosversion -d`-tf
         yield shell if fenced else _SUBSTITUTED.sub("$UNKNOWN", fill_placeholders(shell)).replace("`", "")
     elif fenced:

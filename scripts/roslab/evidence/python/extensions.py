@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from roslab.evidence.python.needs_gpu import needs_gpu
@@ -12,22 +11,21 @@ _BUILDING = frozenset({"build", "build_ext", "build_py", "build_clib", "develop"
 """Commands that an editable installation runs."""
 _BUILDS = pattern(r"[\"'](?:cmake|make|ninja|scons|bazel)(?:[\"']|\s(?!sure))")
 """A program that compiles, as the first word of a command."""
+_KINDS = (
+    ("cuda", pattern(r"CUDAExtension|\bnvcc\b|\.cu['\"]")),
+    ("c", pattern(r"CppExtension|\bExtension\s*\(|Pybind11Extension|pybind11")),
+    ("cython", pattern(r"cythonize|[Cc]ython")),
+    ("cmake", pattern(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]")),
+)
+_NOT_EDITABLE = pattern(r"\bdisable_editable\s*=\s*True\b")
 
 
 def extensions(text: str) -> tuple[str, ...]:
     """Return what kinds of code a build script compiles, by the names it uses."""
-    found = []
-    if re.search(r"CUDAExtension|\bnvcc\b|\.cu['\"]", text):
-        found.append("cuda")
-    if re.search(r"CppExtension|\bExtension\s*\(|Pybind11Extension|pybind11", text):
-        found.append("c")
-    if re.search(r"cythonize|[Cc]ython", text):
-        found.append("cython")
-    if re.search(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]", text):
-        found.append("cmake")
+    found = [kind for kind, names in _KINDS if names.search(text)]
     if needs_gpu(text):
         found.append("gpu")
-    if re.search(r"\bdisable_editable\s*=\s*True\b", text):
+    if _NOT_EDITABLE.search(text):
         found.append("not editable")
     return tuple(found)
 

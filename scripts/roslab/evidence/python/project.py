@@ -19,6 +19,7 @@ from roslab.values.requirement_line import requirement
 
 MAX_SIZE = 256 * 1024
 _AMENT = pattern(r"ament_index/resource_index|ament_python")
+_SETUP = pattern(r"\bsetup\s*\(")
 
 
 def read(repository: Repository) -> tuple[PythonProject, ...]:
@@ -133,7 +134,7 @@ def from_file(repository: Repository, folder: str, name: str) -> list[Requiremen
 def _setup_py(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
     from roslab.evidence.python.extensions import by_install, extensions  # noqa: PLC0415 - many trees have no project of Python
 
-    if not re.search(r"\bsetup\s*\(", text):
+    if not _SETUP.search(text):
         return None
     from roslab.evidence.python import setup_py  # noqa: PLC0415 - it imports Python's own parser
 
