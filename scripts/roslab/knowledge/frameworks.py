@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from roslab.knowledge.table import rows
+from roslab.knowledge.table import cells, rows
 from roslab.values.dataclass import dataclass
 from roslab.values.version import Version, minor_of, version_of
 
@@ -30,23 +30,40 @@ class Framework:
 
 
 @cache
-def _frameworks() -> dict[str, list[tuple[Version, Framework]]]:
-    """Return the release series of each package, each with its first release, the newest first."""
-    days = {(row["package"], row["first"]): row["released"] for row in rows("framework_releases")}
-    found: dict[str, list[tuple[Version, Framework]]] = {}
+def _rows() -> dict[str, list[dict[str, str]]]:
+    """Return the rows of each package."""
+    found: dict[str, list[dict[str, str]]] = {}
     for row in rows("frameworks"):
-        series = Framework(
-            package=row["package"],
-            first=row["first"],
-            cuda=tuple(f"{row['cuda']} {row['other_cuda']}".split()),
-            cudnn=row["cudnn"] or None,
-            python_min=row["python_min"],
-            python_max=row["python_max"],
-            source=row["source"],
-            released=days.get((row["package"], row["first"]), ""),
+        found.setdefault(row["package"], []).append(row)
+    return found
+
+
+@cache
+def _days() -> dict[tuple[str, str], str]:
+    """Return the day of each first release, by its package and number."""
+    return {(row["package"], row["first"]): row["released"] for row in rows("framework_releases")}
+
+
+@cache
+def _series(package: str) -> tuple[tuple[Version, Framework], ...]:
+    """Return the release series of a package, each with its first release, the newest first; none if it has no row."""
+    found = [
+        (
+            Version(row["first"]),
+            Framework(
+                package=package,
+                first=row["first"],
+                cuda=tuple(f"{row['cuda']} {row['other_cuda']}".split()),
+                cudnn=row["cudnn"] or None,
+                python_min=row["python_min"],
+                python_max=row["python_max"],
+                source=row["source"],
+                released=_days().get((package, row["first"]), ""),
+            ),
         )
-        found.setdefault(row["package"], []).append((Version(row["first"]), series))
-    return {name: sorted(series, key=lambda pair: pair[0], reverse=True) for name, series in found.items()}
+        for row in _rows().get(package, ())
+    ]
+    return tuple(sorted(found, key=lambda pair: pair[0], reverse=True))
 
 
 @cache
@@ -84,13 +101,13 @@ def same_numbers() -> str:
 def framework_on_cuda(package: str) -> str | None:
     """Return the name under which the table has a package whose wheels compute on CUDA, ``None`` for all others."""
     name, on_cuda = _same_releases().get(package, (package, True))
-    return name if on_cuda and any(series.cuda for _, series in _frameworks().get(name, ())) else None
+    return name if on_cuda and any(series.cuda for _, series in _series(name)) else None
 
 
 def framework(package: str, release: str) -> Framework | None:
     """Return the row for a release, ``None`` if the table has none."""
     numbers = _numbers(release)
-    series = _frameworks().get(tabled(package), ())
+    series = _series(tabled(package))
     return next((row for first, row in series if numbers and first <= numbers), None)
 
 
@@ -101,7 +118,7 @@ def newest_framework(
 
     Of those with wheels for a ``python``, where there are any.
     """
-    known = _frameworks().get(tabled(package), ())
+    known = _series(tabled(package))
     series = [row for first, row in known if (day is None or row.released <= day) and _before(first, below)]
     fitting = (row for row in series if python is None or row.runs_with(python))
     return next(fitting, series[0] if series else None)
@@ -114,7 +131,7 @@ def newest_on_cuda(
 
     Any if these are not known.
     """
-    for first, row in _frameworks().get(package, ()):
+    for first, row in _series(package):
         fits = (python is None or row.runs_with(python)) and _before(first, below)
         if cuda in row.cuda and fits and (day is None or row.released <= day):
             return row
@@ -124,9 +141,7 @@ def newest_on_cuda(
 def oldest_on_cuda(package: str, cuda: str, python: str | None) -> Framework | None:
     """Return the row of the oldest release with wheels for a CUDA and a Python, any if that is not known."""
     fits = (
-        row
-        for _, row in reversed(_frameworks().get(package, ()))
-        if cuda in row.cuda and (python is None or row.runs_with(python))
+        row for _, row in reversed(_series(package)) if cuda in row.cuda and (python is None or row.runs_with(python))
     )
     return next(fits, None)
 
@@ -134,7 +149,7 @@ def oldest_on_cuda(package: str, cuda: str, python: str | None) -> Framework | N
 def last_below(package: str, release: str) -> Framework | None:
     """Return the row of the newest release before this one, ``None`` if the table has none."""
     numbers = _numbers(release)
-    return next((row for first, row in _frameworks().get(package, ()) if numbers and first < numbers), None)
+    return next((row for first, row in _series(package) if numbers and first < numbers), None)
 
 
 def _before(first: Version, below: str | None) -> bool:
@@ -247,4 +262,6 @@ def conda_names() -> dict[str, str | None]:
 @cache
 def imports() -> dict[str, tuple[str | None, str | None]]:
     """Return ``module → (pip, apt)``; ``None`` where there is no such package."""
-    return {row["module"]: (row["pip"] or None, row["apt"] or None) for row in rows("imports")}
+    head, *lines = cells("imports")
+    module, pip, apt = map(head.index, ("module", "pip", "apt"))
+    return {line[module]: (line[pip] or None, line[apt] or None) for line in lines}

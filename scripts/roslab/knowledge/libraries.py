@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Literal
 
-from roslab.knowledge.table import rows
+from roslab.knowledge.table import cells
 from roslab.values.dataclass import dataclass
 
 Naming = Literal["cmake", "pkg-config", "link", "include"]
@@ -31,15 +31,22 @@ class Library:
 
 
 @cache
-def _table(naming: Naming) -> dict[str, list[dict[str, str]]]:
-    """Return the rows by name; rows for certain Ubuntu releases come before the one for all others."""
+def _table(naming: Naming) -> tuple[list[str], dict[str, list[list[str]]]]:
+    """Return the head of a table and its lines by name."""
     name, key = _TABLES[naming]
-    found: dict[str, list[dict[str, str]]] = {}
-    for row in rows(name):
-        found.setdefault(row[key], []).append(row)
-    for entries in found.values():
-        entries.sort(key=lambda row: not row["ubuntu"])
-    return found
+    head, *lines = cells(name)
+    place = head.index(key)
+    found: dict[str, list[list[str]]] = {}
+    for line in lines:
+        found.setdefault(line[place], []).append(line)
+    return head, found
+
+
+def _entries(naming: Naming, name: str) -> list[dict[str, str]]:
+    """Return the rows of a name; those for certain Ubuntu releases come before the one for all others."""
+    head, by_name = _table(naming)
+    found = [dict(zip(head, line, strict=True)) for line in by_name.get(name, ())]
+    return sorted(found, key=lambda row: not row["ubuntu"])
 
 
 @cache
@@ -48,8 +55,8 @@ def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
 
     A name in the table without a row for this Ubuntu gives an empty ``Library``.
     """
-    entries = _table(naming).get(name)
-    if entries is None:
+    entries = _entries(naming, name)
+    if not entries:
         return None
     row = _of_ubuntu(entries, ubuntu)
     if row is None:
@@ -83,7 +90,7 @@ def cmake_packages(ubuntu: str | None) -> str:
     A package of ROS that is preferred is the first, as ``ros:NAME``.
     """
     found: dict[str, str] = {}
-    for name in _table("cmake"):
+    for name in _table("cmake")[1]:
         one = library("cmake", name, ubuntu) if " " not in name else None
         if one is not None:
             ros = (f"ros:{one.ros}",) if one.ros else ()
@@ -97,6 +104,6 @@ def cmake_packages(ubuntu: str | None) -> str:
 @cache
 def packaged(ubuntu: str | None) -> frozenset[str]:
     """Return the packages of libraries that an Ubuntu is known to have."""
-    entries = (entries for naming in _TABLES for entries in _table(naming).values())
+    entries = (_entries(naming, name) for naming in _TABLES for name in _table(naming)[1])
     found = (_of_ubuntu(each, ubuntu) for each in entries)
     return frozenset(apt for row in found if row for apt in row["apt"].split())

@@ -12,10 +12,14 @@ _FOLDER = dirname(__file__)  # noqa: PTH120 - the tables are many, and `Path` wo
 @cache
 def rows(name: str) -> tuple[dict[str, str], ...]:
     """Return the rows of ``NAME.csv``; each has a ``source`` and the ``date`` on which it was read."""
+    head, *lines = cells(name)
+    return tuple([dict(zip(head, line, strict=True)) for line in lines])
+
+
+def cells(name: str) -> list[list[str]]:
+    """Return the rows of a large ``NAME.csv``, its head first, of which few are wanted by the names of their cells."""
     with open(f"{_FOLDER}/{name}.csv", encoding="utf-8", newline="") as stream:  # noqa: PTH123 - as above
-        lines = csv.reader(stream)
-        head = next(lines)
-        return tuple([dict(zip(head, line, strict=True)) for line in lines])
+        return list(csv.reader(stream))
 
 
 def row(name: str, key: str) -> dict[str, str] | None:

@@ -182,8 +182,11 @@ class _Shape:
 
 
 def _repr(cls: type, found: dict[str, Any]) -> Callable[[Any], str]:
-    names = [name for name, each in found.items() if each.repr]
-    return lambda self: f"{cls.__qualname__}({', '.join(f'{name}={getattr(self, name)!r}' for name in names)})"
+    def __repr__(self: Any) -> str:  # noqa: N807 - it becomes one
+        shown = (f"{name}={getattr(self, name)!r}" for name, each in found.items() if each.repr)
+        return f"{cls.__qualname__}({', '.join(shown)})"
+
+    return __repr__
 
 
 def _key(names: list[str]) -> Callable[[Any], Any]:

@@ -97,9 +97,10 @@ def _of_conda(evidence: Evidence) -> Iterator[Pin]:
 
 
 def _of_prose(evidence: Evidence) -> Iterator[Pin]:
-    known = {canonicalize_name(package) for package, _ in imports().values() if package}
     said = [asked for r in _images(evidence) for asked in r.requirements]
     said += [asked for asked in evidence.prose_pip if not DEVELOPMENT.search(asked.file)]
+    by_conda = any(asked.role == "conda" for asked in said)
+    known = {canonicalize_name(package) for package, _ in imports().values() if package} if by_conda else set()
     for asked in said:  # from "conda install" only packages that pip has too
         if not asked.role or (asked.role == "conda" and asked.key in known):
             yield Pin(asked, 1)
@@ -127,6 +128,8 @@ def _of_lists(evidence: Evidence, named: set[str]) -> Iterator[Pin]:
 
     The versions of its sentences count for what the code imports, a manifest asks for, or a line installs (``named``).
     """
+    if not evidence.listed:
+        return
     used = {d.name for d in evidence.code if d.namespace == "import"}
     imported = {canonicalize_name(package) for name, (package, _) in imports().items() if package and name in used}
     whole = bool(used) and not (evidence.requirements or evidence.conda or evidence.cmake)

@@ -59,8 +59,7 @@ def decide_libraries(
     elsewhere = {plain(name) for name in (*submodules, *(source.name for source, _ in tabled))}
     taken = sources.names | packages.names | own | elsewhere
     taken |= {plain(name) for name in by_own_source((git.name for git in evidence.sources), evidence)}
-    in_ubuntu = packaged(target.ubuntu)
-    guessed = (name for name in system.apt_guessed if name in in_ubuntu)  # a page's own names may not exist
+    guessed = (name for name in system.apt_guessed if name in packaged(target.ubuntu))  # a page's may not exist
     depends = tuple(name for name in (*system.apt, *system.brought, *guessed) if name.endswith("-dev"))
     linked = by_hand(evidence, config, kind, target=target, packages=packages, taken=taken)
     torch = libtorch(evidence, config, kind, packages, cuda) if "libtorch" not in taken else ()
