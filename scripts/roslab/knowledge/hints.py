@@ -15,7 +15,12 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
 _TABLES = ("code_limits", "removals", "window_calls")
-_ALSO = frozenset({"__main__", "popen", "print", "require_version", "subprocess", "system"})
+_ALSO = frozenset(
+    (
+        *("__main__", "popen", "print", "require_version", "subprocess", "system"),
+        *("ALE", "AtariPreprocessing", "Repo", "atari_wrappers", "install", "ram", "render", "render_mode"),
+    )
+)
 """What readers look for that have no table."""
 _BLANK = bytes(byte if chr(byte).isascii() and (chr(byte).isalnum() or byte == ord("_")) else 32 for byte in range(256))
 """What stands for each byte of a text that is to be split into words."""

@@ -16,14 +16,17 @@ _ATARI = pattern(
     r"\b(?:from|import)[ \t]+[\w.]*\batari_wrappers\b)",
     re.MULTILINE,
 )
-_HINTS = ("NoFrameskip", "Deterministic-v", "-ram-v", "ALE/", "AtariPreprocessing", "atari_wrappers")
+_PARTS = ("NoFrameskip", "Deterministic-v")
+_WORDS = frozenset({"ALE", "AtariPreprocessing", "atari_wrappers", "ram"})
+"""Each such line has one of the parts, or one of these as a word of its own: ``Pong-ram-v0``."""
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
     """Return the first place that makes a game of Atari, or wraps one; tests do not count."""
     for module in modules(repository):
         file, text = module.file, module.text
-        if places.test(file.path) or not (match := first_line(_ATARI, text, *_HINTS)):
+        hints = (*_PARTS, *sorted(_WORDS & module.words))
+        if places.test(file.path) or not (match := first_line(_ATARI, text, *hints)):
             continue
         line = text.count("\n", 0, match.start()) + 1
         said = match[0].strip()[:60]

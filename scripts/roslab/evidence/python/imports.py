@@ -61,7 +61,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
             found[""] = started
         if "import" not in text:
             continue
-        drawn = rendered(text)
+        drawn = rendered(module)
         opened = shown(text, words=module.words)
         for library, position in (opened if drawn is None else {**opened, "gym": drawn}).items():
             found[f"{library} {file.path}"] = Dependency(
@@ -110,7 +110,7 @@ def _started(file: File, text: str) -> Dependency | None:
 def _told(module: Module, statements: Iterable[tuple[re.Match[str], list[str]]]) -> dict[str, Dependency]:
     """Return what a module imports inside a function or a ``try`` and tells to install; no test's."""
     file, text = module.file, module.text
-    if not (said := told(text)) or places.test(file.path):
+    if "install" not in module.words or not (said := told(text)) or places.test(file.path):
         return {}
     found: dict[str, Dependency] = {}
     for match, tops in statements:

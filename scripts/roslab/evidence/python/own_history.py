@@ -23,7 +23,7 @@ https://gitpython.readthedocs.io/en/stable/reference.html#git.repo.base.Repo"""
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield the first such call of each module that goes on to ``except`` nowhere around it."""
     for module in modules(repository):
-        text = module.text
+        text = module.text if "Repo" in module.words else ""
         if "Repo(" not in text or places.aside(module.file.path) or not _IMPORT.search(text):
             continue
         lines = text.split("\n")

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.python.modules import Module
 from roslab.values.pattern import pattern
 
 _DRAWN = ".render("
+_WORDS = frozenset({"render", "render_mode"})
 _CALL = pattern(
     r"^(?P<indent>[ \t]*)(?:self\.)?(?:\w*_)?envs?(?:\.unwrapped)?"
     r"\.render\(\s*(?:(?:mode\s*=\s*)?[\"']human[\"']\s*)?\)",
@@ -21,15 +23,16 @@ _OWN = pattern(r"(?:async\s+)?(?:def\s+\w*render\w*\b|class\b.*(?:Wrapper|Env\w*
 """An environment that hands the call on to the one inside it."""
 
 
-def rendered(text: str) -> int | None:
+def rendered(module: Module) -> int | None:
     """Return the place of the first call by which a module opens the window of an environment, whatever it is given.
 
     gym before 0.26 does so by default (https://github.com/openai/gym/blob/0.21.0/gym/core.py, ``Env.render``, read
     2026-11-26); a call below a condition may wait for an option.
     """
-    if "render" not in text:
+    if _WORDS.isdisjoint(module.words):
         return None
-    if made := _MADE.search(text) if "render_mode" in text else None:
+    text = module.text
+    if made := _MADE.search(text) if "render_mode" in module.words else None:
         return made.start()
     if _DRAWN not in text or _TOLD.search(text):
         return None
