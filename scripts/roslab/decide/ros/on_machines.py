@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from packaging.version import InvalidVersion, Version
-
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.evidence import places
@@ -15,6 +13,7 @@ from roslab.knowledge.distros import distros
 from roslab.knowledge.ros_versions import versions, with_version
 from roslab.values.origin import Place
 from roslab.values.requirement import Requirement
+from roslab.values.version import InvalidVersion, Version
 
 SETTINGS = 200
 """Weight of a path in settings or of a build: less than an Ubuntu that a page names, more than any date."""

@@ -23,6 +23,8 @@ _DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:]
 _VERSION = pattern(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)")
 _DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRARY")
 _MODULE = ("include", "find_package")
+_BEGINS = frozenset({*_MODULE, "list", "string", "file", "set"})
+"""Calls whose first words tell what they do, or which module they are about."""
 MAX_SIZE = 256 * 1024
 MAX_FILES = 400
 
@@ -63,7 +65,7 @@ def minimum(call: Call, path: str) -> Dependency | None:
 
 def _has(call: Call, words: tuple[str, ...]) -> bool:
     """Tell whether words stand in a call, of a module or of a subcommand at its beginning."""
-    if call.name in {*_MODULE, "list", "string", "file", "set"}:
+    if call.name in _BEGINS:
         return call.words[: len(words)] == words
     return not words or words[0] in call.words
 

@@ -6,6 +6,8 @@ https://wiki.ros.org/msg https://docs.ros.org/en/rolling/Concepts/Basic/About-In
 
 from __future__ import annotations
 
+from functools import cache
+
 from roslab.values.pattern import pattern
 
 _GENERATED = pattern(
@@ -15,6 +17,7 @@ _GENERATED = pattern(
 """In ROS 1 only a name of two words: libraries have headers of such names, ``ace/Task.h``."""
 
 
+@cache
 def package_of(header: str) -> str:
     """Return the package whose message a header is generated from, ``""`` for other headers."""
     match = _GENERATED.fullmatch(header)

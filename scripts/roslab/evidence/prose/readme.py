@@ -130,7 +130,8 @@ def named(repository: Repository, programs: Mapping[str, str]) -> tuple[Mention,
     found: list[Mention] = []
     for file in pages(repository):
         text = text_of(repository, file)
-        for line, code, heading in _code(text, called) if called.search(text) else ():
+        runs = any(name in text for name in programs) and called.search(text)
+        for line, code, heading in _code(text, called) if runs else ():
             for start, logical in logical_lines(BLANK.sub("$UNKNOWN", code), line):
                 found += (
                     Mention(

@@ -34,7 +34,7 @@ def rendered(module: Module) -> int | None:
     text = module.text
     if made := _MADE.search(text) if "render_mode" in module.words else None:
         return made.start()
-    if _DRAWN not in text or _TOLD.search(text):
+    if _DRAWN not in text or (any(word in text for word in ("render_mode", "gymnasium")) and _TOLD.search(text)):
         return None
     calls = (match for match in matching_lines(_CALL, text, _DRAWN))
     return next((match.start() for match in calls if _always(text, match)), None)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import shlex
 from collections.abc import Iterator, Sequence
+from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
@@ -110,6 +111,7 @@ def missing(repository: Repository) -> tuple[str, ...]:
     return tuple(module.name for module in modules if not _checked_out(repository, module))
 
 
+@cache
 def https(url: str, origin: str | None = None) -> str:
     """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``.
 
