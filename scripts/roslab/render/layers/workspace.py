@@ -8,10 +8,8 @@ from collections.abc import Iterable, Iterator
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
-from roslab.render.layers import locks, manifests, prepared, secrets, shell
+from roslab.render.layers import attempts, locks, manifests, prepared, secrets, shell
 from roslab.render.layers.prepared import WITHOUT_LACKING
-from roslab.values.pattern import pattern
-from roslab.values.words import line_of
 
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
@@ -19,7 +17,6 @@ ROSMAKE = "rosmake-workspace"
 """The script that compiles packages of rosbuild."""
 BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
-NEEDED = "build-needed"
 WITHOUT_DOUBLES = "leave-out-doubles"
 DECLARED = "declare-needs"
 """The script that completes package.xml files by what CMake requires of the workspace."""
@@ -28,7 +25,6 @@ HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 UNKNOWN = "clone-unknown"
 """The script that clones what cloned repositories need in turn."""
-_STARTED = pattern(r"\b(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*)(?= )")
 _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
 """CMake's logs, which name random targets, others at each build."""
 TIDY = rf"find . \( -name '*.o' -o {_LOGS} \) -delete"
@@ -196,7 +192,9 @@ def compile_workspace(plan: Plan) -> str:
     build = plan.workspace.ros
     if build is None:
         return ""
-    run = shell.run(f"source {setups(plan)[0]}", *_commands(plan, build, again=_needed(plan)), *_without_logs(build))
+    run = shell.run(
+        f"source {setups(plan)[0]}", *_commands(plan, build, again=attempts.tried(plan)), *_without_logs(build)
+    )
     called = _scripts(run)
     called += ["compile-jobs", ROSMAKE] if ROSMAKE in run else []
     scripts = "".join(map(shell.copy_script, called))
@@ -205,8 +203,10 @@ def compile_workspace(plan: Plan) -> str:
 
 def _scripts(run: str) -> list[str]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
-    called = [name for name in (WITHOUT_DOUBLES, WITHOUT_LACKING, DECLARED, WITHOUT_TESTS, NEEDED) if name in run]
-    beside = {WITHOUT_LACKING: shell.PACKAGES, NEEDED: shell.PACKAGES, DECLARED: REQUIRED}
+    names = (WITHOUT_DOUBLES, WITHOUT_LACKING, DECLARED, WITHOUT_TESTS, attempts.WITHOUT_FAILED, attempts.NEEDED)
+    called = [name for name in names if name in run]
+    reading = (WITHOUT_LACKING, attempts.WITHOUT_FAILED, attempts.NEEDED)
+    beside = {**dict.fromkeys(reading, shell.PACKAGES), DECLARED: REQUIRED}
     return [*called, *dict.fromkeys(name for caller, name in beside.items() if caller in called)]
 
 
@@ -222,23 +222,13 @@ def compile_again(plan: Plan) -> str:
     if build is None:
         return ""
     kept = secrets.Secrets(mounts=(tree_mount(plan),))
-    run = shell.run(f". {setups(plan)[0]}", *_commands(plan, build, again=f"{_needed(plan)}reuse-build "), secrets=kept)
+    run = shell.run(
+        f". {setups(plan)[0]}", *_commands(plan, build, again=f"{attempts.tried(plan)}reuse-build "), secrets=kept
+    )
     scripts = ("compile-jobs", "reuse-build", *_scripts(run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     run = run.replace(shell.copy_script("compile-jobs"), "")
     return f"WORKDIR {WS}\n{script}{run}"
-
-
-def _needed(plan: Plan) -> str:
-    """Return what builds again without packages of clones and submodules that are not needed, where the first fails."""
-    place = plan.workspace
-    beside = place.folder.startswith(f"{WORKSPACE}/src/")  # without packages of its own all clones are what is wanted
-    if not (place.sources or place.apart) or not beside or place.ros is None or place.ros.tool == "rosmake":
-        return ""
-    kept = "".join(f" --apart {quote.shell(folder)}" for folder in place.apart)
-    kept += "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
-    kept += "".join(f" --tried {quote.shell(source.name)}" for source in place.sources if source.holding)
-    return f"{NEEDED}{kept} {quote.shell(place.folder.removeprefix(f'{WORKSPACE}/'))} "
 
 
 def tree_mount(plan: Plan) -> str:

@@ -1,0 +1,61 @@
+#!/bin/bash
+# usage: leave-out-failed [--keep PACKAGE]... FOLDER... -- COMMAND...
+# Runs a command that builds the workspace in the current folder. Where it fails in packages below one of these folders, which
+# hold what is cloned, they are told and hidden, and it is run again: one that requires what no image has, the SDK of a
+# camera, stops all others. What is kept, and what the others are compiled with, still stops the build.
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
+
+kept=() cloned=()
+while [ "$1" != -- ]; do
+  if [ "$1" = --keep ]; then
+    kept+=("$2")
+    shift
+  else
+    cloned+=("$1/")
+  fi
+  shift
+done
+shift
+
+# Prints the folders of the packages that a build tool says it failed in; catkin_make names only files below src
+failed_in() {
+  local name
+  sed --quiet --regexp-extended \
+    -e "s:^(Failed +<<< |<== Failed to process package ')([A-Za-z0-9_-]+).*:\2:p" \
+    -e 's:^.*\b(Errors|Failed) +<< ([A-Za-z0-9_-]+)\:.*:\2:p' "$1" | sort --unique | while read -r name; do
+    workspace-packages needed src "${name}" | sed --quiet "s:^${name}\t\(.*\)/package[.]xml$:\1:p"
+  done
+  awk '/^CMake Error/ { error = 1 } /^CMake .*Warning/ { error = 0 }
+    error && match($0, /[^ ]+[/]CMakeLists[.]txt:[0-9]+ [(]/) { print substr($0, RSTART, RLENGTH) }
+    match($0, /[*][*][*] \[[^] :]+[/]CMakeFiles[/]/) { print substr($0, RSTART + 5, RLENGTH - 5) }' "$1" |
+    sed --regexp-extended 's:/(CMakeLists[.]txt|CMakeFiles/).*::' | sort --unique | while read -r name; do
+      name="src/${name}"
+      while [ "${name}" != src ] && [ ! -e "${name}/package.xml" ]; do name="$(dirname "${name}")"; done
+      if [ "${name}" != src ]; then echo "${name}"; fi
+    done
+}
+is_cloned() {
+  local each
+  for each in "${cloned[@]}"; do
+    if [[ "$1/" = "${each}"* ]]; then return; fi
+  done
+  return 1
+}
+
+log="$(mktemp)"
+until "$@" 2>&1 | tee "${log}"; do
+  hidden=()
+  while read -r folder; do
+    name="$(sed --quiet --regexp-extended 's:.*<name( [^>]*)?>[[:space:]]*([^<[:space:]]+).*:\2:p' "${folder}/package.xml" | head -n 1)"
+    if ! is_cloned "${folder}" || [ -e "${folder}/CATKIN_IGNORE" ] || [[ " ${kept[*]} " = *" ${name} "* ]]; then continue; fi
+    touch "${folder}/CATKIN_IGNORE" "${folder}/COLCON_IGNORE"
+    hidden+=("${name}")
+  done < <(failed_in "${log}")
+  if [ "${#hidden[@]}" -eq 0 ]; then
+    rm -f "${log}"
+    exit 1
+  fi
+  echo "roslab: the workspace does not build: once more without what failed of cloned repositories"
+  echo "roslab: left out: ${hidden[*]}"
+done
+rm -f "${log}"

@@ -1,0 +1,38 @@
+"""Building a workspace again where it fails in what is cloned: without what the repository does not need."""
+
+from __future__ import annotations
+
+from roslab.plan.plan import Plan
+from roslab.plan.workspace import WORKSPACE
+from roslab.render import quote
+from roslab.values.pattern import pattern
+from roslab.values.words import line_of
+
+NEEDED = "build-needed"
+"""The script that builds again without packages that are not needed."""
+WITHOUT_FAILED = "leave-out-failed"
+"""The script that builds again without packages that failed."""
+_STARTED = pattern(r"\b(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*)(?= )")
+
+
+def tried(plan: Plan) -> str:
+    """Return what stands before the command that builds the workspace, ``""`` where all that is cloned is wanted."""
+    place = plan.workspace
+    in_src = place.folder.startswith(f"{WORKSPACE}/src/")  # without packages of its own all clones are what is wanted
+    if not (place.sources or place.apart) or place.ros is None or place.ros.tool == "rosmake":
+        return ""
+    if not in_src and place.folder != WORKSPACE:
+        return ""
+    kept = "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
+    own = f"{place.folder.removeprefix(WORKSPACE)}/".removeprefix("/")
+    folders = [*(f"src/{source.name}" for source in place.sources), *(f"{own}{folder}" for folder in place.apart)]
+    without = f"{WITHOUT_FAILED}{kept}{''.join(f' {quote.shell(folder)}' for folder in folders)} -- "
+    return f"{without}{_needed(plan, kept)}" if in_src else without
+
+
+def _needed(plan: Plan, kept: str) -> str:
+    """Return what builds again without packages of clones and submodules that are not needed, where the first fails."""
+    place = plan.workspace
+    options = "".join(f" --apart {quote.shell(folder)}" for folder in place.apart) + kept
+    options += "".join(f" --tried {quote.shell(source.name)}" for source in place.sources if source.holding)
+    return f"{NEEDED}{options} {quote.shell(place.folder.removeprefix(f'{WORKSPACE}/'))} "

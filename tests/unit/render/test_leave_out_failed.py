@@ -1,0 +1,93 @@
+"""The script that builds a workspace without what failed of cloned repositories."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
+
+COLCON = """\
+Starting >>> mine
+--- stderr: camera
+CMake Error at CMakeLists.txt:9 (find_package):
+  Could not find a package configuration file provided by "SDK"
+---
+Failed   <<< camera [0.61s, exited with code 1]
+Aborted  <<< mine [0.66s]
+"""
+ISOLATED = "<== Failed to process package 'camera': \n  Command '['cmake']' returned non-zero exit status 1.\n"
+TOOLS = """\
+Errors     << camera:cmake /ws/logs/camera/build.cmake.000.log
+Failed     << camera:cmake [ Exited with code 1 ]
+"""
+CATKIN = """\
+CMake Warning at mine/CMakeLists.txt:4 (find_package):
+  Could not find a package configuration file provided by "other"
+
+CMake Error at /opt/ros/noetic/share/catkin/cmake/catkinConfig.cmake:83 (find_package):
+  Could not find a package configuration file provided by "sdk"
+Call Stack (most recent call first):
+  clone/camera/CMakeLists.txt:6 (find_package)
+
+
+-- Configuring incomplete, errors occurred!
+"""
+OBJECT = "clone/camera/CMakeFiles/camera.dir/a.cpp.o"
+MADE = f"make[2]: *** [clone/camera/CMakeFiles/camera.dir/build.make:76: {OBJECT}] Error 1\n"
+OLD = f"make[2]: *** [{OBJECT}] Error 1\n"
+
+
+def _package(workspace: Path, path: str, name: str) -> None:
+    (workspace / "src" / path).mkdir(parents=True)
+    (workspace / "src" / path / "package.xml").write_text(f"<package>\n  <name>{name}</name>\n</package>\n")
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    """Return a workspace with a package of its own and a clone with two."""
+    _package(tmp_path, "mine", "mine")
+    _package(tmp_path, "clone/camera", "camera")
+    _package(tmp_path, "clone/msgs", "camera_msgs")
+    return tmp_path
+
+
+def _run(workspace: Path, log: str, *options: str, failing: str = "clone/camera") -> tuple[int, list[str], str]:
+    """Build while the failing package is not hidden; return the exit code, what is hidden, and what was said."""
+    (workspace / "log").write_text(log)
+    tool = f"[ -e src/{failing}/CATKIN_IGNORE ] || {{ cat log; exit 3; }}; echo built"
+    ran = subprocess.run(
+        ["leave-out-failed", *options, "src/clone", "--", "bash", "-c", tool],
+        cwd=workspace,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return ran.returncode, sorted(file.parent.name for file in workspace.rglob("COLCON_IGNORE")), ran.stdout
+
+
+@pytest.mark.parametrize("log", [COLCON, ISOLATED, TOOLS, CATKIN, MADE, OLD])
+def test_what_failed_of_a_clone_is_left_out_and_told(workspace: Path, log: str) -> None:
+    code, hidden, said = _run(workspace, log)
+    assert (code, hidden) == (0, ["camera"])
+    assert said.index("roslab: left out: camera\n") < said.index("built")
+
+
+@pytest.mark.parametrize("log", [COLCON, CATKIN, MADE])
+def test_what_the_command_starts_is_kept(workspace: Path, log: str) -> None:
+    code, hidden, said = _run(workspace, log, "--keep", "camera")
+    assert (code, hidden) == (1, [])
+    assert log in said
+
+
+@pytest.mark.parametrize("log", [log.replace("camera", "mine").replace("clone/", "") for log in (COLCON, CATKIN, OLD)])
+def test_what_is_no_clone_stops_the_build(workspace: Path, log: str) -> None:
+    code, hidden, said = _run(workspace, log, failing="mine")
+    assert (code, hidden) == (1, [])
+    assert "left out" not in said
+
+
+def test_what_says_nothing_of_packages_stops_the_build(workspace: Path) -> None:
+    assert _run(workspace, "no space left on device\n")[:2] == (1, [])
