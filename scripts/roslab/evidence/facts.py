@@ -300,6 +300,8 @@ class Evidence:
     """Variables that CMake files use and nothing sets, each with the value that is meant."""
     copies: tuple[str, ...] = ()
     """Folders with packages of somebody else."""
+    repositories: tuple[str, ...] = ()
+    """Folders that hold a whole repository of packages."""
     cuda_files: tuple[str, ...] = ()
     x86_only: tuple[X86Only, ...] = ()
     """Each option and each header once for a file, at its first place."""

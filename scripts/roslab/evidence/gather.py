@@ -204,6 +204,7 @@ def gather(repository: Repository) -> Evidence:
         by_variables=by_variables.read(repository),
         misnamed=misnamed.read(repository),
         copies=copies.read(repository, manifests),
+        repositories=copies.repositories(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
         x86_only=(*x86.read(repository, intrinsics, signs.included), *x86_binaries.read(repository)),
         problems=(

@@ -11,6 +11,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.checkouts import COMMIT
+from roslab.evidence.prose.copies import below
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -54,11 +55,13 @@ def _of_ci(git: GitSource, evidence: Evidence) -> GitSource:
 
 
 def apart(evidence: Evidence, packages: Packages) -> tuple[str, ...]:
-    """Return the folders of submodules, checked out or not, where the repository has packages of its own beside them.
+    """Return the folders of others' repositories, where the repository has packages of its own beside them.
 
-    Their packages are those of others, of which a workspace may need a part.
+    They are submodules, checked out or not, and copies. A workspace may need a part of their packages.
     """
-    folders = tuple(git.name for git in evidence.sources if git.kind == "submodule" and _PATH.fullmatch(git.name))
+    modules = [git.name for git in evidence.sources if git.kind == "submodule"]
+    copied = [folder for folder in evidence.repositories if not below(f"{folder}/", modules)]
+    folders = tuple(folder for folder in (*modules, *copied) if _PATH.fullmatch(folder))
     inside = tuple(f"{folder}/" for folder in folders)
     return folders if any(not manifest.file.startswith(inside) for manifest in packages.built) else ()
 

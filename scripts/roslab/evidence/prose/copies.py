@@ -23,6 +23,14 @@ def read(repository: Repository, manifests: Sequence[PackageManifest]) -> tuple[
     return tuple(found) if inside and 2 * len(inside) < len(manifests) else ()
 
 
+def repositories(repository: Repository, manifests: Sequence[PackageManifest]) -> tuple[str, ...]:
+    """Return the folders that hold a whole repository of packages: none of their own, but a licence and a page."""
+    own = {manifest.file.rpartition("/")[0] for manifest in manifests}
+    licensed = {file.folder for file in repository.named(*_LICENCES)} - {"", *own}
+    found = licensed & {file.folder for file in repository.named(*_PAGES)} if licensed else set[str]()
+    return tuple(folder for folder in sorted(found) if any(below(manifest.file, [folder]) for manifest in manifests))
+
+
 def below(path: str, folders: Sequence[str]) -> bool:
     """Tell whether a path lies in one of the folders."""
     return any(path.startswith(f"{folder}/") for folder in folders)
