@@ -51,6 +51,7 @@ class Order:
 END: tuple[Block, ...] = (
     workspace.compile_workspace,  # 6.
     program.compile_program,
+    program.install_program,
     final.custom,  # 7.
     final.environment,
     final.start,
@@ -191,7 +192,7 @@ def _stages(order: Order, plan: Plan) -> list[str]:
         apart.source_stage(plan),
         *between,
         f"FROM {apart.DEPENDENCIES} AS {apart.COMPILED}\n{apart.compiled(plan)}",
-        f"FROM {apart.DEPENDENCIES}{whole}\n{_join((apart.results, final.start), plan)}",
+        f"FROM {apart.DEPENDENCIES}{whole}\n{_join((apart.results, program.install_program, final.start), plan)}",
     ]
 
 

@@ -42,5 +42,6 @@ def test_it_is_installed_by_root_after_it_was_compiled(tmp_path: Path) -> None:
     lines = dockerfile(plan_repository(tmp_path).plan).splitlines()
     at = next(number for number, line in enumerate(lines) if line.startswith("RUN install-program "))
     assert any("make --jobs" in line for line in lines[:at])
+    assert at > max(number for number, line in enumerate(lines) if line.startswith("FROM ")), "in the image itself"
     assert "USER root" in lines[at - 4 : at]
     assert lines[at + 1] == "USER ${NB_USER}"

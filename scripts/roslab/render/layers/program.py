@@ -30,8 +30,13 @@ def compile_program(plan: Plan) -> str:
         f"make --jobs={shell.JOBS}{workspace.words(program.arguments)}",
         workspace.TIDY,
     )
-    compiled = f"# The program\nUSER ${{NB_USER}}\n{run}"
-    if not program.install:
-        return compiled
-    installed = shell.run(f"{INSTALL} {build}")
-    return f"{compiled}\nUSER root\n{shell.copy_script(INSTALL)}{installed}\nUSER ${{NB_USER}}"
+    return f"# The program\nUSER ${{NB_USER}}\n{run}"
+
+
+def install_program(plan: Plan) -> str:
+    """Install what was compiled, in the image that keeps it."""
+    program = plan.workspace.program
+    if program is None or not program.install:
+        return ""
+    installed = shell.run(f"{INSTALL} {quote.shell_with_user(f'{workspace.HOME}/{program.build}')}")
+    return f"USER root\n{shell.copy_script(INSTALL)}{installed}\nUSER ${{NB_USER}}"
