@@ -55,6 +55,27 @@ def test_an_option_that_the_page_gives_stays(tmp_path: Path) -> None:
     assert (code, said, calls) == (1, "", [f"{' '.join(given)} ../"])
 
 
+@pytest.mark.parametrize(
+    "said",
+    ["Missing executable acme!", "  Missing executable acme.", "Could NOT find Acme (missing: ACME_EXECUTABLE) "],
+)
+def test_a_program_that_cmake_misses_is_installed(tmp_path: Path, said: str) -> None:
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    for name, body in (
+        ("cmake", f"echo \"$*\" >>calls\n[ -e installed ] || {{ echo 'CMake Error: {said}' >&2; exit 1; }}"),
+        ("apt-get", '[ "$1" = update ] || { [ "${!#}" = acme ] && touch installed; }'),
+        ("id", "echo 0"),
+    ):
+        (programs / name).write_text(f"#!/bin/bash\n{body}\n", encoding="utf-8")
+        (programs / name).chmod(0o755)
+    environment = {"PATH": f"{programs}:{os.environ['PATH']}"}
+    command = ["bash", str(SCRIPT), "../"]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True)
+    assert "roslab: CMake misses programs, apt installs them: acme: once more" in done.stdout
+    assert (tmp_path / "calls").read_text(encoding="utf-8").splitlines() == ["../", "../"]
+
+
 PAGE = "Needs [acme_lidar](https://github.com/lab/acme_lidar)"
 
 

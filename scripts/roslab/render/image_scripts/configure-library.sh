@@ -1,16 +1,44 @@
 #!/bin/bash
 # usage: configure-library [OPTION...] FOLDER
 # Configures a library of which nothing could be read when the image was planned, in the current folder.
-# Where CMake fails, it is configured once more without what its own options leave out and nothing links: bindings for
-# other languages, tests, examples, benchmarks, documentation. Options that are given stay as they are.
+# Where CMake fails for programs that it names, those that are packages of apt under that name are installed and it is
+# configured again. Where it still fails, it is configured once more without what its own options leave out and nothing
+# links: bindings for other languages, tests, examples, benchmarks, documentation. Options that are given stay as they are.
 set -euo pipefail
 
 part='(.*_)?(PYTHON[0-9]*|MATLAB|OCTAVE|JAVA|(PY)?BINDINGS?|TEST(S|ING)?|EXAMPLES?|DEMOS?|SAMPLES?|TUTORIALS?'
 part+='|BENCHMARKS?|DOCS?|DOCUMENTATION|DOXYGEN)(_.*)?'
+log="$(mktemp)"
+trap 'rm -f "${log}"' EXIT
+
+configure() { cmake "$@" 2>&1 | tee "${log}"; }
+# Prints the programs that CMake missed
+missing() {
+  sed --quiet --regexp-extended \
+    -e 's/.*Missing executable ([A-Za-z0-9.+-]+).*/\L\1/p' \
+    -e 's/.*Could NOT find [A-Za-z0-9_]+ \(missing: *([A-Za-z0-9]+)_EXECUTABLE\b.*/\L\1/p' \
+    "${log}" | sed 's/[.]*$//' | sort --unique
+}
 
 status=0
-cmake "$@" || status=$?
+configure "$@" || status=$?
 if [ "${status}" -eq 0 ]; then exit; fi
+
+installed=()
+mapfile -t programs < <(missing)
+if [ "${#programs[@]}" -gt 0 ] && [ "$(id --user)" -eq 0 ] && apt-get update --quiet=2; then
+  for program in "${programs[@]}"; do
+    if apt-get install --yes --quiet=2 --no-install-recommends "${program}"; then installed+=("${program}"); fi
+  done
+fi
+if [ "${#installed[@]}" -gt 0 ]; then
+  echo "roslab: CMake misses programs, apt installs them: ${installed[*]}: once more"
+  rm -rf CMakeCache.txt CMakeFiles
+  status=0
+  configure "$@" || status=$?
+  if [ "${status}" -eq 0 ]; then exit; fi
+fi
+
 given="$(printf '%s\n' "$@" | sed --quiet --regexp-extended 's/^-D([^:=]+).*/\1/p')"
 without=()
 # CMake writes down each option that it came to, also where it fails
@@ -22,4 +50,4 @@ done < <(sed --quiet --regexp-extended "s/^(${part}):BOOL=(ON|1|TRUE|YES|Y)\$/\1
 if [ "${#without[@]}" -eq 0 ]; then exit "${status}"; fi
 echo "roslab: what the library does not need is left out, ${without[*]}: once more"
 rm -rf CMakeCache.txt CMakeFiles
-cmake "${without[@]}" "$@"
+configure "${without[@]}" "$@"
