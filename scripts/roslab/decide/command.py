@@ -16,11 +16,14 @@ from roslab.decide.launched import launched
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
+from roslab.decide.ros.in_tree import copied
+from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_of
 from roslab.decide.sections import about_running
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.evidence.prose.copies import below
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.knowledge.windows import opens
 from roslab.values.dataclass import dataclass, replace
@@ -133,10 +136,13 @@ def _obvious(
 ) -> tuple[tuple[str, ...], Reason]:
     """Return the program that the README runs first, or the one obvious program, else a shell.
 
-    Of the programs, only those that a container of the author's image can be given, if that is built.
+    Of the programs, only those that a container of the author's image can be given, if that is built; and none that
+    nothing but a copy of others' repository names, beside packages of the author's own.
     """
     built = {file for m in evidence.mentions if m.topic == "build_script" for file in m.files}
-    ours = [c for c in found if _own(c.argv, evidence) and not upkeep(c) and program_of(c.argv)[-1] not in built]
+    foreign = copied(evidence, packages_of(evidence))
+    ours = [c for c in found if _own(c.argv, evidence) and not (upkeep(c) or below(c.file, foreign))]
+    ours = [c for c in ours if program_of(c.argv)[-1] not in built]
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]
         ours = [c for c in ours if kind != "cpp" or not is_python(c)]  # that image was made for what is compiled

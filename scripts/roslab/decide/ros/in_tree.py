@@ -66,6 +66,12 @@ def apart(evidence: Evidence, packages: Packages) -> tuple[str, ...]:
     return folders if any(not manifest.file.startswith(inside) for manifest in packages.built) else ()
 
 
+def copied(evidence: Evidence, packages: Packages) -> tuple[str, ...]:
+    """Return the folders with copies of others' repositories, if there are packages of its own beside them."""
+    own = any(not below(manifest.file, evidence.repositories) for manifest in packages.built)
+    return evidence.repositories if own else ()
+
+
 def _source(git: GitSource, before: str) -> Source:
     place = Place(file=git.file, line=git.line)
     ref = fixed(git.ref)

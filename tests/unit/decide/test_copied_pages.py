@@ -1,0 +1,44 @@
+"""Pages of copies of others' repositories run nothing for a tree with packages of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = (
+    "<package format='3'><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend>"
+    "<export><build_type>ament_cmake</build_type></export></package>"
+)
+LAUNCH = "from launch import LaunchDescription\n"
+CMAKE = "project(demo)\nfind_package(ament_cmake REQUIRED)\n"
+COPY = {
+    "camera/LICENSE": "text",
+    "camera/README.md": "# Usage\n\n    ros2 launch driver camera.launch.py\n",
+    "camera/driver/package.xml": PACKAGE.format("driver"),
+    "camera/driver/CMakeLists.txt": CMAKE,
+    "camera/driver/launch/camera.launch.py": LAUNCH,
+}
+OWN = {"arm/package.xml": PACKAGE.format("arm"), "arm/CMakeLists.txt": CMAKE, "arm/launch/arm.launch.py": LAUNCH}
+CAMERA = ("ros2", "launch", "driver", "camera.launch.py")
+
+
+@pytest.mark.parametrize(
+    ("files", "command"),
+    [
+        ({**COPY, **OWN}, ("ros2", "launch", "arm", "arm.launch.py")),
+        ({**COPY, "msgs/package.xml": PACKAGE.format("msgs"), "msgs/CMakeLists.txt": CMAKE}, ("bash",)),
+        ({**COPY, **OWN, "README.md": "    ros2 launch driver camera.launch.py\n"}, CAMERA),
+        (COPY, CAMERA),  # all that there is
+        ({**COPY, **OWN, "camera/LICENSE": None}, CAMERA),  # a part of its own
+    ],
+)
+def test_the_page_of_a_copy_gives_no_command(
+    tree: Tree, files: dict[str, str | None], command: tuple[str, ...]
+) -> None:
+    found = tree({path: text for path, text in files.items() if text is not None})
+    assert found.command == command
+    assert CAMERA in found.command_candidates
