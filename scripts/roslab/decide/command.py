@@ -14,7 +14,7 @@ from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upke
 from roslab.decide.included import included
 from roslab.decide.launched import launched
 from roslab.decide.left_to_reader import left_to_reader
-from roslab.decide.meant_commands import named_like_it, pointed_at, whole_of
+from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
 from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
@@ -146,8 +146,11 @@ def _obvious(
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]
         ours = [c for c in ours if kind != "cpp" or not is_python(c)]  # that image was made for what is compiled
-    if first := first_of(ours):
-        others = len({program_of(c.argv) for c in ours if c.strong}) - 1
+    first = first_of(ours)
+    if first and "/" in first.file and not dockerfile:
+        first = listed(evidence, kind) or first
+    if first:
+        others = len({program_of(c.argv) for c in ours if c.strong} - {program_of(first.argv)})
         why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
         argv = given(first, authored) if dockerfile and authored else first.argv
         return argv, because("command", shlex.join(argv), why, first, weight=Weight.FIRST)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
+from roslab.decide.first_command import LAUNCHERS
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
@@ -21,6 +22,9 @@ _SAMPLE = pattern(r"(?:^|/)\.?docs?/")
 MANY = 8
 FEWEST = 2
 """Fewest launch files that the one for the whole brings."""
+_LAUNCH_FILES = pattern(r"\blaunch[ -]?files?\b", re.IGNORECASE)
+_ITEM = pattern(r"(?:[-*+]|\d+[.)])\s+[`*_\[]*[\w/-]+\.launch")
+"""An item of a list that begins with a launch file."""
 _SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
 
 
@@ -29,10 +33,25 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
 
     A section about running it names the first; elsewhere it must be the only one.
     """
+    found = [candidate for candidate, _ in _pointed(evidence, kind)]
+    shown = [c for c in found if about_running(c.heading) > 0]
+    return next(iter(shown or (found if len(found) == 1 and found[0].argv[0] != "bash" else [])), None)
+
+
+def listed(evidence: Evidence, kind: Kind) -> Candidate | None:
+    """Return the first launch file of a list of them at the root: of that, pages below it tell no more than parts."""
+    for candidate, said in _pointed(evidence, kind):
+        title = candidate.heading.rpartition(" / ")[2]
+        if candidate.argv[0] in LAUNCHERS and _ITEM.match(said) and _LAUNCH_FILES.search(title):
+            return candidate
+    return None
+
+
+def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
+    """Yield what pages at the root name without running it, each with the line that does."""
     ours = (each for each in evidence.launch if each.package and kind == f"ros{each.ros}" and not each.demands)
     owners = {launch.file: launch for launch in ours}
     calls = launch_calls(evidence)
-    found: list[Candidate] = []
     for said in evidence.mentions:
         argv: tuple[str, ...] = ()
         if _SAMPLE.search(said.value):
@@ -46,11 +65,8 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
             argv = (*NOTEBOOK, said.value)
         if argv:
             why = "the README names it"
-            found.append(
-                Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True, heading=said.heading)
-            )
-    shown = [c for c in found if about_running(c.heading) > 0]
-    return next(iter(shown or (found if len(found) == 1 and found[0].argv[0] != "bash" else [])), None)
+            candidate = Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True, heading=said.heading)
+            yield candidate, said.text
 
 
 def _runs(file: str) -> bool:

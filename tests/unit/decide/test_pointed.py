@@ -50,6 +50,24 @@ def test_a_launch_file_that_a_sentence_names(tree: Tree, page: str, command: str
 @pytest.mark.parametrize(
     ("page", "command"),
     [
+        ("## The launch files:\n- `demo/track.launch`: all\n- `debug.launch`\n", "roslaunch demo track.launch"),
+        ("## Files\n- `demo/track.launch`: all\n- `debug.launch`\n", "roslaunch demo drive.launch"),
+        ("## Launch files\nFor parameters of track.launch see there.\n", "roslaunch demo drive.launch"),
+        (
+            "## Launch files\n- `track.launch`\n## Run\n\n    roslaunch demo debug.launch\n",
+            "roslaunch demo debug.launch",
+        ),
+    ],
+)
+def test_a_list_of_launch_files_at_the_root_goes_before_pages_below(tree: Tree, page: str, command: str) -> None:
+    files = {f"demo/{path}": text for path, text in ROS1.items()}
+    below = {"demo/README.md": "# Usage\n\n    roslaunch demo drive.launch\n"}
+    assert " ".join(tree(files | below | {"README.md": f"ROS Noetic\n{page}"}).command) == command
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
         ("# Run\nRefer to scripts/run_stereo.sh, or scripts/run_mono.sh.\n", "bash scripts/run_stereo.sh"),
         ("# About\nRefer to scripts/run_stereo.sh.\n", "bash"),
         ("# Run\nRefer to scripts/make_docs.sh.\n", "bash"),

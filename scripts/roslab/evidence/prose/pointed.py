@@ -42,12 +42,15 @@ def read(repository: Repository) -> tuple[Mention, ...]:
 
 
 def _path(written: str, repository: Repository) -> str | None:
-    """Return the path of a file of the tree, ``None`` if there is none or several of its name."""
+    """Return the path of a file of the tree, ``None`` if there is none or several of its name.
+
+    ``PACKAGE/FILE.launch`` may lie in the package's folder for launch files.
+    """
     if repository.has(written):
         return written
-    named = [
-        file.path for file in repository.named(written.rpartition("/")[2]) if f"/{file.path}".endswith(f"/{written}")
-    ]
+    folder, _, name = written.rpartition("/")
+    ends = (f"/{written}", f"/{folder}/launch/{name}" if folder else f"/{written}")
+    named = [file.path for file in repository.named(name) if f"/{file.path}".endswith(ends)]
     return named[0] if len(named) == 1 else None
 
 
