@@ -150,8 +150,7 @@ def _obvious(
     if first and "/" in first.file and not dockerfile:
         first = listed(evidence, kind) or first
     if first:
-        others = len({program_of(c.argv) for c in ours if c.strong} - {program_of(first.argv)})
-        why = f"{first.why}, before {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
+        why = _before_others(first, ours)
         argv = given(first, authored) if dockerfile and authored else first.argv
         return argv, because("command", shlex.join(argv), why, first, weight=Weight.FIRST)
     meant = None if dockerfile else pointed_at(evidence, kind) or included(evidence, kind)
@@ -176,6 +175,15 @@ def _obvious(
     why = f"{len(found)} programs could be the default" if len(found) > 1 else "no program stands out"
     said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said
+
+
+def _before_others(first: Candidate, ours: list[Candidate]) -> str:
+    """Return the reason for the first, with the number of other programs that pages run, and whether all come later."""
+    programs = list(dict.fromkeys(program_of(c.argv) for c in ours if c.strong))
+    others = len({*programs} - {program_of(first.argv)})
+    foremost = programs[:1] == [program_of(first.argv)] or program_of(first.argv) not in programs
+    order = "before" if foremost else "and"
+    return f"{first.why}, {order} {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
 
 
 def _alone(found: list[Candidate], ours: list[Candidate]) -> Candidate | None:

@@ -40,10 +40,13 @@ _FORMAT = pattern(
 )
 """The name of a file of Python that writes what it reads in another format: ``raw_to_numpy``, ``labelme2coco``."""
 _AFTER = pattern(
-    r"(?:^|[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|profil\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
+    r"(?:^|(?<!with)[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|profil\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
 )
-"""The name of a program that looks at what another one did; a README of Python may name its examples so."""
+"""The name of a program that looks at what another one did; a README of Python may name its examples so. What is
+started with such a one, ``mapping_with_rviz``, is none."""
+_DEVICE = pattern(r"(?:^|(?<=[_.-]))(?:keyboard|joystick|joy|gamepad)(?=[_.-]|$)", re.IGNORECASE)
+"""What a program of two is steered with, in their names."""
 _EVALUATION = pattern(r"(?:^|[_.-])(?:evaluat\w*|eval)(?:[_.-]|$)", re.IGNORECASE)
 _TRAINS = pattern(r"(?:^|[_.-])train\w*?[_-](?:(?:and|n)[_-])?(?:eval\w*|test\w*)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a program that trains first, and then looks at what came of it."""
@@ -111,7 +114,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
         kept, key=lambda c: _order(c, pages[c.file], gap=c.line >= gaps.get((c.file, c.heading), c.line + 1))
     )
     ordered.sort(key=lambda c: (c.elsewhere, _stops(c, kept)))
-    return variant(_filled_in(ordered[0], rest), rest) if ordered else None
+    return variant(_filled_in(_by_another_device(ordered[0], written), rest), rest) if ordered else None
 
 
 def _stops(candidate: Candidate, others: Iterable[Candidate]) -> bool:
@@ -147,6 +150,19 @@ def _filled_in(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
     same = (c for c in candidates if program_of(c.argv) == program_of(first.argv) and not (c.cut or c.blanks))
     given = (c for c in same if blanks <= {word.partition(":=")[0] for word in c.argv if ":=" in word})
     return next(given, first) if blanks else first
+
+
+def _by_another_device(first: Candidate, written: Iterable[Candidate]) -> Candidate:
+    """Return what the page runs before the first and has its name but for the device that steers it, else the first."""
+    *package, _ = program_of(first.argv)
+    name = _stem(program_of(first.argv))
+    for each in written if _DEVICE.search(name) else ():
+        same = program_of(each.argv)[:-1] == (*package,) and each.file == first.file and each.line < first.line
+        if same and not each.cut and _meant(each) >= _meant(first):
+            other = _stem(program_of(each.argv))
+            if _DEVICE.search(other) and _DEVICE.sub("", other) == _DEVICE.sub("", name):
+                return each
+    return first
 
 
 def _explains(candidate: Candidate) -> bool:

@@ -61,6 +61,24 @@ def test_the_first_command_of_a_page_for_ros_1(tree: Tree, page: str, command: s
     assert " ".join(tree({**ROS1, "README.md": page}).command) == command
 
 
+@pytest.mark.parametrize(
+    ("launched", "first", "reason"),
+    [
+        ("map_with_rqt_gui drive", 0, "the README runs it, before 1 other"),
+        ("rviz drive", 1, "the README runs it, and 1 other"),
+        ("keyboard_control joystick_control", 0, "the README runs it, before 1 other"),
+        ("keyboard_control joystick_camera", 1, "the README runs it, and 1 other"),
+        ("keyboard drive", 1, "the README runs it, and 1 other"),
+    ],
+)
+def test_the_order_of_a_page_decides_between_equals(tree: Tree, launched: str, first: int, reason: str) -> None:
+    names = [f"{name}.launch" for name in launched.split()]
+    page = "# Usage\n" + "".join(f"* `roslaunch demo {name}`\n" for name in names)
+    found = tree({**ROS1, **{f"launch/{name}": "<launch/>" for name in names}, "README.md": page})
+    assert found.command == ("roslaunch", "demo", names[first])
+    assert reason in [each.reason for each in found.reasons if each.question == "command" and each.decisive]
+
+
 def test_a_package_may_be_for_what_others_only_do_after_it(tree: Tree) -> None:
     files = {path: text.replace("demo", "arm_calibration") for path, text in ROS1.items() if "launch" not in path}
     page = "# Examples\n```\n./build/arm_calibration_node --fast\n```\n```\n./build/arm_calibration_node\n```\n"
