@@ -40,7 +40,7 @@ _FORMAT = pattern(
 )
 """The name of a file of Python that writes what it reads in another format: ``raw_to_numpy``, ``labelme2coco``."""
 _AFTER = pattern(
-    r"(?:^|(?<!with)[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|profil\w*|check\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
+    r"(?:^|(?<!with)[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|profil\w*|check\w*|validat\w*|verif\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
 )
 """The name of a program that looks at what another one did; a README of Python may name its examples so. What is

@@ -10,15 +10,17 @@ _USAGE = pattern(
     r"^\W*(?:\d[\d.]*\W*)?(?:use\b|using\W*$|using (?:it|this|our|the (?:code|package|software|library|tools?))\b)|"
     r"\bto use\b|\buse$|"
     r"\b(?:run(?:ning)?|usage|launch(?:ing)?|start(?:ing|ed)?|demos?|examples?|quick\w*|play|simulat\w*|execut\w*|"
-    r"try|tutorials?|how to|hello)\b",
+    r"try|tutorials?|how to|hello)\b|"
+    r"运行(?!环境|要求|依赖)|启动|快速|演示|仿真|使用(?:方法|说明)",
     re.IGNORECASE,
 )
-"""A section that says how to start it; ``Using a GPU`` is about one way of several."""
+"""A section that says how to start it, in English or Chinese; ``Using a GPU`` is about one way of several."""
 _ASIDE = pattern(
     r"\b(?:real|hardware|calibrat\w*|evaluat\w*|trouble\w*|faq|debug\w*|develop\w*|contribut\w*|convert\w*|conversion|"
-    r"record(?:s|ing|er)?|tests?|testing|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|"
+    r"record(?:s|ing|er)?|tests?|testing|verif(?:y|ying|ication)|validat(?:e|ing|ion)|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|"
     r"how to (?:install|build)|visuali[sz]\w*|pre-?process\w*|prepar\w*[ -](?:the )?data(?:sets?)?|"
-    r"data(?:sets?)?[ -](?:set-?up|prepar\w*|process\w*|generat\w*|download\w*|collect\w*|organi[sz]\w*))\b",
+    r"data(?:sets?)?[ -](?:set-?up|prepar\w*|process\w*|generat\w*|download\w*|collect\w*|organi[sz]\w*))\b|"
+    r"验证|测试|校验|标定|评估|真机|实机|可视化",
     re.IGNORECASE,
 )
 """A section about something else than starting it."""

@@ -62,6 +62,24 @@ def test_the_first_command_of_a_page_for_ros_1(tree: Tree, page: str, command: s
 
 
 @pytest.mark.parametrize(
+    ("first", "titles", "command"),
+    [
+        ("./validate_demo.sh", "Build / Mapping", "bash run_map.sh"),
+        ("./verify.sh", "Build / Mapping", "bash run_map.sh"),
+        ("./start.sh", "Build / Mapping", "bash start.sh"),
+        ("./start.sh", "Build and verify / Start it", "bash run_map.sh"),
+        ("./start.sh", "3. 构建并验证 / 4. 启动建图", "bash run_map.sh"),
+        ("./start.sh", "运行环境 / 建图", "bash start.sh"),
+    ],
+)
+def test_what_is_checked_after_the_build_is_not_what_is_run(tree: Tree, first: str, titles: str, command: str) -> None:
+    title, second = titles.split(" / ")
+    page = f"# Demo\n### {title}\n```\n{first}\n```\n### {second}\n```\n./run_map.sh\n```\n"
+    scripts = dict.fromkeys((first[2:], "run_map.sh"), "ros2 launch demo map.launch.py\n")
+    assert " ".join(tree({**ROS2, **scripts, "README.md": page}).command) == command
+
+
+@pytest.mark.parametrize(
     ("launched", "first", "reason"),
     [
         ("map_with_rqt_gui drive", 0, "the README runs it, before 1 other"),
