@@ -170,6 +170,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         lacking=() if of.own.answer else of.missing.answer.lacking,
         undeclared=of.missing.answer.undeclared,
         workspace=of.layout.answer.workspace,
+        set_up_inside=of.layout.answer.set_up_inside,
         cmake_folder=of.layout.answer.cmake_folder,
         program_folders=of.layout.answer.program_folders,
         installed=of.layout.answer.installed,

@@ -251,6 +251,8 @@ class Decision:
     """Packages that manifests of rosbuild name and this ROS no longer has."""
     workspace: Literal["none", "overlay", "root"] = "none"
     """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
+    set_up_inside: bool = False
+    """Scripts of the repository look for the setup script of the workspace in the repository's own folder."""
     cmake_folder: str = ""
     program_folders: tuple[str, ...] = ()
     """Folder of the top-level CMakeLists.txt of a plain CMake project, ``""`` for the root."""

@@ -127,7 +127,8 @@ class Workspace:
     without: tuple[str, ...]
     """Options of the compiler for x86 alone that an image for arm64 is compiled without."""
     links: tuple[tuple[str, str], ...]
-    """Name and target of the links that keep the paths of an image in an old format."""
+    """Name and target of the links that keep the paths of an image in an old format, or that the repository's scripts
+    look for."""
 
 
 def workspace(
@@ -152,10 +153,14 @@ def workspace(
         links.append(("catkin_ws", WORKSPACE))
         if in_workspace and name not in (WORKSPACE, "catkin_ws"):
             links.append((name, folder))
+    build = _ros_build(decision, config, sisters) if ros and (in_workspace or sisters) else None
+    if build and decision.set_up_inside and folder.startswith(f"{WORKSPACE}/src/") and not config.compatible:
+        written = build.setup.removeprefix(f"{WORKSPACE}/").partition("/")[0]
+        links.append((f"{folder}/{written}", f"../../{written}"))
     return Workspace(
         folder=folder,
         underlay=ros,
-        ros=_ros_build(decision, config, sisters) if ros and (in_workspace or sisters) else None,
+        ros=build,
         program=_program(decision, config, folder) if decision.build_tool == "cmake" else None,
         sources=sisters,
         submodules=decision.submodules,

@@ -50,12 +50,15 @@ class Order:
 
 END: tuple[Block, ...] = (
     workspace.compile_workspace,  # 6.
+    workspace.set_up_inside,
     program.compile_program,
     program.install_program,
     final.custom,  # 7.
     final.environment,
     final.start,
 )
+AFTER: tuple[Block, ...] = (workspace.set_up_inside, program.install_program)
+"""What needs what was compiled, where that comes from a stage of its own."""
 TODAY = Order(
     base=(base.start, base.package_sources, base.snapshots, base.repositories),  # 1. sources of packages, the user
     stages=(
@@ -192,7 +195,8 @@ def _stages(order: Order, plan: Plan) -> list[str]:
         apart.source_stage(plan),
         *between,
         f"FROM {apart.DEPENDENCIES} AS {apart.COMPILED}\n{apart.compiled(plan)}",
-        f"FROM {apart.DEPENDENCIES}{whole}\n{_join((apart.results, program.install_program, final.start), plan)}",
+        f"FROM {apart.DEPENDENCIES}{whole}
+{_join((apart.results, *AFTER, final.start), plan)}",
     ]
 
 

@@ -18,6 +18,8 @@ from roslab.values.origin import Place
 
 LAYOUT = 100
 """A single fact decides, so the weight has nothing to compete with."""
+_WRITTEN = {"ros1": "devel", "ros2": "install"}
+"""The folder in which the setup script is that a workspace's build writes."""
 MOST_NAMED = 6
 """Most folders that one warning names."""
 
@@ -33,6 +35,8 @@ class Layout:
     """Where its programs are: ``source/…``, relative to the repository's root, or ``build/…``."""
     installed: bool = False
     """A page installs it."""
+    set_up_inside: bool = False
+    """Scripts of the tree look for the workspace's setup script in the repository's folder."""
 
 
 def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[Layout]:
@@ -57,8 +61,13 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
     if in_src and not refused:
         why = because("workspace", "root", "every package lies in src/", first, weight=LAYOUT)
         return Choice(answer=Layout(workspace="root"), reasons=(why,), warnings=others)
-    why = because("workspace", "overlay", "its packages lie beside its other files", first, weight=LAYOUT)
-    return Choice(answer=Layout(workspace="overlay"), reasons=(why,), warnings=others)
+    reasons = [because("workspace", "overlay", "its packages lie beside its other files", first, weight=LAYOUT)]
+    sourced = next((m for m in evidence.mentions if m.topic == "own_setup" and m.value == _WRITTEN[kind]), None)
+    if sourced:
+        link = "a script of the tree sources it: a link to that of the workspace"
+        reasons.append(because("workspace", sourced.value, link, sourced, weight=LAYOUT))
+    layout = Layout(workspace="overlay", set_up_inside=sourced is not None)
+    return Choice(answer=layout, reasons=tuple(reasons), warnings=others)
 
 
 def _installed(evidence: Evidence) -> bool:

@@ -128,6 +128,17 @@ def old_paths(plan: Plan) -> str:
     return f"# The paths of the old format's images\nUSER root\n{shell.run(*commands)}"
 
 
+def set_up_inside(plan: Plan) -> str:
+    """Link what the build wrote into the repository's folder, where its scripts look for the setup script."""
+    if not plan.workspace.links or plan.compatible:
+        return ""
+    commands = (
+        f"ln --symbolic --force --no-target-directory {quote.shell(target)} {quote.shell_with_user(f'{HOME}/{name}')}"
+        for name, target in plan.workspace.links
+    )
+    return f"# Scripts of the repository source the workspace from there\n{shell.run(*commands)}"
+
+
 def own_projects(plan: Plan) -> str:
     """Give the user what pip wrote beside the projects that root installed."""
     return own_home(plan) if plan.workspace.python_projects else ""
