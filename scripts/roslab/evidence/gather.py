@@ -169,7 +169,7 @@ def gather(repository: Repository) -> Evidence:
             *distro_names.read(repository, ci.of_others(repository)),
             *branch_tables.read(own),
             *with_notebooks(fetched_here.without(prose.mentions, own), said),
-            *linked.read(own, prose.mentions),
+            *linked.read(own, prose.mentions, ros=bool(manifests)),
             *by_name,
             *said,
             *for_reference.read(own),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator, Mapping
 
 from roslab.evidence import places
@@ -10,7 +11,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.prose import search_paths
 from roslab.evidence.prose.pages import LINK, MAX_SIZE, pages, path_of, text_of
 from roslab.evidence.prose.readme import of_page
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 _INDEX = ("index", "readme")
@@ -24,11 +25,38 @@ DEEPEST = 3
 WEBOTS = "webots "
 
 
-def read(repository: Repository, known: tuple[Mention, ...]) -> tuple[Mention, ...]:
+_STARTS = ("roslaunch ", "ros2 launch ")
+_WIKI = pattern(r"(?:[\w-]+\.)?wiki/", re.IGNORECASE)
+
+
+def read(repository: Repository, known: tuple[Mention, ...], *, ros: bool) -> tuple[Mention, ...]:
     """Return what the linked pages run, nothing where a page that is read anyway (``known``) runs something.
 
-    What such a page installs is not read: it may be for another machine than the one that the root is about.
+    What such a page installs is not read: it may be for another machine than the one that the root is about. Where no
+    page launches anything of a repository for ROS, also what the pages of a wiki in the tree launch.
     """
+    said = _linked(repository, known)
+    if not ros or any(_launches(mention) for mention in (*known, *said)):
+        return said
+    return (
+        *said,
+        *(m for file in _wiki(repository) for m in of_page(repository, file).mentions if _launches(m)),
+    )
+
+
+def _launches(mention: Mention) -> bool:
+    return mention.topic == "command" and mention.source == "readme" and mention.value.startswith(_STARTS)
+
+
+def _wiki(repository: Repository) -> list[File]:
+    """Return the pages of a copy of the wiki that may launch something; they are linked to each other, if at all."""
+    taken = {page.path for page in pages(repository)}
+    found = (file for file in repository.suffixed(".md", ".rst") if file.size <= MAX_SIZE and file.path not in taken)
+    own = [file for file in found if _WIKI.match(file.path) and not _ASIDE.search(file.name.lower())]
+    return [file for file in nearest(own)[:MOST] if any(start in repository.read(file) for start in _STARTS)]
+
+
+def _linked(repository: Repository, known: tuple[Mention, ...]) -> tuple[Mention, ...]:
     if any(mention.topic == "command" and mention.source == "readme" for mention in known):
         return ()
     said: list[Mention] = []
