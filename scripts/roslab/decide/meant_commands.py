@@ -12,7 +12,7 @@ from roslab.decide.launch_calls import launch_calls
 from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
 from roslab.decide.startable_launches import known
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.launch_file import LaunchFile
 from roslab.values.pattern import pattern
 
@@ -25,6 +25,10 @@ FEWEST = 2
 _LAUNCH_FILES = pattern(r"\blaunch[ -]?files?\b", re.IGNORECASE)
 _ITEM = pattern(r"(?:[-*+]|\d+[.)])\s+[`*_\[]*[\w/-]+\.launch")
 """An item of a list that begins with a launch file."""
+_COMMANDS = pattern(
+    r"\.sh\W.*?\b(?:contains?|lists?|holds?|ha(?:s|ve)|includes?|provides?)\s+(?:\w+\s+){0,3}commands?\b", re.IGNORECASE
+)
+"""A sentence on scripts: ``a.sh and b.sh contain the commands for both``."""
 _SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
 
 
@@ -59,7 +63,7 @@ def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
         if said.topic == "pointed" and (launch := owners.get(said.value)):
             start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
             argv = (*start, *calls[launch.file])
-        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _runs(said.value):
+        elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _runs(said):
             argv = ("bash", said.value)
         elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):
             argv = (*NOTEBOOK, said.value)
@@ -69,8 +73,10 @@ def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
             yield candidate, said.text
 
 
-def _runs(file: str) -> bool:
-    return file.endswith(".sh") and bool(RUNS.match(file.rpartition("/")[2]))
+def _runs(said: Mention) -> bool:
+    """Tell whether a script is named like one that starts something, or its sentence says that it has the commands."""
+    name = said.value.rpartition("/")[2]
+    return name.endswith(".sh") and bool(RUNS.match(name) or _COMMANDS.search(said.text))
 
 
 def named_like_it(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:

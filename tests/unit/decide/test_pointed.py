@@ -26,6 +26,7 @@ CPP = {
     "scripts/run_stereo.sh": "./a\n",
     "scripts/run_mono.sh": "./b\n",
     "scripts/make_docs.sh": "doxygen\n",
+    "scripts/push.sh": "./a --push\n",
 }
 
 
@@ -71,6 +72,10 @@ def test_a_list_of_launch_files_at_the_root_goes_before_pages_below(tree: Tree, 
         ("# Run\nRefer to scripts/run_stereo.sh, or scripts/run_mono.sh.\n", "bash scripts/run_stereo.sh"),
         ("# About\nRefer to scripts/run_stereo.sh.\n", "bash"),
         ("# Run\nRefer to scripts/make_docs.sh.\n", "bash"),
+        ("# Run\n`scripts/push.sh`, ``make_docs.sh`` contain the commands.\n", "bash scripts/push.sh"),
+        ("# Run\nscripts/push.sh has all commands.\n", "bash scripts/push.sh"),
+        ("# Run\nscripts/push.sh uploads the results.\n", "bash"),
+        ("# Results\nscripts/push.sh, scripts/make_docs.sh contain the commands.\n", "bash"),
     ],
 )
 def test_a_script_that_a_section_about_running_names(tree: Tree, page: str, command: str) -> None:
