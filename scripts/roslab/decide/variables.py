@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
-from roslab.decide.decision import Choice
-from roslab.decide.reasons import because
+from roslab.decide.decision import Choice, Warning_
+from roslab.decide.reasons import because, warn
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.own_places import OPT, PYTHON
@@ -59,7 +59,7 @@ def decide_variables(
             found.setdefault(name, (given.get(name, value), mention))
     pairs = {name: value for name, (value, _) in found.items()}
     reasons = [
-        because("workspace", f"{name}={value}", f"a page sets it{_reader(name, value)}", place, weight=SET)
+        because("workspace", f"{name}={value}", _why(name, value, place), place, weight=SET)
         for name, (value, place) in found.items()
     ]
     before = _before(command, evidence) if command else ()
@@ -82,7 +82,13 @@ def decide_variables(
             without = f"{place.key} draws without a display then, and the image has none"
             why = f"{place.key} stops without it where it opens a window" if gui else without
             reasons.append(because("workspace", f"{name}={value}", why, place, weight=SET))
-    return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons))
+    demanded = [m for m in evidence.mentions if m.topic == "demanded" and m.value not in {*pairs, *given}]
+    return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons), warnings=tuple(map(_demanded, demanded)))
+
+
+def _demanded(mention: Mention) -> Warning_:
+    message = f"a program stops without the variable {mention.value} (it says: {mention.text.strip()})"
+    return warn(f"{message}: set it under `env` in roslab.yaml", mention)
 
 
 def _offscreen(asked: Iterable[Requirement]) -> Iterator[tuple[str, str, Requirement]]:
@@ -125,6 +131,10 @@ def _installed(value: str, mention: Mention, evidence: Evidence) -> bool:
     folder = value.removeprefix(OPT).partition("/")[0].lower()
     said = (each for each in evidence.prose if each.namespace == "apt" and each.file == mention.file)
     return any(each.name.removeprefix("lib").partition("-")[0] == folder for each in said)
+
+
+def _why(name: str, value: str, place: Mention) -> str:
+    return "the program stops without it" if place.source == "code" else f"a page sets it{_reader(name, value)}"
 
 
 def _reader(name: str, value: str) -> str:

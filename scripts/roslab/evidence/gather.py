@@ -8,6 +8,7 @@ import re
 from roslab.evidence import places, submodules
 from roslab.evidence.facts import CMakeProject, Evidence, PackageManifest
 from roslab.evidence.native import (
+    asked_variables,
     authors_folders,
     by_variables,
     cmake,
@@ -188,6 +189,7 @@ def gather(repository: Repository) -> Evidence:
             *launchers.read(own, prose.mentions),
             *other_builders.read(repository),
             *stops_without.read(own, cmake_projects),
+            *(asked_variables.read(own, cmake_projects) if manifests or cmake_projects else ()),
             *commented.read(own, lists),
             *(commit_date.read(repository) if manifests or cmake_projects or listed or by_file else ()),
         ),

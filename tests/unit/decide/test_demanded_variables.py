@@ -1,0 +1,36 @@
+"""Variables without which a compiled program stops, with a message that says what they are for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+CMAKE = "project(Demo)\nadd_executable(demo demo.cpp)\n"
+CODE = '#include <cstdlib>\nint main() {{\n  if (!getenv("{name}")) {{\n    puts("{said}");\n    return 1;\n  }}\n}}\n'
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "value"),
+    [
+        ("DEMO", "Please set the DEMO environment variable to the root directory of demo.", "./"),
+        ("DEMO_ROOT", "DEMO_ROOT must be set to the root of this repository", "./"),
+        ("SDK", "Please set the SDK environment variable to the root of the camera's SDK", "told"),
+        ("SDK", "SDK needs to be set", "told"),
+        ("SDK", "SDK is not set, going on without", ""),
+        ("SDK", "Please set OTHER to the root of demo", ""),
+    ],
+)
+def test_a_variable_that_a_program_demands(tree: Tree, name: str, said: str, value: str) -> None:
+    found = tree({"CMakeLists.txt": CMAKE, "demo.cpp": CODE.format(name=name, said=said)})
+    assert dict(found.variables) == ({name: value} if value == "./" else {})
+    told = [each.message for each in found.warnings if "stops without the variable" in each.message]
+    assert bool(told) == (value == "told")
+
+
+def test_what_an_example_demands_is_not_set(tree: Tree) -> None:
+    code = CODE.format(name="DEMO", said="Please set DEMO to the root of demo")
+    assert tree({"CMakeLists.txt": CMAKE, "examples/demo.cpp": code}).variables == ()
