@@ -38,6 +38,8 @@ _KEY = pattern(r"[A-Z][A-Z0-9_]*(?:\.[A-Z][A-Z0-9_]*)+")
 """A key of yacs, whose value is the next word: ``MODEL.WEIGHTS a.pth``."""
 _OVERRIDE = pattern(r"[+~]{0,2}[A-Za-z_][\w./@-]*=(?!=)")
 """An argument with its name, as Hydra takes them in any order: ``data.root=PATH``."""
+_COLON = pattern(r"([A-Za-z_]\w{2,}):(?!=|//)")
+"""An argument with its name, as programs take it that split it themselves: ``file_path:/path/to/a.yaml``."""
 _CAPITALS = pattern(r"[A-Z]{2,}(?:_[A-Z]+)*")
 _GIVEN = pattern(r"(?:-{0,2}|.*\.)([A-Za-z][\w-]*):?=(.*)")
 """An argument with its value: ``--seed=SEED``, ``train.seed=SEED``, ``map:=MAP``."""
@@ -82,8 +84,10 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
             kept.append(word)
             continue
         keyed = _named(kept[:-1]) and bool(_KEY.fullmatch(kept[-1])) and "=" not in word
-        override = not value and bool(_OVERRIDE.match(word))
+        colon = _COLON.match(word) if not value else None
+        override = not value and bool(colon or _OVERRIDE.match(word))
         option = word.partition("=")[0] if word.startswith("-") or override else kept[-1] if value else ""
+        option = colon[1] if colon else option
         if keyed or (value and (":=" not in word or kept[-1] in {"-p", "-r"})):
             kept.pop()  # the option goes with it: ``-p map:=PATH``, and ``MODEL.WEIGHTS PATH``
         if ":=" not in word:

@@ -36,6 +36,15 @@ def test_arguments_without_a_dash(tree: Tree, code: str, page: str, first: str, 
     assert any(f"stops without {said}, which" in each for each in told(found)) is bool(said)
 
 
+def test_arguments_that_a_program_splits_itself(tree: Tree) -> None:
+    page = "# Usage\n```\npython run.py mode:live file_path:/path_to_file/a.yaml speed:fast\n```\n"
+    found = tree({"run.py": OTHER, "requirements.txt": "numpy\n", "README.md": page})
+    assert found.command == ("python", "run.py", "mode:live", "speed:fast")
+    assert ["leaves to the reader (file_path)" in each for each in told(found)] == [True]
+    found = tree({"README.md": page.replace("file_path:/path_to_file/a.yaml speed:fast", "http://your-host/a")})
+    assert told(found) == []
+
+
 def test_what_hydra_takes_and_refuses(tree: Tree) -> None:
     page = "# Usage\n```\npython train.py trainer.devices-1 data.root=path/to/data model=small\n```\n"
     found = tree({"train.py": HYDRA, "requirements.txt": "hydra-core\n", "README.md": page})
