@@ -41,5 +41,5 @@ def test_the_setup_script_is_linked_where_scripts_look_for_it(
     plan = plan_repository(tmp_path).plan
     overlay = folder == "demo"
     assert bool(plan.workspace.links) == (linked and overlay)
-    line = f"--no-target-directory ../../install /home/${{NB_USER}}/{plan.workspace.folder}/install"
+    line = f"|| ln --symbolic ../../install /home/${{NB_USER}}/{plan.workspace.folder}/install"
     assert (line in dockerfile(plan)) == (linked and overlay)

@@ -132,10 +132,8 @@ def set_up_inside(plan: Plan) -> str:
     """Link what the build wrote into the repository's folder, where its scripts look for the setup script."""
     if not plan.workspace.links or plan.compatible:
         return ""
-    commands = (
-        f"ln --symbolic --force --no-target-directory {quote.shell(target)} {quote.shell_with_user(f'{HOME}/{name}')}"
-        for name, target in plan.workspace.links
-    )
+    placed = [(quote.shell_with_user(f"{HOME}/{name}"), quote.shell(target)) for name, target in plan.workspace.links]
+    commands = (f"{{ [ -e {path} ] || ln --symbolic {target} {path}; }}" for path, target in placed)
     return f"# Scripts of the repository source the workspace from there\n{shell.run(*commands)}"
 
 
