@@ -12,6 +12,7 @@ from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import call_of, launch_calls, without_package
 from roslab.decide.made_folders import made_before
+from roslab.decide.pages_of_tools import of_a_tool
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
 from roslab.decide.python_calls import module_of, program_here
@@ -46,7 +47,8 @@ def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tup
     """Return what READMEs run; a subfolder's page, examples and helper scripts of compiled code are weaker.
 
     So is a file of Python that no package has, beside nodes or on a page below the root of a repository of ROS, and any
-    that the page of one package runs in a collection of packages.
+    that the page of one package runs in a collection of packages; and, where packages have launch files, what the
+    page of a folder without any runs.
     """
     found = tuple(_said(evidence, kind, ros=ros, compiled=compiled))
     nodes = ros and any(each.strong and not each.argv[0].startswith(_NO_NODES) for each in found)
@@ -56,7 +58,9 @@ def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tup
         c.argv[0].startswith("python") and (not c.argv[1].startswith(folders) or (many and c.file.startswith(folders)))
         for c in found
     ]
+    tools = [ros and of_a_tool(c, folders, evidence) for c in found]
     weak = [(nodes or (ros and "/" in c.file)) and outside for c, outside in zip(found, lone, strict=True)]
+    weak = [outside or tool for outside, tool in zip(weak, tools, strict=True)]
     return tuple(replace(c, strong=False) if outside else c for c, outside in zip(found, weak, strict=True))
 
 
