@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Config
 from roslab.decide.command import Command
@@ -12,6 +12,7 @@ from roslab.decide.launched_simulators import lacking_simulators
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.sought import tried
+from roslab.decide.ros.source_names import plain
 from roslab.decide.startable_launches import lacks
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -49,13 +50,7 @@ def decide_launch_needs(
         for name, line in launch.variables
         if name not in given and not of_every_image(name)
     ]
-    where = tried(sources.sought)
-    for asked in lacks(evidence, sources.may_hold, ros_distro).get(launch.file, ()):
-        looked = (
-            f"the build looks for it in {where[asked.name]}; where it is not there, " if asked.name in where else ""
-        )
-        what = f"the default command needs the package {asked.name}, which nothing is known to bring, and stops without"
-        told.append(warn(f"{what} it: {looked}give its repository under `source` in roslab.yaml", asked))
+    told += _packages(evidence, launch, sources, ros_distro)
     told += [
         Warning_(
             message=f"the default command starts {file}, whose first line names {named}, which the image does not "
@@ -85,6 +80,25 @@ def packages_lacking(
     launch = None if isinstance(command, str) or config.compatible else started_launch(evidence, command)
     found = lacks(evidence, lambda _: False, ros_distro).get(launch.file, ()) if launch else ()
     return tuple(replace(asked, strength="declared") for asked in found)
+
+
+def _packages(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_distro: str | None) -> Iterator[Warning_]:
+    """Yield a warning for each package that a launch file needs, and that no clone is called like or known to hold.
+
+    A key of a package.xml that no distribution has is one of them: without it the packages are built all the same.
+    """
+    where = tried(sources.sought)
+    names = sources.names | {plain(source.name) for source in sources.submodules}
+    for asked in lacks(evidence, lambda name: bool(names & {name, plain(name)}), ros_distro, asked=False).get(
+        launch.file, ()
+    ):
+        looked = ""
+        if asked.name in where:
+            looked = f"the build looks for it in {where[asked.name]}; where it is not there, "
+        elif sources.may_hold(asked.name):
+            looked = "one of the cloned repositories may hold it; else "
+        what = f"the default command needs the package {asked.name}, which nothing is known to bring, and stops without"
+        yield warn(f"{what} it: {looked}give its repository under `source` in roslab.yaml", asked)
 
 
 def started_launch(evidence: Evidence, argv: tuple[str, ...] | str) -> LaunchFile | None:

@@ -46,17 +46,17 @@ def unstartable(evidence: Evidence, *, programs: bool) -> frozenset[str]:
 
 
 def lacks(
-    evidence: Evidence, may_hold: Callable[[str], bool], ros_distro: str | None = None
+    evidence: Evidence, may_hold: Callable[[str], bool], ros_distro: str | None = None, *, asked: bool = True
 ) -> dict[str, tuple[Dependency, ...]]:
     """Return the packages that launch files need, whatever their arguments are, and nothing brings, by the file's path.
 
     Also those that what they start needs. ``may_hold``: whether something that is cloned may hold a package of a name;
-    ``ros_distro``: the distribution that has to have it, else any.
+    ``ros_distro``: the distribution that has to have it, else any. ``asked``: what a package.xml asks for is there.
     """
     has = released(ros_distro or "").__contains__ if released(ros_distro or "") else ever_released
-    asked = _asked(evidence)
-    ours = _of_tree(evidence) | asked
-    families = {ros: _families(frozenset(asked), ros) for ros in (1, 2)}
+    keys = _asked(evidence)
+    ours = _of_tree(evidence) | (keys if asked else set())
+    families = {ros: _families(frozenset(keys), ros) for ros in (1, 2)}
     found = {
         launch.file: tuple(_lacking(launch, ours, families[launch.ros], may_hold, has)) for launch in evidence.launch
     }

@@ -64,7 +64,11 @@ def test_that_of_another_launch_file_is_not_told(tree: Tree) -> None:
             "",
             [],
         ),
-        ('<include file="$(find demo_extras)/a.launch"/>\n', "cd src\ngit clone https://github.com/lab/stack\n", []),
+        (
+            '<include file="$(find demo_extras)/a.launch"/>\n',
+            "cd src\ngit clone https://github.com/lab/demo_extras\n",
+            [],
+        ),
     ],
 )
 def test_packages_that_nothing_brings(tree: Tree, launch: str, more: str, found: list[tuple[str, int]]) -> None:
@@ -73,6 +77,18 @@ def test_packages_that_nothing_brings(tree: Tree, launch: str, more: str, found:
     warnings = [each for each in tree(files).warnings if "needs the package" in each.message]
     assert all(each.file == "launch/demo.launch" and "`source` in roslab.yaml" in each.message for each in warnings)
     assert [(each.message.partition("package ")[2].partition(",")[0], each.line) for each in warnings] == found
+
+
+@pytest.mark.parametrize(("key", "held"), [("", True), ("demo_extras", False)])
+def test_packages_that_clones_may_hold_and_keys_that_nothing_brings(tree: Tree, key: str, held: bool) -> None:
+    launch = '<include file="$(find demo_extras)/a.launch"/>'
+    manifest = PACKAGE["package.xml"].replace("</package>", f"<exec_depend>{key}</exec_depend></package>")
+    clone = "cd src\ngit clone https://github.com/lab/stack\n" if held else ""
+    page = f"ROS Noetic\n```\n{clone}catkin_make\nroslaunch demo demo.launch\n```\n"
+    files = {**PACKAGE, "package.xml": manifest} if key else PACKAGE
+    decision = tree({**files, "launch/demo.launch": f"<launch>{launch}{NODE}</launch>", "README.md": page})
+    told = [each.message for each in decision.warnings if "needs the package demo_extras" in each.message]
+    assert ["one of the cloned repositories may hold it" in each for each in told] == [held]
 
 
 GAZEBO = '<param name="robot_description" command="xacro $(find demo)/urdf/a.xacro"/>\n'

@@ -333,3 +333,12 @@ def test_what_the_default_launch_file_needs_is_looked_for(tree: Tree, started: s
 def test_a_sibling_may_have_a_dash_in_its_name(tree: Tree, needed: str, looked: bool) -> None:
     decision = tree(_git(f"{LAB}/acme-core") | _package("acme-core", needed) | {"README.md": "ROS Noetic.\n"})
     assert _sought(decision) == ({f"{LAB}/{needed}": (needed,)} if looked else {})
+
+
+@pytest.mark.parametrize(("folder", "found"), [("acme_stack", []), ("acme", ["https://github.com/other/acme_stack"])])
+def test_a_clone_is_not_looked_in_where_the_tree_has_its_folder(tree: Tree, folder: str, found: list[str]) -> None:
+    page = "ROS Noetic.\n\n    git clone https://github.com/other/acme_stack\n"
+    package = {f"src/{path}": text for path, text in _package("mpc", "big_acme").items()}
+    copied = {f"src/{folder}/{path.rpartition('/')[2]}": text for path, text in _package("acme_stacks").items()}
+    decision = tree({**package, **copied, "src/mpc/README.md": page})
+    assert [*_sought(decision)] == found

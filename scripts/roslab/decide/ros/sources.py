@@ -111,7 +111,7 @@ def decide_sources(
         build_tool=build_tool,
         needed=(*used, *launched),
         known=there,
-        cloned=[git for git in found if git.kind == "clone" and not (git.aside or _twice(git, itself, own))],
+        cloned=[g for g in found if g.kind == "clone" and not (g.aside or _twice(g, itself, own | _folders(evidence)))],
         before=chosen.before,
     )
 
@@ -119,6 +119,11 @@ def decide_sources(
 def _twice(git: GitSource, itself: set[str], own: frozenset[str]) -> bool:
     """Tell whether the tree has it, changed perhaps."""
     return itself_in(git, itself) or plain(git.name) in own
+
+
+def _folders(evidence: Evidence) -> set[str]:
+    """Return the names of the folders of packages: a clone of such a name is in the tree."""
+    return {plain(manifest.file.rpartition("/")[0]) for manifest in evidence.manifests} - {""}
 
 
 @dataclass
