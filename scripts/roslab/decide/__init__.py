@@ -265,6 +265,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             variables=variables,
             downloads=downloads,
             packages=packages,
+            target=target,
             everything=everything,
             compiling=compiling,
             dockerfile=dockerfile,

@@ -26,7 +26,9 @@ from roslab.decide.ros.not_there import decide_not_there
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.stops_without import decide_stops
 from roslab.decide.system.linked_headers import linked_headers
+from roslab.decide.system.may_fail import may_fail
 from roslab.decide.system.missing import Missing, marked
+from roslab.decide.system.names import Target
 from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.packages import SystemPackages
@@ -68,6 +70,7 @@ class Choices:
     variables: Choice[tuple[tuple[str, str], ...]]
     downloads: Choice[tuple[Download, ...]]
     packages: Packages
+    target: Target
     everything: tuple[Requirement, ...]
     compiling: Compiling
     dockerfile: str | None
@@ -143,6 +146,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         vcs=of.sources.answer.vcs,
         submodules=() if of.own.answer else of.sources.answer.submodules,
         apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),
+        may_fail=()
+        if of.own.answer or config.compatible
+        else may_fail(evidence, of.packages, of.target, of.sources.answer, of.left_out),
         inside=of.inside.answer,
         python_path=python_path(evidence, config, of.kind.answer, of.python.answer.projects, of.command.answer.page),
         variables=() if of.own.answer else of.variables.answer,

@@ -210,6 +210,8 @@ class Decision:
     """Submodules that are not checked out and are cloned in the image, each at its path."""
     apart: tuple[str, ...] = ()
     """Folders of submodules, whose packages a workspace is built without where it fails and needs none of them."""
+    may_fail: tuple[str, ...] = ()
+    """Folders of packages that are left out where they fail, for nothing is known to bring what they need."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of copied libraries that are compiled where they lie, each with the options of CMake."""
     python_path: tuple[str, ...] = ()

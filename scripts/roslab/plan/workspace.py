@@ -106,6 +106,8 @@ class Workspace:
     """Submodules that are not checked out: cloned into the repository's folder, each at the path that is its name."""
     apart: tuple[str, ...] = ()
     """Folders of submodules in the repository: the workspace is built without those of their packages that stop it."""
+    may_fail: tuple[str, ...] = ()
+    """Folders of packages of the repository that are left out where the build fails in them."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
     scripts: tuple[Script, ...] = ()
@@ -165,6 +167,7 @@ def workspace(
         sources=sisters,
         submodules=decision.submodules,
         apart=decision.apart,
+        may_fail=decision.may_fail,
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         scripts=tuple(
             Script(folder=each.folder, command=each.command, required=each.required) for each in decision.scripts

@@ -56,7 +56,7 @@ def leave_out(
     for (package, name), asked in sorted(lacking.items(), key=lambda each: each[0][1] in linked):
         if package in left:
             continue
-        with_it = _needing(package, packages)
+        with_it = needing(package, packages)
         lost = {*out, *(each for names in perhaps.values() for each in names)}
         kept = {m.name for m in packages.built if not m.metapackage} - lost - {*with_it}
         skipped = build_tool in SKIP and (package in lost or kept) and not {*with_it} & {*started}
@@ -84,7 +84,7 @@ def folders_of(packages: Packages, names: Collection[str]) -> tuple[str, ...]:
     return tuple(m.file.rpartition("/")[0] for m in packages.built if m.name in names)
 
 
-def _needing(package: str, packages: Packages) -> list[str]:
+def needing(package: str, packages: Packages) -> list[str]:
     """Return a package and those of the repository that cannot be built without it; a metapackage builds nothing."""
     found = [package]
     for each in found:

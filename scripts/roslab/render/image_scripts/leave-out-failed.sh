@@ -1,8 +1,8 @@
 #!/bin/bash
 # usage: leave-out-failed [--keep PACKAGE]... FOLDER... -- COMMAND...
 # Runs a command that builds the workspace in the current folder. Where it fails in packages below one of these folders, which
-# hold what is cloned, they are told and hidden, and it is run again: one that requires what no image has, the SDK of a
-# camera, stops all others. What is kept, and what the others are compiled with, still stops the build.
+# hold what is cloned or need what nothing is known to bring, they are told and hidden, and it is run again: one that
+# requires what no image has, the SDK of a camera, stops all others. What is kept, and what the others are compiled with, still stops the build.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 kept=() cloned=()
@@ -55,7 +55,7 @@ until "$@" 2>&1 | tee "${log}"; do
     rm -f "${log}"
     exit 1
   fi
-  echo "roslab: the workspace does not build: once more without what failed of cloned repositories"
+  echo "roslab: the workspace does not build: once more without what failed"
   echo "roslab: left out: ${hidden[*]}"
 done
 rm -f "${log}"

@@ -19,15 +19,16 @@ def tried(plan: Plan) -> str:
     """Return what stands before the command that builds the workspace, ``""`` where all that is cloned is wanted."""
     place = plan.workspace
     in_src = place.folder.startswith(f"{WORKSPACE}/src/")  # without packages of its own all clones are what is wanted
-    if not (place.sources or place.apart) or place.ros is None or place.ros.tool == "rosmake":
+    if not (place.sources or place.apart or place.may_fail) or place.ros is None or place.ros.tool == "rosmake":
         return ""
     if not in_src and place.folder != WORKSPACE:
         return ""
     kept = "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
     own = f"{place.folder.removeprefix(WORKSPACE)}/".removeprefix("/")
-    folders = [*(f"src/{source.name}" for source in place.sources), *(f"{own}{folder}" for folder in place.apart)]
+    folders = [f"src/{source.name}" for source in place.sources]
+    folders += [f"{own}{folder}" for folder in dict.fromkeys((*place.apart, *place.may_fail))]
     without = f"{WITHOUT_FAILED}{kept}{''.join(f' {quote.shell(folder)}' for folder in folders)} -- "
-    return f"{without}{_needed(plan, kept)}" if in_src else without
+    return f"{without}{_needed(plan, kept)}" if in_src and (place.sources or place.apart) else without
 
 
 def _needed(plan: Plan, kept: str) -> str:

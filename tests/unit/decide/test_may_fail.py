@@ -1,0 +1,63 @@
+"""Packages that most likely cannot be built are left out where the build fails in them, and stop no others."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+CLONE = "cd src\ngit clone https://github.com/lab/{}\n"
+
+
+def _package(name: str, *needed: str, required: bool = True) -> dict[str, str]:
+    depends = "".join(f"<depend>{each}</depend>" for each in needed)
+    components = f"COMPONENTS {' '.join(needed)}" if needed and required else ""
+    return {
+        f"{name}/package.xml": f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend>{depends}"
+        "</package>",
+        f"{name}/CMakeLists.txt": f"project({name})\nfind_package(catkin REQUIRED {components})\ncatkin_package()\n",
+    }
+
+
+def planned(root: Path, files: dict[str, str], steps: str = "") -> tuple[tuple[str, ...], str]:
+    """Return the folders of packages that may fail, and the Dockerfile."""
+    page = f"ROS Noetic\n```\n{steps}catkin_make\nrosrun mine a\n```\n"
+    for path, text in {**files, "README.md": page}.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text)
+    plan = plan_repository(root).plan
+    return plan.workspace.may_fail, dockerfile(plan)
+
+
+def test_what_a_clone_may_hold_stops_no_others(tmp_path: Path) -> None:
+    files = {**_package("mine", "roscpp"), **_package("arm", "acme_control"), **_package("above", "arm")}
+    found, text = planned(tmp_path, files, CLONE.format("stack"))
+    assert found == ("above", "arm")
+    folder = f"src/{tmp_path.name}"
+    assert f"leave-out-failed --keep mine src/stack {folder}/above {folder}/arm -- " in text
+
+
+@pytest.mark.parametrize(
+    ("files", "cloned"),
+    [
+        (_package("arm", "acme_control"), "acme_stack"),  # it is called so
+        (_package("arm", "acme_control", required=False), "stack"),
+        (_package("arm", "sensor_msgs"), "stack"),
+        (_package("mine", "acme_control"), "stack"),  # all that there is
+    ],
+)
+def test_what_most_likely_builds_does_not_fail(tmp_path: Path, files: dict[str, str], cloned: str) -> None:
+    mine = {} if "mine/package.xml" in files else _package("mine", "roscpp")
+    assert planned(tmp_path, {**mine, **files}, CLONE.format(cloned))[0] == ()
+
+
+def test_messages_that_nothing_brings(tmp_path: Path) -> None:
+    files = {**_package("mine", "roscpp"), **_package("arm", "roscpp")}
+    files["arm/src/a.cpp"] = "#include <acme_msgs/Led.h>\nint main() {}\n"
+    files["arm/CMakeLists.txt"] += "add_executable(a src/a.cpp)\n"
+    found, text = planned(tmp_path, files)
+    assert found == ("arm",)
+    assert f"leave-out-failed --keep mine src/{tmp_path.name}/arm -- " in text
