@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 
-from roslab.evidence import places, submodules
+from roslab.evidence import links, places, submodules
 from roslab.evidence.facts import CMakeProject, Evidence, PackageManifest
 from roslab.evidence.native import (
     asked_variables,
@@ -130,6 +130,7 @@ def gather(repository: Repository) -> Evidence:
         *prose.sources,
         *clones.read(own, prose.sources),
     )
+    sources = (*sources, *links.read(repository, sources))
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
     lists = submodules.named(requirements.read(repository), own, prose.requirements)
     made = makefiles.read(own, prose.mentions)

@@ -342,3 +342,16 @@ def test_a_clone_is_not_looked_in_where_the_tree_has_its_folder(tree: Tree, fold
     copied = {f"src/{folder}/{path.rpartition('/')[2]}": text for path, text in _package("acme_stacks").items()}
     decision = tree({**package, **copied, "src/mpc/README.md": page})
     assert [*_sought(decision)] == found
+
+
+@pytest.mark.parametrize(
+    ("needed", "cloned", "found"),
+    [("mav_acts", "mav_comm", ["https://github.com/other/mav_comm"]), ("ros_acts", "ros_comm", [])],
+)
+def test_a_clone_that_begins_with_the_same_word_may_hold_it(
+    tree: Tree, needed: str, cloned: str, found: list[str]
+) -> None:
+    page = f"ROS Noetic.\n\n    git clone https://github.com/other/{cloned}\n"
+    decision = tree(_package("mpc", needed) | {"README.md": page})
+    assert [*_sought(decision)] == found
+    assert any("not cloned" in each.message for each in decision.warnings) is not bool(found)

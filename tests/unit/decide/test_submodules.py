@@ -92,6 +92,42 @@ def test_the_advice_names_what_has_an_address_where_git_would_stop_at_another(tm
     assert command == (named if lost else "")
 
 
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("git clone https://github.com/lab/planner", [("src/planner", "https://github.com/lab/planner", COMMIT)]),
+        ("git clone https://github.com/lab/planner other", []),
+        ("git clone https://github.com/lab/core", []),  # the tree has it
+        ("git clone https://github.com/lab/more", []),
+    ],
+)
+def test_a_commit_without_an_address_is_of_what_a_page_clones(
+    tmp_path: Path, line: str, found: list[tuple[str, str, str]]
+) -> None:
+    def git(*words: str) -> None:
+        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
+
+    package = {
+        "src/core/package.xml": PACKAGE.replace("catkin_simple", "acme_msgs"),
+        "src/core/CMakeLists.txt": FILES["CMakeLists.txt"].replace("catkin_simple", "acme_msgs"),
+        "src/core/README.md": f"ROS Noetic\n\n    cd src\n    {line}\n",
+    }
+    for path, text in package.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    git("init")
+    git("add", ".")
+    for path in ("src/planner", "extra/src/planner"):
+        git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{path}")
+    git("commit", "--message", "a")
+    plan = plan_repository(tmp_path).plan
+    assert [
+        (each.name, (each.repo or "").removesuffix(".git"), each.ref) for each in plan.workspace.submodules
+    ] == found
+    assert not (found and any("not cloned" in each.message for each in plan.warnings))
+
+
 def test_a_library_that_a_submodule_links_is_built(tree: Tree) -> None:
     url = "https://github.com/Livox-SDK/livox_ros_driver"
     modules = f'[submodule "a"]\n\tpath = third_party/livox_ros_driver\n\turl = {url}\n'

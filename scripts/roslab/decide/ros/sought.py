@@ -14,7 +14,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.slips import meant
-from roslab.decide.ros.source_names import address, plain, telling_words
+from roslab.decide.ros.source_names import address, akin, plain
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import Dependency, GitSource
@@ -134,7 +134,8 @@ def _lacking(needed: Iterable[Dependency], known: AbstractSet[str], own: set[str
 def _cloned(cloned: Iterable[GitSource], names: Iterable[str], evidence: Evidence) -> dict[str, tuple[str, ...]]:
     """Return the addresses of what pages clone, each with the packages that it may hold though it is not called so.
 
-    Those are all where it is of the repository's owner, else those that share a word with it. Not what Ubuntu has.
+    Those are all where it is of the repository's owner, else those that share a word with it, or begin with the same
+    one. Not what Ubuntu has.
     """
     names = tuple(names)
     owner = address(evidence.origin).rpartition("/")[0] if evidence.origin else ""
@@ -142,7 +143,7 @@ def _cloned(cloned: Iterable[GitSource], names: Iterable[str], evidence: Evidenc
     for git in cloned:
         in_ubuntu = library("cmake", git.name, None)
         of_owner = address(git.url).rpartition("/")[0] == owner
-        held = tuple(name for name in names if of_owner or telling_words(name) & telling_words(git.name))
+        held = tuple(name for name in names if of_owner or akin(name, git.name))
         if held and not (in_ubuntu and in_ubuntu.apt):
             found.setdefault(https(git.url).removesuffix(".git"), held)
     return found

@@ -14,6 +14,9 @@ from roslab.values.pattern import pattern
 SHORTEST = 4
 """Fewest letters of a word that can identify a family of packages."""
 _COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
+_SHORTEST_FIRST = 3
+_OF_ALL = frozenset({"ros", "lib", "the", "for", "sim"})
+"""Short first words of the names of many families."""
 _BRANCH = pattern(r"(?:[a-z]+[-_])?(?:dev|devel|develop|development|testing|nightly)")
 _SEPARATORS = pattern(r"[-_.]+")
 _TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
@@ -53,6 +56,15 @@ def plain(name: str) -> str:
 def telling_words(name: str) -> set[str]:
     """Return the words of a repository's name that can identify a family of packages."""
     return {word for word in plain(name).split("_") if len(word) >= SHORTEST} - _COMMON
+
+
+def akin(name: str, other: str) -> bool:
+    """Tell whether two names share a telling word, or begin with the same one: ``mav_msgs`` and ``mav_comm``."""
+    first = plain(name).partition("_")[0]
+    begins = (
+        len(first) >= _SHORTEST_FIRST and first not in _COMMON | _OF_ALL and first == plain(other).partition("_")[0]
+    )
+    return begins or bool(telling_words(name) & telling_words(other))
 
 
 def wraps(name: str) -> bool:
