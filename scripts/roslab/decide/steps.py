@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.by_page import by_own_source
 from roslab.decide.ros.source_names import address, itself_in, plain
+from roslab.decide.ros.vcs_files import spelling
 from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
@@ -86,11 +87,12 @@ def _data(evidence: Evidence, names: set[str], fetched: set[str]) -> Iterator[Wa
 
 def _lists(evidence: Evidence) -> Iterator[Warning_]:
     """Yield a warning for each list of repositories that a page or a script fetches and that the tree does not have."""
-    there = {source.file.rpartition("/")[2].lower() for source in evidence.sources if source.kind == "vcs"}
+    there = {spelling(source.file.rpartition("/")[2]) for source in evidence.sources if source.kind == "vcs"}
     told: dict[str, Warning_] = {}
     for mention in evidence.mentions:
-        said = mention.topic == "vcs_file" and mention.source in {"readme", "script"} and mention.value not in there
-        if not said or places.vendored(mention.file) or not _FETCHES.search(mention.text):
+        said = mention.topic == "vcs_file" and mention.source in {"readme", "script"}
+        said = said and spelling(mention.value) not in there and not places.vendored(mention.file)
+        if not said or not _FETCHES.search(mention.text):
             continue
         for url in re.findall(rf"https?://[^\s\"'`<>()]+/{re.escape(mention.value)}\b", mention.text, re.IGNORECASE):
             message = f"not imported: {url}, a list of repositories that the tree does not have"

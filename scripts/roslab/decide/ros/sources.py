@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
@@ -25,6 +24,7 @@ from roslab.decide.ros.source_names import (
     plain,
     wanted_names,
 )
+from roslab.decide.ros.twice import folder_of, listed_twice, twice
 from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
@@ -73,11 +73,12 @@ def decide_sources(
     if kind not in {"ros1", "ros2"}:
         return chosen.choice(())
     itself = names_of_itself(evidence, folder_name, own)
+    chosen.itself = {name for name in itself if name not in own}
     known = released(ros_distro or "") | own
     lacking = bool(unreleased(needed, known | rosdep_keys()))
     files = vcs_files(evidence, config, ros_distro, lacking=lacking, itself=itself)
     for git in evidence.sources:
-        if git.kind == "vcs" and git.file in files and not _twice(git, itself, own):
+        if git.kind == "vcs" and git.file in files and not listed_twice(git, evidence, itself, own):
             library = recipe_at(address(git.url)) if kind == "ros1" and not config.compatible else None
             if library:  # plain CMake, in which catkin sees no package
                 chosen.library(library, git)
@@ -89,7 +90,7 @@ def decide_sources(
     found = clones(evidence, ros_distro)
     exact = {wanted[name].name for name in {plain(git.name) for git in found} if name in wanted}
     for git in found:
-        other = _twice(git, itself, own) or lies_beside(git, evidence)
+        other = twice(git, itself, own) or lies_beside(git, evidence)
         asked = None if other else asked_for(git, wanted, known | exact)  # no other clone stands for these
         if asked is not None:
             answered.add(asked.name)
@@ -111,14 +112,9 @@ def decide_sources(
         build_tool=build_tool,
         needed=(*used, *launched),
         known=there,
-        cloned=[g for g in found if g.kind == "clone" and not (g.aside or _twice(g, itself, own | _folders(evidence)))],
+        cloned=[g for g in found if g.kind == "clone" and not (g.aside or twice(g, itself, own | _folders(evidence)))],
         before=chosen.before,
     )
-
-
-def _twice(git: GitSource, itself: set[str], own: frozenset[str]) -> bool:
-    """Tell whether the tree has it, changed perhaps."""
-    return itself_in(git, itself) or plain(git.name) in own
 
 
 def _folders(evidence: Evidence) -> set[str]:
@@ -145,6 +141,8 @@ class _Chosen:
     """Packages that the table finds in these repositories."""
     private: frozenset[str] = frozenset()
     """Addresses of what pages call private."""
+    itself: set[str] = field(default_factory=set)
+    """The repository's own names."""
     others: set[str] = field(default_factory=set)
     """Addresses of the table in whose place another repository is cloned."""
 
@@ -153,9 +151,9 @@ class _Chosen:
 
         ``tabled``: this program's table names it, not the repository.
         """
-        name = re.sub(r"[^\w.-]+", "_", git.name.strip("/").rpartition("/")[2]).strip(".") or "source"
         urls = {address(source.repo) for source in (*self.sources.values(), *self.empty) if source.repo}
         named = self.sources.keys() | {each.name.rpartition("/")[2] for each in self.empty}
+        name = folder_of(git, named | self.itself)
         if name in named or address(git.url) in urls:
             return False
         ref = fixed(git.ref)

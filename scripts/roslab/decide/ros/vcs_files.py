@@ -7,7 +7,9 @@ from collections.abc import Iterable
 from collections.abc import Set as AbstractSet
 
 from roslab.config.model import Config
+from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.distros import distros
 from roslab.values.pattern import pattern
 
@@ -18,6 +20,7 @@ _EXTRA = pattern(
     r"ssh|upstream|examples?|demos?)(?![a-z])",
     re.IGNORECASE,
 )
+_PARTS = pattern(r"[-_.]+")
 _WORDS = pattern(r"[a-z]+")
 
 
@@ -41,8 +44,10 @@ def vcs_files(
     if config.vcs is not None:
         return config.vcs
     files = list(dict.fromkeys(source.file for source in evidence.sources if source.kind == "vcs"))
-    using = _downstream(evidence)
-    files = [file for file in files if _name(file).lower() not in using]
+    left = _downstream(evidence)
+    files = [file for file in files if _name(file).lower() not in left]
+    private = private_twins(evidence)
+    files = [file for file in files if file not in private]
     distinct = [(file, distros_in(_name(file))) for file in files]
     named = [file for file, words in distinct if ros_distro in words]
     plainest = _plainest(named or [file for file, words in distinct if not words], itself)
@@ -54,7 +59,8 @@ def vcs_files(
     first = {mention.value for mention in said if mention.source == "readme" and "/" not in mention.file}
     built = {_name(file) for file in plainest if "/" not in file} & above
     for named_in in (first, built, pages, above):
-        plainest = [file for file in plainest if _name(file).lower() in named_in] or plainest
+        spelled = {spelling(name) for name in named_in}
+        plainest = [file for file in plainest if spelling(_name(file)) in spelled] or plainest
     nearest = min((file.count("/") for file in plainest), default=0)
     found = tuple(file for file in plainest if file.count("/") == nearest)
     anywhere = {mention.value for mention in said}
@@ -67,6 +73,26 @@ def vcs_files(
 def distros_in(text: str) -> set[str]:
     """Return the distributions that a file's name or an image's tag names."""
     return set(_WORDS.findall(text.lower())) & distros().keys()
+
+
+def spelling(name: str) -> tuple[str, ...]:
+    """Return the words of a file's name, in one order: ``all_public.repos`` and ``all.repos.public`` are one list."""
+    return tuple(sorted(_PARTS.split(name.lower())))
+
+
+def private_twins(evidence: Evidence) -> set[str]:
+    """Return the lists with addresses of ssh at hosts of their authors, of which another has most for everybody."""
+    listed: dict[str, list[GitSource]] = {}
+    for git in evidence.sources:
+        if git.kind == "vcs":
+            listed.setdefault(git.file, []).append(git)
+    private = {file: {git.name for git in found} for file, found in listed.items() if all(map(_private, found))}
+    public = [{git.name for git in found} for found in listed.values() if not any(map(_private, found))]
+    return {file for file, names in private.items() if any(2 * len(names & other) > len(names) for other in public)}
+
+
+def _private(git: GitSource) -> bool:
+    return bool(git.by_ssh) and git.url.partition("://")[2].partition("/")[0] not in public_hosts()
 
 
 def _by_images(said: Iterable[Mention]) -> set[str]:

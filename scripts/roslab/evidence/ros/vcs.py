@@ -23,7 +23,8 @@ from roslab.values.pattern import pattern
 MAX_SIZE = 256 * 1024
 MAX_OTHERS = 300
 """Most YAML files with other names that are opened, those nearest to the root first."""
-_SUFFIX = pattern(r"\.(?:repos|rosinstall)$|^\.rosinstall$|[._]rosinstall$|\.repos\.ya?ml$")
+_SUFFIX = pattern(r"\.(?:repos|rosinstall)$|^\.rosinstall$|[._]rosinstall$|\.repos\.(?:ya?ml|public)$")
+_SUFFIXES = (".repos", ".rosinstall", ".yaml", ".yml", ".public")
 _LOOKS = pattern(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", re.MULTILINE)
 _INLINE = pattern(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
 _SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
@@ -146,7 +147,7 @@ def of_user(url: str) -> bool:
 
 
 def _files(repository: Repository) -> list[File]:
-    files = [f for f in repository.suffixed(".repos", ".rosinstall", ".yaml", ".yml") if 0 < f.size <= MAX_SIZE]
+    files = [f for f in repository.suffixed(*_SUFFIXES) if 0 < f.size <= MAX_SIZE]
     files += [f for f in repository.named(".rosinstall") if 0 < f.size <= MAX_SIZE]
     files = [f for f in files if not of_tests(repository, f.path)]
     named = (f for f in files if _SUFFIX.search(f.name.lower()) or f.path in _GITMAN)
