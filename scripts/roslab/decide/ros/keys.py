@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
+from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, packaged
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
@@ -34,6 +35,8 @@ class Translated:
     """What to install for a key that is a library's name and no rosdep key, and the warning about it."""
 
     apt: tuple[str, ...] = ()
+    guessed: tuple[str, ...] = ()
+    """Packages that an older Ubuntu may lack."""
     recipe: str = ""
     skip: bool = False
     warning: Warning_ | None = None
@@ -111,6 +114,12 @@ def translate(
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or "") or _of_python_2(name, target):
         return Translated()
+    if name in BUILD_TYPES:
+        why = "is the build type of a package, which <export> names, and no package"
+        return Translated(skip=True, warning=warn(f"{name} {why}: remove the dependency", key))
+    if python := packaged(name, target):
+        message = f"{name} is the name of a package of pip, not a key of rosdep: {python[0]} is installed for it"
+        return Translated(guessed=python, skip=True, warning=warn(message, key))
     found = library("cmake", name, target.ubuntu)
     if found and found.ros and target.knows(found.ros):
         found = replace(found, apt=(target.ros(found.ros),))
@@ -190,6 +199,8 @@ def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried:
     where = "one of the cloned repositories may hold it" if cloned else _NOWHERE
     if tried:
         where = _LOOKS.format(tried)
+    elif where == _NOWHERE and (other := elsewhere(name, target.ros_distro)):
+        where = f"ROS {other} has a package of that name"
     correct = f"correct the name (is {near} meant?)" if near else "correct the name"
     return f"{where}; else {correct}, or give its repository under source in roslab.yaml"
 

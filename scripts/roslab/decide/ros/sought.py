@@ -13,6 +13,7 @@ from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.misnamed import BUILD_TYPES, of_pip
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.source_names import address, akin, plain
 from roslab.decide.ros.weights import Weight
@@ -22,6 +23,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.libraries import library
+from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -126,7 +128,8 @@ def _lacking(needed: Iterable[Dependency], known: AbstractSet[str], own: set[str
         if not of_ros or asked.strength != "declared" or asked.name in known or plain(asked.name) in known:
             continue
         sibling = asked.name.partition("-")[0] in families and not _OF_SYSTEM.search(asked.name)
-        if (_PACKAGE.fullmatch(asked.name) or sibling) and not library("cmake", asked.name, None):
+        named = asked.name in BUILD_TYPES or of_pip(asked.name) or library("cmake", asked.name, None)
+        if (_PACKAGE.fullmatch(asked.name) or sibling) and not named:
             found.setdefault(asked.name, asked)
     return found
 
@@ -152,8 +155,8 @@ def _cloned(cloned: Iterable[GitSource], names: Iterable[str], evidence: Evidenc
 def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]) -> list[tuple[str, tuple[str, ...]]]:
     """Return the addresses of repositories that may hold packages, most likely first, each with those packages.
 
-    First those that pages at the root link to; then one of the same owner with the name of the package. Not what is
-    ``known``.
+    First those that pages at the root link to; then one of the same owner with the name of the package, unless others
+    are known to publish it. Not what is ``known``.
     """
     names = tuple(names)
     if not names:
@@ -164,7 +167,7 @@ def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]
     owner = match[1] if match and match[2] in public_hosts() else ""
     for name in names if owner else ():
         url = f"{owner}/{name}"
-        if address(url) not in {here, *map(address, found)}:
+        if not ever_released(name) and address(url) not in {here, *map(address, found)}:
             found[url] = (name,)
     return list(found.items())
 

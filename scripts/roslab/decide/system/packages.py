@@ -219,6 +219,8 @@ def _requested(config: Config, ubuntu: str | None) -> Iterator[str]:
 def _keep(key: Dependency, meant: Translated, found: _Found) -> None:
     for apt in meant.apt:
         found.declared.setdefault(apt, key)
+    for apt in meant.guessed:
+        found.guessed.setdefault(apt, key)
     if meant.recipe:
         found.recipes.setdefault(meant.recipe, key)
     if meant.skip:

@@ -1,0 +1,38 @@
+"""Keys of a package.xml that are no packages of ROS by their name: pip's names, and the build type of a package.
+
+https://docs.ros.org/en/independent/api/rosdep/html/rosdep_yaml_format.html, 2026-11-26
+"""
+
+from __future__ import annotations
+
+from roslab.decide.system.names import Target
+from roslab.knowledge.distros import distro, distros
+from roslab.knowledge.frameworks import imports
+from roslab.knowledge.released import ever_released, released, rosdep_keys
+from roslab.values.name import canonicalize_name
+
+BUILD_TYPES = frozenset({"ament_python"})
+"""Build types that no package stands for: https://www.ros.org/reps/rep-0149.html#build-type, 2026-11-26"""
+
+
+def of_pip(name: str) -> str:
+    """Return the apt package of what a key names as pip does, ``""`` where it is another thing or apt has none."""
+    if name in rosdep_keys() or ever_released(name):
+        return ""
+    plain = canonicalize_name(name)
+    rows = ((module, pip, apt) for module, (pip, apt) in imports().items() if apt)
+    return next((apt for module, pip, apt in rows if module == name or canonicalize_name(pip or "") == plain), "") or ""
+
+
+def packaged(name: str, target: Target) -> tuple[str, ...]:
+    """Return what is installed for such a key: nothing where the Python of ROS is 2, whose packages are named else."""
+    release = distro(target.ros_distro)
+    apt = of_pip(name)
+    return (apt,) if apt and release is not None and release.python.startswith("3") else ()
+
+
+def elsewhere(name: str, ros_distro: str | None) -> str:
+    """Return the newest other distribution of the same ROS that released a package, ``""`` where none did."""
+    here = distro(ros_distro)
+    same = [each for each in distros().values() if here and each.ros == here.ros and each.name != here.name]
+    return next((each.name for each in reversed(same) if name in released(each.name)), "")

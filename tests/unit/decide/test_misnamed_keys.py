@@ -1,0 +1,53 @@
+"""Keys that are pip's names, a build type, or packages of another distribution."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def _files(*keys: str) -> dict[str, str]:
+    depends = "".join(f"<depend>{key}</depend>" for key in keys)
+    return {
+        "package.xml": f"<package format='3'><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend>{depends}"
+        "</package>",
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\nament_package()\n",
+        "README.md": "ROS 2 Jazzy\n",
+        ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/demo\n',
+        ".git/HEAD": "ref: refs/heads/a\n",
+    }
+
+
+@pytest.mark.parametrize(("key", "apt"), [("numpy", "python3-numpy"), ("opencv-python", "python3-opencv")])
+def test_the_names_of_pip_are_ubuntus_packages(tree: Tree, key: str, apt: str) -> None:
+    decision = tree(_files(key))
+    assert apt in decision.apt_guessed
+    assert key in decision.skip_keys
+    assert [each.message for each in decision.warnings if f"{apt} is installed for it" in each.message]
+    assert decision.source == ()
+
+
+def test_a_build_type_is_no_package(tree: Tree) -> None:
+    decision = tree(_files("ament_python"))
+    assert decision.skip_keys == ("ament_python",)
+    assert [each.message for each in decision.warnings if "remove the dependency" in each.message]
+    assert decision.source == ()
+
+
+@pytest.mark.parametrize(
+    ("key", "sought", "said"),
+    [
+        ("nav2_recoveries", [], "ROS galactic has a package of that name"),
+        ("gazebo_ros_pkgs", [], "has a package of that name"),
+        ("demo_acts", ["https://github.com/lab/demo_acts.git"], "the build looks for it"),
+    ],
+)
+def test_what_another_distribution_has_is_not_the_owners(tree: Tree, key: str, sought: list[str], said: str) -> None:
+    decision = tree(_files(key))
+    assert [each.repo for each in decision.source] == sought
+    assert any(said in each.message for each in decision.warnings)
