@@ -199,3 +199,21 @@ def test_launch_files_that_are_nowhere(
 def test_one_that_includes_what_is_nowhere_is_no_guess(tree: Tree) -> None:
     files = {**PACKAGE, "launch/demo.launch": f"<launch>{INCLUDE.format(name='map', more='')}{NODE}</launch>"}
     assert tree(files).command == ("bash",)
+
+
+@pytest.mark.parametrize(
+    ("arg", "value", "found"),
+    [
+        ("", "true", True),
+        ('<arg name="gui" default="True"/>', "$(arg gui)", True),
+        ('<arg name="gui" default="false"/>', "$(arg gui)", False),
+        ("", "false", False),
+    ],
+)
+def test_the_window_of_the_joints_is_a_package_of_its_own(tree: Tree, arg: str, value: str, found: bool) -> None:
+    node = f'<node pkg="joint_state_publisher" type="a" name="b"><param name="use_gui" value="{value}"/></node>'
+    files = {"launch/demo.launch": f"<launch>{arg}{node}{NODE}</launch>", "README.md": "ROS Melodic\n"}
+    assert ("ros-melodic-joint-state-publisher-gui" in tree({**PACKAGE, **files}).apt_guessed) is found
+    older = tree({**PACKAGE, **files, "README.md": "ROS Indigo\n"})
+    assert not any("joint-state-publisher-gui" in name for name in older.apt_guessed)
+    assert not any("joint_state_publisher_gui" in each.message for each in older.warnings)

@@ -23,14 +23,39 @@ _COMMAND = pattern(
 """A program that makes a parameter: ``command="xacro robot.xacro"``."""
 _COMMANDS = ("<param", "$(command", "Command(", "FindExecutable(")
 """What its matches begin with."""
+_TAG = pattern(r"<(arg|param)\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
+_SAID = pattern(r"\b(name|default|value)\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
+_ARGUMENT = pattern(r"\$\(\s*arg\s+(\w+)\s*\)")
 
 
 def started_first(text: str, file: File, conditional: Callable[[str, int, int], bool]) -> Iterator[Dependency]:
-    """Yield the programs of apt that start a node in its place, whatever the arguments are."""
+    """Yield the programs of apt that start a node in its place, whatever the arguments are, and what opens a window."""
     for match in matches_at(_PREFIX, text, "launch-prefix", "prefix") if not _DEBUGS.search(file.name) else ():
         if (name := programs().get(match[1])) and not conditional(text, match.start(), match.end()):
             line = text.count("\n", 0, match.start()) + 1
             yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="exec")
+    yield from _window_of_joints(text, file)
+
+
+def _window_of_joints(text: str, file: File) -> Iterator[Dependency]:
+    """Yield the package of the window that joint_state_publisher opens by its parameter, which it stops without.
+
+    It was a part of it until kinetic and melodic had 1.12.14: https://github.com/ros/joint_state_publisher/pull/31,
+    2026-11-26. Of an argument its default counts.
+    """
+    if "use_gui" not in text or "joint_state_publisher" not in text:
+        return
+    tags = [(m, {name: one or other for name, one, other in _SAID.findall(m[2])}) for m in _TAG.finditer(text)]
+    given = {said.get("name", ""): said.get("default", said.get("value", "")) for m, said in tags if m[1] == "arg"}
+    for match, said in tags:
+        value = said.get("value", "") if match[1] == "param" and said.get("name", "").strip("/~") == "use_gui" else ""
+        if argument := _ARGUMENT.fullmatch(value.strip()):
+            value = given.get(argument[1], "")
+        if value.strip().lower() in {"true", "1"}:
+            line = text.count("\n", 0, match.start()) + 1
+            name = "joint_state_publisher_gui"
+            yield Dependency(namespace="ros", name=name, strength="optional", file=file.path, line=line, role="exec")
+            return
 
 
 def of_parameters(text: str) -> Iterator[re.Match[str]]:
