@@ -51,6 +51,7 @@ from roslab.evidence.prose import (
     page_lists,
     pointed,
     readme,
+    ros_links,
     script_parameters,
     tried,
     worked_on,
@@ -102,6 +103,7 @@ PROSE = (
     install_scripts.read,  # install scripts, called by any of the three
     notebook_installs.read,  # what their cells install
     apt_lists.read,  # names without a command
+    ros_links.read,
 )
 
 

@@ -15,7 +15,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.cuda_toolkits import host_compilers
 from roslab.knowledge.frameworks import imports
-from roslab.knowledge.released import ever_released
+from roslab.knowledge.released import ever_released, released
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -170,13 +170,20 @@ def _of_ros(module: str) -> bool:
     return not package or ever_released(module)
 
 
+def _lacking(asked: Dependency, ros_distro: str | None) -> bool:
+    """Tell whether a page only links to a package that the distribution does not have."""
+    there = released(ros_distro or "")
+    name = asked.name.removeprefix("ros-{distro}-").replace("-", "_")
+    return asked.role == "named" and written_for(asked.name) == "{distro}" and bool(there) and name not in there
+
+
 def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependency]:
     """Yield what pages, CI and the author's Dockerfiles install by apt.
 
     If a page has lines for this distribution, its lines for other distributions do not count; of the Dockerfiles for
     others, if one is for this, only the headers of libraries do that have no release in their names.
     """
-    written = [dependency for dependency in evidence.prose if dependency.namespace == "apt"]
+    written = [each for each in evidence.prose if each.namespace == "apt" and not _lacking(each, ros_distro)]
     ours = {d.file for d in written if ros_distro and written_for(d.name) == ros_distro}
     for dependency in written:
         if dependency.file not in ours or written_for(dependency.name) in {None, ros_distro, "{distro}"}:
