@@ -44,6 +44,7 @@ from roslab.evidence.prose import (
     gazebo,
     included,
     install_scripts,
+    large_files,
     launchers,
     linked,
     listed_releases,
@@ -104,6 +105,7 @@ PROSE = (
     notebook_installs.read,  # what their cells install
     apt_lists.read,  # names without a command
     ros_links.read,
+    large_files.read,
 )
 
 

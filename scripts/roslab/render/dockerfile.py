@@ -78,6 +78,7 @@ TODAY = Order(
         python.environment,
         python.jupyter,
         system.libraries,
+        cloned.large_files,
         cloned.sister_sources,
         cloned.submodules,
         building.variables,  # conditions of a package.xml read them, too
