@@ -110,16 +110,18 @@ def _answered(step: str, names: set[str]) -> bool:
 def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], itself: set[str]) -> Iterator[Warning_]:
     """Yield a warning for each repository that a page clones and that neither the build nor a table asks for.
 
-    Also for one that the author's Dockerfile clones, which is not built here.
+    Also for one that the author's Dockerfile clones, which is not built here. Not where a folder of packages is called
+    like it.
     """
     told: dict[str, Warning_] = {}
     authored = [git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones]
+    copied = {plain(part) for manifest in evidence.manifests for part in manifest.file.split("/")[:-1]}
     for git in (*evidence.sources, *authored) if kind in {"ros1", "ros2", "cpp"} else ():
         aside = places.vendored(git.file) or places.documentation(git.file) or places.test(git.file)
         aside = aside or not (git.file.endswith(PAGES) or git in authored)
         if git.kind != "clone" or git.strength != "prose" or aside or itself_in(git, itself):
             continue
-        if address(git.url) in there or plain(git.name) in names or _in_ubuntu(git):
+        if address(git.url) in there or plain(git.name) in names | copied or _in_ubuntu(git):
             continue
         message = f"not cloned: {git.url}, for nothing that is built asks for it by name"
         told.setdefault(

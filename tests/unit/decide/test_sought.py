@@ -342,6 +342,7 @@ def test_a_clone_is_not_looked_in_where_the_tree_has_its_folder(tree: Tree, fold
     copied = {f"src/{folder}/{path.rpartition('/')[2]}": text for path, text in _package("acme_stacks").items()}
     decision = tree({**package, **copied, "src/mpc/README.md": page})
     assert [*_sought(decision)] == found
+    assert not any("not cloned" in each.message for each in decision.warnings)
 
 
 @pytest.mark.parametrize(
