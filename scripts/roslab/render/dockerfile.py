@@ -196,8 +196,7 @@ def _stages(order: Order, plan: Plan) -> list[str]:
         apart.source_stage(plan),
         *between,
         f"FROM {apart.DEPENDENCIES} AS {apart.COMPILED}\n{apart.compiled(plan)}",
-        f"FROM {apart.DEPENDENCIES}{whole}
-{_join((apart.results, *AFTER, final.start), plan)}",
+        f"FROM {apart.DEPENDENCIES}{whole}\n{_join((apart.results, *AFTER, final.start), plan)}",
     ]
 
 
