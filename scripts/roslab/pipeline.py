@@ -82,7 +82,8 @@ def plan_repository(
 
         found = _what_is_there(repository)
         if number := matlab.files(repository):
-            raise NothingToBuildError(nothing.of_matlab(number, found)) from None
+            simulink = matlab.simulink(repository)
+            raise NothingToBuildError(nothing.of_matlab(number, found, simulink=simulink)) from None
         raise NothingToBuildError(*(replace(p, message=f"{p.message}; {found}") for p in error.problems)) from None
     decision, version = _with_version(decision, evidence, repository)
     plan = make_plan(

@@ -84,6 +84,18 @@ def test_a_tree_of_matlab_is_refused_by_that_name(tmp_path: Path, text: str, tol
     assert ("host_path" in (error.value.problems[0].hint or "")) == ("MATLAB" in told)
 
 
+@pytest.mark.parametrize(("beside", "hinted"), [("data.mat", True), ("model.slx", False), ("plant/model.mdl", False)])
+def test_octave_is_no_hint_for_models_of_simulink(tmp_path: Path, beside: str, *, hinted: bool) -> None:
+    (tmp_path / "main.m").write_text("plot(1)\n", encoding="utf-8")
+    (tmp_path / beside).parent.mkdir(exist_ok=True)
+    (tmp_path / beside).touch()
+    with pytest.raises(NothingToBuildError, match="MATLAB code") as error:
+        plan_repository(tmp_path)
+    hint = error.value.problems[0].hint or ""
+    assert "host_path: /usr/local/MATLAB/R2020b}`" in hint
+    assert ("octave" in hint) == hinted
+
+
 @pytest.mark.parametrize(
     "config", ["matlab: {host_path: /usr/local/MATLAB/R2020b}\n", "apt: [octave]\ncommand: octave\n"]
 )

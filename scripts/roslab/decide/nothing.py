@@ -37,11 +37,15 @@ def require_something(evidence: Evidence, config: Config, folder_name: str) -> N
     )
 
 
-def of_matlab(files: int, found: str) -> Problem:
-    """Return the problem of a tree whose only code are files of MATLAB; ``found`` says what else there is."""
+def of_matlab(files: int, found: str, *, simulink: bool) -> Problem:
+    """Return the problem of a tree whose only code are files of MATLAB; ``found`` says what else there is.
+
+    ``simulink``: there are models of Simulink, which Octave does not open.
+    """
+    octave = "" if simulink else "; if it runs with Octave: `apt: [octave]` and `command: octave`"
     return Problem(
         message=f"nothing to build was found but MATLAB code: {files} .m file{'s' * (files > 1)}; "
         f"MATLAB is licensed and never in an image; {found}",
         hint="to start it with the MATLAB of the host, write its folder in roslab.yaml: `matlab: {host_path: "
-        "/usr/local/MATLAB/R2020b}`; if it runs with Octave: `apt: [octave]` and `command: octave`",
+        f"/usr/local/MATLAB/R2020b}}`{octave}",
     )

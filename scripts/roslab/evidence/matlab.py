@@ -19,3 +19,8 @@ def files(repository: Repository) -> int:
     found = nearest([file for file in repository.suffixed(".m") if file.size])
     apple = any(_APPLE.search(repository.read(file)) for file in found[:READ])
     return 0 if apple else len(found)
+
+
+def simulink(repository: Repository) -> bool:
+    """Tell whether a tree has models of Simulink."""
+    return bool(repository.suffixed(".slx", ".mdl"))
