@@ -146,6 +146,13 @@ class Repository:
         through = any(each in unseen for each in within) or not listing.SKIPPED_FOLDERS.isdisjoint(parts)
         return self.has(path) or path in self.folders or through or self.listing.truncated
 
+    def leads_to(self, path: str) -> str:
+        """Return where a link that leads out of the tree or nowhere points, as it is written; ``""`` for no link."""
+        try:
+            return str((self.root / path).readlink()) if path in self.listing.outside else ""
+        except OSError:
+            return ""
+
     @cached_property
     def _paths(self) -> frozenset[str]:
         return frozenset(file.path for file in self.files)

@@ -56,6 +56,29 @@ def test_what_tells_of_no_machine(tree: Tree, files: dict[str, str]) -> None:
     assert tree({**plain, **files}).ros_distro == without
 
 
+TOPLEVEL = "/opt/ros/indigo/share/catkin/cmake/toplevel.cmake"
+
+
+@pytest.mark.parametrize("linked", [True, False])
+def test_the_link_of_catkin_init_workspace(tmp_path: Path, *, linked: bool) -> None:
+    (tmp_path / "src/a").mkdir(parents=True)
+    (tmp_path / "src/a/package.xml").write_text(CATKIN, encoding="utf-8")
+    (tmp_path / "src/a/CMakeLists.txt").write_text(CMAKE[CATKIN], encoding="utf-8")
+    if linked:
+        (tmp_path / "src/CMakeLists.txt").symlink_to(TOPLEVEL)
+    else:
+        (tmp_path / "src/CMakeLists.txt").write_text(TOPLEVEL, encoding="utf-8")
+    decision = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    assert decision.ros_distro == "indigo"
+    assert any("is a link to /opt/ros/indigo" in reason.reason for reason in decision.reasons)
+
+
+def test_a_link_to_another_place_tells_of_no_machine(tmp_path: Path) -> None:
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src/CMakeLists.txt").symlink_to("/opt/ros/indigo/share/demo/cmake/toplevel.cmake")
+    assert not [m for m in gather(Repository.open(tmp_path)).mentions if m.topic == "machine"]
+
+
 def test_several_distributions_tell_less_than_the_date(tmp_path: Path) -> None:
     plain = {"package.xml": AMENT, "CMakeLists.txt": CMAKE[AMENT], ".vscode/settings.json": SETTINGS}
     for path, text in {**plain, ".vscode/c_cpp_properties.json": INCLUDED.replace("iron", "foxy")}.items():

@@ -1,4 +1,4 @@
-"""Distributions in what an editor or a build wrote on the author's machine, and that was committed."""
+"""Distributions in what an editor, a build or catkin wrote on the author's machine, and that was committed."""
 
 from __future__ import annotations
 
@@ -18,8 +18,13 @@ SETUPS = ("CMakeCache.txt", "setup.sh", "setup.bash", "_setup_util.py")
 """What CMake, catkin and colcon write into a build, devel or install folder, with the underlay's path."""
 MOST = 40
 """Files that are read: a build folder has one for each package."""
+TOPLEVEL = "CMakeLists.txt"
+"""What ``catkin_init_workspace`` puts into ``src``: a link to the toplevel.cmake of the distribution."""
+LONGEST = 200
+"""Most bytes of a link that was committed as a file."""
 _NAMED = r"/opt/ros/([a-z]+)\b(?!\.)"
 _BUILT = pattern(rf"[^\n]{{0,400}}?{_NAMED}")
+_LINK = pattern(r"/opt/ros/([a-z]+)/share/catkin/cmake/toplevel\.cmake\s*$")
 _SET = pattern(rf"(?![ \t]*//)[^\n]{{0,400}}?(?:{_NAMED}|\"ros\.distro\"[ \t]*:[ \t]*\"([a-z]+)\")")
 
 
@@ -29,6 +34,19 @@ def read(repository: Repository) -> Iterator[Mention]:
     found += repository.named(*SETUPS)
     for file in nearest(file for file in found if not places.aside(file.path))[:MOST]:
         yield from _named(file, repository.read(file))
+    yield from _links(repository)
+
+
+def _links(repository: Repository) -> Iterator[Mention]:
+    """Yield the distribution that each such link leads to; git writes it as a file where there can be no links."""
+    links = [path for path in repository.listing.outside if posixpath.basename(path) == TOPLEVEL]
+    found = [(path, repository.leads_to(path)) for path in links]
+    found += [(file.path, repository.read(file)) for file in repository.named(TOPLEVEL) if file.size <= LONGEST]
+    for path, target in found[:MOST]:
+        match = _LINK.match(target)
+        if match and match[1] in distros() and not places.aside(path):
+            said = f"{path} is a link to {target.strip()}"
+            yield Mention(topic="machine", value=match[1], source="code", file=path, line=1, text=said)
 
 
 def _named(file: File, text: str) -> Iterator[Mention]:
