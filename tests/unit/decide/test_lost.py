@@ -20,6 +20,31 @@ def test_a_package_behind_a_login_is_told_where_the_code_imports_it(tree: Tree) 
 
 
 @pytest.mark.parametrize(
+    ("distro", "module", "apt", "told"),
+    [
+        ("Indigo", "PySide", "python-pyside", False),
+        ("Melodic", "PyQt4", "python-qt4", False),
+        ("Indigo", "cv", "python-opencv", False),
+        ("Melodic", "numpy", "python-numpy", False),
+        ("Noetic", "PySide", "", True),
+        ("Noetic", "gtk", "", False),
+    ],
+)
+def test_a_module_of_python_2_comes_from_the_ubuntu_that_has_it(
+    tree: Tree, distro: str, module: str, apt: str, *, told: bool
+) -> None:
+    package = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
+    cmake = "project(a)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    page = f"Tested on ROS {distro}.\n"
+    code = f"#!/usr/bin/env python\nimport rospy\nimport {module}\n"
+    found = tree({"package.xml": package, "CMakeLists.txt": cmake, "README.md": page, "scripts/show.py": code})
+    assert found.ros_distro == distro.lower()
+    assert any(f"imports {module}" in warning.message for warning in found.warnings) == told
+    assert not apt or apt in found.apt_guessed
+    assert apt or not [name for name in found.apt_guessed if "pyside" in name or "gtk" in name]
+
+
+@pytest.mark.parametrize(
     ("files", "names"),
     [
         ({"play.py": "import numpy\nimport acme_arm\nimport acme_hand\n"}, "acme_arm, acme_hand"),

@@ -209,7 +209,7 @@ def decide_python(
             *options.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *left_to_gpus(evidence),
-            *lost(evidence, kind, chosen),
+            *lost(evidence, kind, chosen, ubuntu if manager == "system" else None),
             *without_history(evidence),
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),

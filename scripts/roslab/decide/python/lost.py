@@ -15,6 +15,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.not_on_index import not_on_index
+from roslab.knowledge.python2_packages import system_package
 from roslab.knowledge.released import released
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
@@ -27,15 +28,15 @@ SHORTEST = 4
 """Fewest letters of a beginning that two names have in common by more than chance."""
 
 
-def lost(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Warning_]:
+def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> Iterator[Warning_]:
     """Yield a warning for each imported module that pip's index is known to lack, and one for those of no table.
 
     Where a manifest declares packages, a submodule is missing, or a page has people install what it links to, the
-    warning says that one of them may bring such a module.
+    warning says that one of them may bring such a module. ``ubuntu``: the one whose own Python it is, if it is one's.
     """
     for used in _refused(evidence, chosen):
         row = not_on_index()[canonicalize_name(used.name)]
-        if not row.instead:
+        if not (row.instead or (ubuntu and system_package(used.name, ubuntu))):
             then = f"install it with `pip`, `custom` or `source` in roslab.yaml ({row.source})"
             yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}; {then}", used)
     if unknown := unknown_modules(evidence, kind, chosen):

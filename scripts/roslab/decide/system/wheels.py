@@ -8,7 +8,8 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import ubuntus_with_python2
-from roslab.knowledge.frameworks import imports, older_wheels, wheels
+from roslab.knowledge.frameworks import older_wheels, wheels
+from roslab.knowledge.python2_packages import system_package
 from roslab.values.requirement import Requirement
 from roslab.values.version import version_of
 
@@ -30,10 +31,7 @@ def apt_for_wheels(
         for dependency in evidence.code:
             if dependency.namespace != "import" or dependency.strength != "used" or places.test(dependency.file):
                 continue
-            apt_name = (imports().get(dependency.name) or (None, None))[1]
-            if apt_name:
-                if ubuntu in ubuntus_with_python2():
-                    apt_name = apt_name.replace("python3-", "python-")
+            if apt_name := system_package(dependency.name, ubuntu):
                 found.setdefault(apt_name, dependency)
             if dependency.name in {"matplotlib", "pylab"}:
                 found.setdefault("python-tk" if ubuntu in ubuntus_with_python2() else "python3-tk", dependency)
