@@ -21,7 +21,7 @@ from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
 TOOLKIT = "nvidia-cuda-toolkit"
-_OF_CODE = frozenset({"called", "fetch", "linked", "typelib"})
+_OF_CODE = frozenset({"called", "configure", "fetch", "linked", "typelib"})
 """Roles of packages that the code itself shows."""
 _HEADERS = pattern(r"lib[a-z-]+-dev")
 _STARTED = pattern(
