@@ -208,6 +208,47 @@ def test_a_library_that_is_copied_to_be_linked_rules_out_arm(
 
 
 ARM = X86_64.replace("\x3e", "\xb7")
+FOUND = "find_library(SOLVER_LIBRARY {} NO_DEFAULT_PATH)\n"
+HERE = FOUND.format('solver PATHS "${PROJECT_SOURCE_DIR}/copied/lib"')
+
+
+@pytest.mark.parametrize(
+    ("lines", "more", "platforms"),
+    [
+        (f"{HERE}target_link_libraries(a ${{SOLVER_LIBRARY}})", {}, (AMD64,)),
+        (HERE, {}, (AMD64, ARM64)),  # nothing links it
+        (f"if(WIN32)\n{HERE}endif()\ntarget_link_libraries(a ${{SOLVER_LIBRARY}})", {}, (AMD64, ARM64)),
+        (
+            "find_library(FOUND dl PATHS copied/lib)\ntarget_link_libraries(a ${FOUND})",
+            {},
+            (AMD64, ARM64),
+        ),  # the system's
+        ("link_directories(copied/lib)\nadd_executable(b a.cpp)\ntarget_link_libraries(b solver)", {}, (AMD64,)),
+        ("link_directories(copied/lib)\nadd_executable(b a.cpp)\ntarget_link_libraries(b dl)", {}, (AMD64, ARM64)),
+        ("find_package(Solver REQUIRED)", {"cmake/FindSolver.cmake": HERE}, (AMD64,)),
+        ("", {"cmake/FindSolver.cmake": HERE}, (AMD64, ARM64)),  # nothing asks for it
+    ],
+)
+def test_a_library_of_the_tree_that_cmake_finds_by_its_name_rules_out_arm(
+    tree: Tree, lines: str, more: dict[str, str], platforms: tuple[str, ...]
+) -> None:
+    files = {"copied/lib/libsolver.so": X86_64, "copied/lib/libdl.so": ARM}
+    assert tree(cmake(lines) | MAIN | files | more).platforms == platforms
+
+
+@pytest.mark.parametrize(("manifest", "platforms"), [(True, (AMD64,)), (False, (AMD64, ARM64))])
+def test_a_package_in_a_folder_of_copied_code_is_built_as_the_others(
+    tree: Tree, *, manifest: bool, platforms: tuple[str, ...]
+) -> None:
+    package = '<package format="3"><name>{}</name><export><build_type>ament_cmake</build_type></export></package>'
+    lists = "project(demo)\nfind_package(ament_cmake REQUIRED)\nadd_library(demo a.cpp)\n"
+    link = "set(SDK ${CMAKE_CURRENT_SOURCE_DIR}/sdk/libsdk.so)\ntarget_link_libraries(demo ${SDK})\n"
+    files = {"src/own/package.xml": package.format("own"), "src/own/CMakeLists.txt": lists}
+    files |= {"src/third_party/driver/CMakeLists.txt": lists + link, "src/third_party/driver/sdk/libsdk.so": X86_64}
+    files |= {"src/third_party/driver/package.xml": package.format("demo")} if manifest else {}
+    assert tree(files).platforms == platforms
+
+
 NAME = '#define LIBRARY "libArm.so"\n'
 OPENS = "void open() { dlopen(LIBRARY, RTLD_NOW); }\n"
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native.x86 import always, cmake_files
+from roslab.evidence.native.x86_searched import FINDING, searched
 from roslab.evidence.x86_only import X86Only
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -27,6 +28,9 @@ _LINKING = frozenset(
 )
 _COPIED = pattern(r"lib([\w+-]+)\.so$")
 """A library in the build folder, by the name that the linker looks for."""
+_CALLS = _FETCHING | _LINKING | FINDING | {"configure_file"}
+_NAME = pattern(r"\.(?:so(?:\.\d+)*|a)$")
+_SEARCHES = pattern(r"(?i)\b(?:find_library|link_directories)\b")
 _LIBRARY = pattern(r"\.(?:so(?:\.\d+)*|a)(?=[\s)\"';])")
 _ELF = b"\x7fELF"
 _ARCHIVE_OF_OBJECTS = b"!<arch>\n"
@@ -48,24 +52,32 @@ def read(repository: Repository) -> Iterator[X86Only]:
 
     Then the first that code opens.
     """
+    has = any(_NAME.search(file.name) for file in repository.files)
     for file in cmake_files(repository):
         text = repository.read(file)
-        if (
-            not (any(word in text for word in _WORDS) or _LIBRARY.search(text))
-            or places.vendored(file.path)
-            or _CHOOSES.search(text)
-        ):
+        said = any(word in text for word in _WORDS) or _LIBRARY.search(text)
+        if not (said or (has and _SEARCHES.search(text))) or _copied(file, repository) or _CHOOSES.search(text):
             continue
-        found = tuple(calls(text, _FETCHING | _LINKING | {"configure_file"}))
+        found = tuple(call for call in calls(text, _CALLS) if always(call, repository))
         names = {word for call in found if call.name.endswith("link_libraries") for word in call.words}
         for call in found:
             if call.name == "configure_file" and not _copied_for(names, call):
                 continue
             what = _fetched(call) if call.name in _FETCHING else _linked(call, file, repository)
-            if what and always(call, repository):
+            if what is None and has and call.name in FINDING:
+                what = searched(call, file, names, text, repository, is_x86=_is_x86)
+            if what:
                 yield X86Only(what, "binary", file.path, call.line)
                 break
     yield from _opened(repository)
+
+
+def _copied(file: File, repository: Repository) -> bool:
+    """Tell whether a file lies in copied code; a package of ROS in a folder of such code is built as the others."""
+    folder = file.folder
+    while folder and not repository.has(f"{folder}/package.xml"):
+        folder = folder.rpartition("/")[0]
+    return places.vendored(file.path.removeprefix(f"{folder}/"))
 
 
 def _opened(repository: Repository) -> Iterator[X86Only]:
