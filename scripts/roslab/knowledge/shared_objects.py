@@ -21,6 +21,11 @@ def _given() -> tuple[str, ...]:
     return tuple(row["begins"] for row in rows("shared_objects_given"))
 
 
+def given(name: str) -> bool:
+    """Tell whether a library's file is in every image, or brought by CUDA or pip's packages."""
+    return name.startswith(_given())
+
+
 def table() -> str:
     """Return what ``package_of`` knows beside the rule: a line for each library, and ``NAME* -`` for a beginning."""
     tabled = (f"{library} {package}" for library, package in _tabled().items())

@@ -16,6 +16,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
 from roslab.decide.system.names import Target, resolve, written_for
+from roslab.decide.system.not_found import not_found
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.required import (
     by_pip,
@@ -147,6 +148,7 @@ def decide_missing(
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
+    warnings += not_found(evidence, packages, target, names, build_tool)
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
     asks = of_program_and_below if kind == "cpp" else required

@@ -10,6 +10,8 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
+SEARCHED = "searched"
+"""The role of a library that CMake looks for by its name and stops without."""
 MOST_OF_A_PATTERN = 30
 """Most packages that are taken for one pattern of names: more hold drivers and tools that nobody meant."""
 APT_NAME = pattern(r"^[a-z0-9][a-z0-9.+-]+$")
@@ -60,6 +62,8 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
         return _include(dependency.name, target)
     if dependency.namespace in {"cmake", "pkg-config", "link"}:
         found = library(dependency.namespace, dependency.name, target.ubuntu)
+        if found is None and dependency.role == SEARCHED:
+            found = library("cmake", dependency.name, target.ubuntu)
         if found is not None:
             own = dependency.namespace == "cmake" and dependency.name in target.modules
             return _library((own and _by_link(found, dependency.name, target)) or found, target)

@@ -15,6 +15,7 @@ from roslab.evidence.native.macros import macros
 from roslab.evidence.native.made_targets import TARGET, target
 from roslab.evidence.native.output_folder import output_folder
 from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
+from roslab.evidence.native.searched import searched
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -181,6 +182,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
                 _note(needing, path, reading)
         else:
             _note(call, file.path, reading)
+    reading.dependencies += searched(text, file.path, repository)
     own = reading.libraries | reading.executables.keys() | {reading.name}
     return CMakeProject(
         file=file.path,

@@ -32,21 +32,21 @@ def searched(
     ``names``: what the file links. One that CMake would find in the system first is none.
     """
     if call.name != "find_library":
-        folders, wanted = call.words, list(names)
+        folders, looked_for = call.words, list(names)
     else:
         if not _used(call, file, text, repository):
             return None
-        folders, wanted = call.words[1:], list(_wanted(call))
+        folders, looked_for = call.words[1:], list(wanted(call))
         first = "NO_DEFAULT_PATH" in call.words or "HINTS" in call.words
-        if not first and any(library("link", name, None) for name in wanted):
+        if not first and any(library("link", name, None) for name in looked_for):
             return None
-    for path in _paths(folders, wanted, file):
+    for path in _paths(folders, looked_for, file):
         if repository.has(path) and is_x86(path, repository):
             return path
     return None
 
 
-def _wanted(call: Call) -> Iterator[str]:
+def wanted(call: Call) -> Iterator[str]:
     """Yield the names that a search is for: those after ``NAMES``, or the words before the first option."""
     words = call.words[1:]
     for word in words[1:] if words[:1] == ("NAMES",) else words:
@@ -55,7 +55,7 @@ def _wanted(call: Call) -> Iterator[str]:
         yield word
 
 
-def _paths(folders: Collection[str], wanted: Collection[str], file: File) -> Iterator[str]:
+def _paths(folders: Collection[str], names: Collection[str], file: File) -> Iterator[str]:
     """Yield the paths where a library of such a name would lie in the tree."""
     for folder in folders:
         inside = _ROOT.sub("", folder, count=1)
@@ -63,7 +63,7 @@ def _paths(folders: Collection[str], wanted: Collection[str], file: File) -> Ite
             continue
         for above in dict.fromkeys((file.folder, "")) if _ROOT.match(folder) else (file.folder,):
             place = posixpath.normpath(posixpath.join(above, inside))
-            for name in wanted:
+            for name in names:
                 plain = name.removeprefix("-l")
                 yield from (f"{place}/{each}" for each in (plain, f"lib{plain}.so", f"lib{plain}.a"))
 

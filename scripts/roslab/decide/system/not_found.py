@@ -1,0 +1,48 @@
+"""Libraries that CMake looks for by their names and stops without, where nothing in the image brings them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator
+
+from roslab.config.model import BuildTool
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.names import SEARCHED, Target, resolve
+from roslab.decide.system.needs import code_needs
+from roslab.decide.system.required import similar
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.shared_objects import given
+
+SHORTEST = 4
+"""Fewest letters by which the first word of a name tells what brings it: ``boost_python38``."""
+
+
+def not_found(
+    evidence: Evidence, packages: Packages, target: Target, names: Collection[str], build_tool: BuildTool
+) -> Iterator[Warning_]:
+    """Yield a warning for each such library; ``names``: those of all that is installed, built or cloned."""
+    folders = [manifest.file.rpartition("/")[0] for manifest in packages.built]
+    made = {name for project in evidence.cmake for name in project.made}
+    told: set[str] = set()
+    for asked in code_needs(evidence, packages):
+        built = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
+        if asked.role != SEARCHED or asked.name in {*told, *made} or not built or given(f"lib{asked.name}.so"):
+            continue
+        word = re.split(r"[^a-z]", asked.name.lower(), maxsplit=1)[0]
+        alike = len(word) >= SHORTEST and similar(word, names)
+        if not (alike or similar(asked.name.lower(), names) or resolve(asked, target).known):
+            told.add(asked.name)
+            what = f"CMake links {asked.name}, which find_library looks for and nothing is known to bring"
+            then = "install it under `custom` or give its repository under `source` in roslab.yaml"
+            yield warn(f"{what}: {_tool(build_tool)} will stop there; {then}", asked)
+
+
+def _tool(build_tool: BuildTool) -> str:
+    return "the build" if build_tool == "none" else build_tool
+
+
+def _below(path: str, folder: str) -> bool:
+    return not folder or path.startswith(f"{folder}/")

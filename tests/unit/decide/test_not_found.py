@@ -1,0 +1,55 @@
+"""A library that find_library looks for and that is always linked comes from a table, or is told by its name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+LOOK = "find_library(SOLVER_LIBRARY NAMES libacme81.so PATHS $ENV{ACME_HOME}/lib)\n"
+LINK = "target_link_libraries(a ${SOLVER_LIBRARY})\n"
+
+
+def project(lines: str, **more: str) -> dict[str, str]:
+    return {
+        "CMakeLists.txt": f"project(demo CXX)\n{lines}add_executable(a a.cpp)\n",
+        "a.cpp": "int main() {}\n",
+        **more,
+    }
+
+
+def told(decision: Decision) -> list[tuple[str, int | None]]:
+    return [(w.message.split(",")[0], w.line) for w in decision.warnings if "find_library looks for" in w.message]
+
+
+@pytest.mark.parametrize(
+    ("files", "lines"),
+    [
+        (project(LOOK + LINK), [("CMake links acme81", 2)]),
+        (
+            project(f'{LOOK}set(ALL "m;${{SOLVER_LIBRARY}}")\ntarget_link_libraries(a ${{ALL}})\n'),
+            [("CMake links acme81", 2)],
+        ),
+        (project(LOOK.replace(")\n", " REQUIRED)\n")), [("CMake links acme81", 2)]),
+        (project(LOOK), []),  # nothing links it
+        (project(f"{LOOK}if(SOLVER_LIBRARY)\n{LINK}endif()\n"), []),
+        (project(f"{LOOK}if(NOT SOLVER_LIBRARY)\nset(SOLVER_LIBRARY dl)\nendif()\n{LINK}"), []),
+        (project(f"option(WITH OFF)\nif(WITH)\n{LOOK}{LINK}endif()\n"), []),
+        (project(LOOK.replace("libacme81.so", "dl") + LINK), []),  # the C library's
+        (project(LOOK + LINK, **{"sdk/libacme81.so": "binary"}), []),  # the tree's
+        (project(LOOK + LINK, **{"README.md": "```\nsudo apt install libacme-dev\n```\n"}), []),
+    ],
+)
+def test_what_nothing_brings_is_told(tree: Tree, files: dict[str, str], lines: list[tuple[str, int]]) -> None:
+    assert told(tree(files)) == lines
+
+
+def test_what_a_table_has_is_built_or_installed(tree: Tree) -> None:
+    both = LOOK.replace("libacme81.so", "libosqp.so") + LOOK.replace("SOLVER", "OTHER").replace("acme81.so", "nlopt.so")
+    decision = tree(project(f"{both}target_link_libraries(a ${{SOLVER_LIBRARY}} ${{OTHER_LIBRARY}})\n"))
+    assert not told(decision)
+    assert [source.name for source in decision.source] == ["osqp"]
+    assert "libnlopt-dev" in decision.apt_guessed
