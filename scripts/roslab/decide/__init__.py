@@ -10,6 +10,7 @@ from roslab.decide.base import decide_base
 from roslab.decide.beside_cmake import without_packages_beside
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
+from roslab.decide.clones_day import decide_clones_day
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.for_extensions import for_extensions
 from roslab.decide.cuda.for_ubuntu import with_an_image_for
@@ -268,6 +269,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             target=target,
             everything=everything,
             compiling=compiling,
+            clones_day=decide_clones_day(evidence, config, build_tool.answer),
             dockerfile=dockerfile,
             on_cuda=on_cuda,
             left_out=left_out,

@@ -73,6 +73,7 @@ class Choices:
     target: Target
     everything: tuple[Requirement, ...]
     compiling: Compiling
+    clones_day: Choice[str]
     dockerfile: str | None
     on_cuda: bool
     left_out: tuple[str, ...]
@@ -107,7 +108,10 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         *(
             ()
             if of.own.answer
-            else (of.repositories, of.scripts, of.missing, not_there, of.steps, of.variables, of.downloads)
+            else (
+                *(of.repositories, of.scripts, of.missing, not_there),
+                *(of.steps, of.variables, of.downloads, of.clones_day),
+            )
         ),
         *(
             ()
@@ -203,6 +207,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         tests=() if of.own.answer else evidence.tests,
         ctest=runs_ctest(evidence, of.build_tool.answer, of.missing.answer.tests),
         compiles=bool(compiled(evidence)),
+        clones_day=of.clones_day.answer,
         without=of.platforms.answer.without,
         platforms=of.platforms.answer.built,
         platforms_refused=of.platforms.answer.refused,

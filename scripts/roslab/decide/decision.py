@@ -237,6 +237,8 @@ class Decision:
     """Headers of the Ubuntu that links take the place of, each with where its link leads to."""
     native: bool = False
     """CMake files compile for the processor of the machine that builds."""
+    clones_day: str = ""
+    """The day of what files of CMake clone without a commit."""
     without: tuple[str, ...] = ()
     """Options of the compiler that its files of CMake pass and that are left out for arm64."""
     compilers: tuple[tuple[str, str], ...] = ()

@@ -124,6 +124,8 @@ class Workspace:
     """CMake writes what runs to the source, or to the user's home: it is compiled where it runs."""
     made_elsewhere: tuple[str, ...] = ()
     """Files and folders of the repository that CMake wrote on another machine: hidden from the build."""
+    clones_day: str = ""
+    """The day of what files of CMake clone without a commit, ``""`` for today's."""
     native: bool
     """What is compiled for the processor of the machine that builds is compiled for all processors of a platform."""
     without: tuple[str, ...]
@@ -177,6 +179,7 @@ def workspace(
         variables=decision.variables,
         python_projects=python.projects,
         unread=tuple(each for each in unread if each not in copied),
+        clones_day=decision.clones_day,
         native=decision.native,
         without=decision.without,
         links=tuple(links),

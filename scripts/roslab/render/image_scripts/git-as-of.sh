@@ -1,15 +1,20 @@
 #!/bin/bash
 # usage: under the name git, before git itself in PATH, with GIT_AS_OF=DAY
-# Is git, but brings each clone to the last commit of a day (UTC): pip installs from repositories and knows no days.
-# A commit or another branch that pip is told to take is checked out afterwards, as ever.
+# Is git, but brings each clone to the last commit of a day (UTC): pip and CMake fetch repositories and know no days.
+# A commit or another branch that they are told to take is checked out afterwards, as ever.
 set -euo pipefail
 
-PATH="${PATH#/dev/shm/as-of:}"
+PATH="${PATH//\/dev\/shm\/as-of:/}"
 if [[ " $* " != *" clone "* ]]; then
   exec git "$@"
 fi
 git "$@"
 folder="${!#}"
+if [ ! -e "${folder}/.git" ]; then  # git names it by the address
+  folder="${folder%/}"
+  folder="${folder##*[/:]}"
+  folder="${folder%.git}"
+fi
 if [ ! -e "${folder}/.git" ]; then exit 0; fi
 commit="$(git -C "${folder}" rev-list -1 --before="${GIT_AS_OF}T23:59:59Z" HEAD)"
 if [ -n "${commit}" ]; then

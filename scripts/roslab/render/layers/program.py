@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import shell, workspace
+from roslab.render.layers import cloned_heads, shell, workspace
 
 INSTALL = "install-program"
 
@@ -29,6 +29,7 @@ def compile_program(plan: Plan) -> str:
         f"cmake{workspace.words(program.cmake_options)} {quote.shell_with_user(source)}",
         f"make --jobs={shell.JOBS}{workspace.words(program.arguments)}",
         workspace.TIDY,
+        around=cloned_heads.of_day(plan),
     )
     return f"# The program\nUSER ${{NB_USER}}\n{run}"
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
-from roslab.render.layers import attempts, locks, manifests, prepared, secrets, shell
+from roslab.render.layers import attempts, cloned_heads, locks, manifests, prepared, secrets, shell
 from roslab.render.layers.prepared import WITHOUT_LACKING
 
 HOME = f"/home/{quote.USER}"
@@ -202,7 +202,10 @@ def compile_workspace(plan: Plan) -> str:
     if build is None:
         return ""
     run = shell.run(
-        f"source {setups(plan)[0]}", *_commands(plan, build, again=attempts.tried(plan)), *_without_logs(build)
+        f"source {setups(plan)[0]}",
+        *_commands(plan, build, again=attempts.tried(plan)),
+        *_without_logs(build),
+        around=cloned_heads.of_day(plan),
     )
     called = _scripts(run)
     called += ["compile-jobs", ROSMAKE] if ROSMAKE in run else []
@@ -232,7 +235,10 @@ def compile_again(plan: Plan) -> str:
         return ""
     kept = secrets.Secrets(mounts=(tree_mount(plan),))
     run = shell.run(
-        f". {setups(plan)[0]}", *_commands(plan, build, again=f"{attempts.tried(plan)}reuse-build "), secrets=kept
+        f". {setups(plan)[0]}",
+        *_commands(plan, build, again=f"{attempts.tried(plan)}reuse-build "),
+        secrets=kept,
+        around=cloned_heads.of_day(plan),
     )
     scripts = ("compile-jobs", "reuse-build", *_scripts(run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"

@@ -1,0 +1,81 @@
+"""What CMake clones without a commit is of the day of an old last commit, as pip's packages are."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslab.knowledge.days import long_ago
+from roslab.pipeline import Planned, plan_repository
+from roslab.render.dockerfile import dockerfile
+
+URL = "https://gitlab.com/example/matrix.git"
+CLONE = f"execute_process(COMMAND git clone {URL} WORKING_DIRECTORY ${{CMAKE_BINARY_DIR}})"
+FETCH = f"FetchContent_Declare(matrix GIT_REPOSITORY {URL})"
+SCRIPT = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts/git-as-of.sh"
+
+
+def git(folder: Path, *words: str, day: str = "") -> None:
+    when = {f"GIT_{who}_DATE": f"{day}T12:00:00Z" for who in ("AUTHOR", "COMMITTER")} if day else {}
+    identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+    environment = {"PATH": "/usr/bin:/bin", "HOME": str(folder), **when}
+    subprocess.run(["git", "-C", folder, *identity, *words], check=True, env=environment)
+
+
+def committed(folder: Path, line: str, day: str, config: str = "") -> Planned:
+    """Plan a CMake project of one commit of a day."""
+    files = {"CMakeLists.txt": f"project(a CXX)\n{line}\nadd_executable(a a.cpp)\n", "a.cpp": "int main() {}\n"}
+    files |= {"roslab.yaml": f"format: 3\n{config}"} if config else {}
+    for path, text in files.items():
+        (folder / path).write_text(text)
+    git(folder, "init", "--quiet")
+    git(folder, "add", ".")
+    git(folder, "commit", "--quiet", "--message", "x", day=day)
+    return plan_repository(folder)
+
+
+@pytest.mark.parametrize("line", [CLONE, FETCH, FETCH.replace(")", " GIT_TAG master)")])
+def test_an_old_project_gets_what_was_there(tmp_path: Path, line: str) -> None:
+    planned = committed(tmp_path, line, "2019-03-01")
+    assert planned.plan.workspace.clones_day == "2019-03-01"
+    assert [(r.answer, r.line) for r in planned.decision.reasons if "without a commit" in r.reason] == [(URL, 2)]
+    text = dockerfile(planned.plan)
+    assert "export GIT_AS_OF=2019-03-01" in text
+    assert "COPY --from=scripts /git-as-of /usr/local/bin/" in text
+
+
+@pytest.mark.parametrize(
+    ("line", "day", "config"),
+    [
+        (FETCH.replace(")", " GIT_TAG v1.2)"), "2019-03-01", ""),
+        (CLONE.replace("clone", "clone --branch v1.2"), "2019-03-01", ""),
+        (f"# {CLONE}", "2019-03-01", ""),
+        (CLONE, long_ago(), ""),
+        (CLONE, "2019-03-01", "pip_date: today\n"),
+    ],
+)
+def test_what_is_of_today(tmp_path: Path, line: str, day: str, config: str) -> None:
+    planned = committed(tmp_path, line, day, config)
+    assert not planned.plan.workspace.clones_day
+    assert "GIT_AS_OF" not in dockerfile(planned.plan)
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_a_clone_is_of_the_day_whether_or_not_its_folder_is_named(tmp_path: Path, *, named: bool) -> None:
+    made, origin, here = tmp_path / "made", tmp_path / "matrix.git", tmp_path / "here"
+    made.mkdir()
+    here.mkdir()
+    git(made, "init", "--quiet")
+    for day in ("2018-01-01", "2020-01-01"):
+        git(made, "commit", "--quiet", "--allow-empty", "--message", day, day=day)
+    git(made, "clone", "--quiet", "--bare", ".", str(origin))
+    shutil.copy(SCRIPT, here / "git-as-of")
+    environment = {**os.environ, "GIT_AS_OF": "2019-03-01"}
+    words = ["bash", here / "git-as-of", "clone", "--quiet", origin, *(["into"] if named else [])]
+    subprocess.run(words, check=True, env=environment, cwd=here)
+    said = ["git", "-C", here / ("into" if named else "matrix"), "log", "-1", "--format=%s"]
+    assert subprocess.run(said, check=True, capture_output=True, text=True).stdout.strip() == "2018-01-01"
