@@ -9,6 +9,7 @@ from roslab.decide.command import Command
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.launched_simulators import lacking_simulators
+from roslab.decide.launched_vendors import lacking_vendors
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.sought import tried
@@ -70,6 +71,7 @@ def decide_launch_needs(
         for package, name, file, line in launch.gone
     ]
     told += lacking_simulators(evidence, config, launch, given)
+    told += lacking_vendors(evidence, config, launch, ros_distro)
     return Choice(answer=None, warnings=tuple(told))
 
 
