@@ -27,6 +27,8 @@ _SETUP: dict[RosTool, str] = {
     "rosmake": "setup.bash",
     "colcon": "install/setup.bash",
 }
+FEWEST_PROGRAMS = 3
+"""Fewest programs of which one may be missing."""
 MAX_FOLDERS = 8
 """Most folders of programs on PATH beside the build folder itself."""
 
@@ -77,6 +79,8 @@ class Program:
     """Variables of the environment, each with the compiler that it names if the image has it."""
     install: bool = False
     """It is installed after that, so that others find its libraries and modules."""
+    keeps_going: bool = False
+    """A program of many that does not compile is left out, for none of them is started."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -262,7 +266,17 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         programs=() if config.compatible else programs[:MAX_FOLDERS],
         compilers=decision.compilers,
         install=decision.installed and not config.compatible,
+        keeps_going=_many(decision) and not (decision.installed or config.compatible or decision.command_named),
     )
+
+
+def _many(decision: Decision) -> bool:
+    """Tell whether there are many programs and a shell is started, for nothing says which one is meant.
+
+    Tests of CMake rest on all that is compiled.
+    """
+    programs = [argv for argv in decision.command_candidates if len(argv) == 1]
+    return decision.command == ("bash",) and not decision.ctest and len(programs) >= FEWEST_PROGRAMS
 
 
 def _unset(options: tuple[str, ...], config: Config) -> tuple[str, ...]:

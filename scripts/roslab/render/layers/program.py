@@ -7,6 +7,7 @@ from roslab.render import quote
 from roslab.render.layers import cloned_heads, shell, workspace
 
 INSTALL = "install-program"
+KEEPS_GOING = "make-what-compiles"
 
 
 def _compiler(variable: str, name: str) -> str:
@@ -21,17 +22,18 @@ def compile_program(plan: Plan) -> str:
         return ""
     source = f"{workspace.source_folder(plan)}/{program.folder}".rstrip("/")
     build = quote.shell_with_user(f"{workspace.HOME}/{program.build}")
+    make, script = (KEEPS_GOING, shell.copy_script(KEEPS_GOING)) if program.keeps_going else ("make", "")
     run = shell.run(
         *(f"source {setup}" for setup in workspace.setups(plan)),
         f"mkdir --parents {build}",
         f"cd {build}",
         *(_compiler(variable, name) for variable, name in program.compilers),
         f"cmake{workspace.words(program.cmake_options)} {quote.shell_with_user(source)}",
-        f"make --jobs={shell.JOBS}{workspace.words(program.arguments)}",
+        f"{make} --jobs={shell.JOBS}{workspace.words(program.arguments)}",
         workspace.TIDY,
         around=cloned_heads.of_day(plan),
     )
-    return f"# The program\nUSER ${{NB_USER}}\n{run}"
+    return f"# The program\nUSER ${{NB_USER}}\n{script}{run}"
 
 
 def install_program(plan: Plan) -> str:

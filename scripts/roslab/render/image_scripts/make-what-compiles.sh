@@ -1,0 +1,21 @@
+#!/bin/bash
+# usage: make-what-compiles ARGUMENT...
+# Runs make in the current folder and goes on where one of many programs does not compile: those that do are there, and the
+# others are told. It ends as make did where no program was made.
+set -uo pipefail
+
+said="$(mktemp)"
+make --keep-going "$@" 2>&1 | tee "${said}"
+code="${PIPESTATUS[0]}"
+failed="$(sed --quiet --regexp-extended 's:^make.*[*]{3} \[([^]]* )?(.*/)?CMakeFiles/([^/]+)[.]dir/all\] Error.*:\3:p' \
+  "${said}" | sort --unique | tr '\n' ' ')"
+rm -f "${said}"
+if [ "${code}" = 0 ]; then exit 0; fi
+
+made=0
+while IFS= read -r -d '' file; do
+  IFS= read -r -N 4 magic <"${file}" || true
+  if [ "${magic}" = $'\x7fELF' ]; then made=$((made + 1)); fi
+done < <(find . -name CMakeFiles -prune -o -type f -perm -u+x ! -name '*.so*' -print0)
+if [ "${made}" = 0 ]; then exit "${code}"; fi
+echo "roslab: not compiled and left out: ${failed:-see above }(programs that are there: ${made})" >&2
