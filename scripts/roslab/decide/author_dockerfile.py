@@ -144,7 +144,7 @@ def doubt(  # noqa: PLR0911 - one doubt a line
             "documentation": "it is for the documentation",
             "vendored": "it belongs to a copy of other people's code",
             "ci": "it is for CI, or sets up an environment without the source",
-            "deploy": "it is for one robot's or machine's deployment",
+            "deploy": "its name or its base is that of a deployment, a release or one machine",
             "broken": f"it does not parse: {authored.problem}",
         }[authored.purpose]
     if authored.problem:

@@ -94,6 +94,33 @@ def test_what_it_copies_must_be_there(tmp_path: Path) -> None:
     assert authored.purpose == "project"
 
 
+@pytest.mark.parametrize("above", ["..", "../", "../.."])
+def test_nothing_lies_above_the_context(tmp_path: Path, above: str) -> None:
+    files = {"docker/Dockerfile": f"FROM ubuntu:20.04\nWORKDIR /ws\nCOPY {above} /ws\nCOPY ../a.py /\n", "a.py": ""}
+    authored = read(tmp_path, files)["docker/Dockerfile"]
+    assert (authored.context, authored.copies_repository, authored.problem) == ("", True, None)
+    assert authored.starts_in_source
+
+
+@pytest.mark.parametrize(
+    ("run", "problem"),
+    [
+        ("RUN rm -r build install log", True),
+        ("RUN rm -r src/old && make", True),
+        ("RUN rm -rf build install log", False),
+        ("RUN rm -r build || true", False),
+        ("RUN rm -r src", False),
+        ("RUN rm -r /var/lib/apt/lists", False),
+        ("RUN colcon build\nRUN rm -r build", False),
+        ("WORKDIR /other\nRUN rm -r build", False),
+    ],
+)
+def test_what_it_removes_must_be_there(tmp_path: Path, run: str, *, problem: bool) -> None:
+    files = {"src/a.py": "", "Dockerfile": f"FROM ros:humble\nWORKDIR /ws\nCOPY . /ws\n{run}\n"}
+    found = read(tmp_path, files)["Dockerfile"].problem
+    assert ("which the repository does not hold, and stops there" in (found or "")) is problem
+
+
 @pytest.mark.parametrize(
     ("copies", "starts", "problem"),
     [

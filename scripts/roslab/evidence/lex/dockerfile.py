@@ -7,6 +7,7 @@ continuation, and both are needed to tell where a fact comes from.
 from __future__ import annotations
 
 import json
+import posixpath
 import re
 from collections.abc import Iterator
 
@@ -88,7 +89,11 @@ def argv(text: str) -> tuple[str, ...]:
 
 
 def sources(body: str) -> list[str]:
-    """Return what a COPY or ADD takes from the build context; URLs and unknown values are left out."""
+    """Return what a COPY or ADD takes from the build context; URLs and unknown values are left out.
+
+    Nothing lies above the context: what is written with ``..`` begins at its root.
+    https://docs.docker.com/reference/dockerfile/#copy, read 2026-11-26.
+    """
     words = body.replace("\n", " ").split()
     if any(word.startswith("--from") for word in words) or "<<" in body:
         return []
@@ -98,4 +103,4 @@ def sources(body: str) -> list[str]:
     found = (
         source for source in sources if "://" not in source and "$" not in source and not source.startswith("git@")
     )
-    return [source.removeprefix("./").strip("/") if source not in {".", "./", "/"} else "" for source in found]
+    return [posixpath.normpath(f"/{source}").strip("/") for source in found]

@@ -192,7 +192,7 @@ class _Reading:
 
 
 def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
-    from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
+    from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
     from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
@@ -210,6 +210,8 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     if removes_its_copy((each.text for each in written if each.name == "RUN"), start.source):
         missing = missing or f"it removes its copy of the repository and installs nothing of it: {start.source}"
     last = reading.copied[-1][1] if reading.copied else 0
+    if last and start.source and start.source == posixpath.normpath(start.workdir):
+        missing = missing or removes_absent(repository, written, last)
     after = [each.text for each in written if each.line > last and each.name in {"RUN", "CMD", "ENTRYPOINT"}]
     if repository.named("package.xml") and builds_nothing(reading.base or "", start.source, after):
         missing = missing or f"it copies the packages into {start.source} and builds none of them"

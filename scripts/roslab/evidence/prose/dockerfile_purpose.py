@@ -7,7 +7,9 @@ from collections.abc import Iterable
 from typing import Literal
 
 from roslab.evidence import places
+from roslab.evidence.lex.dockerfile import Instruction
 from roslab.evidence.service import Service
+from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _MACHINE = pattern(r"jetson|l4t|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|\bursim\b", re.IGNORECASE)
@@ -30,6 +32,7 @@ _BUILDS = pattern(
     r"|\.(?:sh|bash|py)\b|(?:^|\s)\./"
 )
 """What may build a workspace, itself or by way of a script."""
+_REMOVES = pattern(r"[ \t]*rm((?:[ \t]+-\S+)*)((?:[ \t]+[\w.][\w./-]*)+)[ \t]*(?:$|[;\n]|&&)")
 _OF_SYSTEM = pattern(r"\b(?:apt(?:-get)?|rosdep)\b[^;&|]*|\S*/(?:setup|local_setup)\.(?:ba|z)?sh\b")
 """What only installs packages of a system, or reads a workspace that is there."""
 
@@ -79,3 +82,18 @@ def builds_nothing(base: str, source: str | None, after: Iterable[str]) -> bool:
     if not source or not _WORKSPACE.search(source) or not _OF_ROS.search(base):
         return False
     return not any(_BUILDS.search(_OF_SYSTEM.sub(" ", text)) for text in after)
+
+
+def removes_absent(repository: Repository, written: Iterable[Instruction], copied: int) -> str | None:
+    """Return why a build of a clean checkout stops: the first step after the copy removes what it does not hold.
+
+    ``written``: the instructions, ``copied``: the line of the copy of the whole repository, into the folder where the
+    steps run. ``rm -f`` takes what is not there as well.
+    """
+    step = next((each for each in written if each.name == "RUN" and each.line > copied), None)
+    match = _REMOVES.match(step.text) if step else None
+    if step is None or match is None or "f" in match[1]:
+        return None
+    names = (name.rstrip("/") for name in match[2].split())
+    gone = next((name for name in names if not repository.may_have(name)), None)
+    return f"line {step.line} removes {gone}, which the repository does not hold, and stops there" if gone else None
