@@ -75,7 +75,7 @@ def test_a_clone_is_of_the_day_whether_or_not_its_folder_is_named(tmp_path: Path
     git(made, "clone", "--quiet", "--bare", ".", str(origin))
     shutil.copy(SCRIPT, here / "git-as-of")
     environment = {**os.environ, "GIT_AS_OF": "2019-03-01"}
-    words = ["bash", here / "git-as-of", "clone", "--quiet", origin, *(["into"] if named else [])]
+    words = ["bash", str(here / "git-as-of"), "clone", "--quiet", str(origin), *(["into"] if named else [])]
     subprocess.run(words, check=True, env=environment, cwd=here)
-    said = ["git", "-C", here / ("into" if named else "matrix"), "log", "-1", "--format=%s"]
+    said = ["git", "-C", str(here / ("into" if named else "matrix")), "log", "-1", "--format=%s"]
     assert subprocess.run(said, check=True, capture_output=True, text=True).stdout.strip() == "2018-01-01"

@@ -2,11 +2,11 @@
 # usage: make-what-compiles ARGUMENT...
 # Runs make in the current folder and goes on where one of many programs does not compile: those that do are there, and the
 # others are told. It ends as make did where no program was made.
-set -uo pipefail
+set -euo pipefail
 
+code=0
 said="$(mktemp)"
-make --keep-going "$@" 2>&1 | tee "${said}"
-code="${PIPESTATUS[0]}"
+make --keep-going "$@" 2>&1 | tee "${said}" || code="${PIPESTATUS[0]}"
 failed="$(sed --quiet --regexp-extended 's:^make.*[*]{3} \[([^]]* )?(.*/)?CMakeFiles/([^/]+)[.]dir/all\] Error.*:\3:p' \
   "${said}" | sort --unique | tr '\n' ' ')"
 rm -f "${said}"
