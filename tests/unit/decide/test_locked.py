@@ -109,3 +109,27 @@ def test_what_a_list_takes_from_an_address_has_no_release_of_the_lock(tree: Tree
     assert limits(tree(files)) == {"trimesh==4.1.0", "viser==1.2.0", "shapely==2.0.0"}
     files["requirements.txt"] = "git+https://example.org/mikedh/trimesh.git@refs/pull/4/head\n"
     assert limits(tree(files)) == {"viser==1.2.0"}
+
+
+def test_what_the_declared_packages_need_and_what_is_imported_alone_have_the_releases_of_the_lock(tree: Tree) -> None:
+    project = PROJECT.replace(
+        '["trimesh", "viser>=1", "scipy==1.10.0", "plan @ git+https://example.org/lab/plan"]', "FREE"
+    )
+    typer = 'dependencies = [\n    { name = "click" },\n    { name = "rich", marker = "extra == \'all\'" },\n]\n'
+    lock = uv("typer", "0.15.2", more=typer) + uv("click", "8.1.8") + uv("rich", "14.0.0") + uv("lonely", "1.0.0")
+    lock += uv("pyyaml", "6.0.1")
+    files = {"demo.py": "import click\nimport yaml\n", "uv.lock": lock}
+    found = tree(files | {"pyproject.toml": project.replace("FREE", '["typer"]')})
+    assert limits(found) == {"typer==0.15.2", "click==8.1.8", "rich==14.0.0", "pyyaml==6.0.1"}
+    older = tree(files | {"pyproject.toml": project.replace("FREE", '["typer>=0.16"]')})
+    assert limits(older) == {"pyyaml==6.0.1"}
+    another = tree(files | {"pyproject.toml": project.replace("FREE", '["typer", "newcomer"]')})
+    assert limits(another) == {"typer==0.15.2"}
+
+
+def test_what_a_package_in_another_release_needs_is_left_free(tree: Tree) -> None:
+    both = 'dependencies = [\n    { name = "click" },\n]\n'
+    lock = uv("trimesh", "4.1.0", more=both) + uv("viser", "0.9.0", more=both) + uv("click", "8.1.8")
+    project = PROJECT.replace(', "scipy==1.10.0", "plan @ git+https://example.org/lab/plan"', "")
+    found = tree({"pyproject.toml": project, "demo.py": "import trimesh\n", "uv.lock": lock})
+    assert limits(found) == {"trimesh==4.1.0"}

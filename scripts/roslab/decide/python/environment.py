@@ -122,7 +122,7 @@ def decide_python(
     native = decide_native_parts(everything, chosen.guessed, chosen.projects, evidence.pip_day)
     limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *native.answer.bounds)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
-    of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number)
+    of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number, chosen.guessed)
     undeclared = decide_undeclared((*everything, *limits, *of_lock.answer) if manager != "system" else ())
     limits = (*limits, *of_lock.answer, *undeclared.answer)
     numpy = numpy_of((*_no_old_numpy(conda_asked), *everything, *limits) if manager != "system" else ())

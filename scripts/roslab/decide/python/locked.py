@@ -23,9 +23,15 @@ _CPYTHON = pattern(r"cp3(\d{1,2})")
 
 
 def locked_releases(
-    locked: Iterable[Locked], asked: Iterable[Requirement], taken: Iterable[Requirement], python: str | None
+    locked: Iterable[Locked],
+    asked: Iterable[Requirement],
+    taken: Iterable[Requirement],
+    python: str | None,
+    guessed: Iterable[Requirement] = (),
 ) -> Choice[Constraints]:
     """Return constraints for those of ``asked`` that no manifest pins, from a lock, for an image with this ``python``.
+
+    So for what these need, directly or not, and for what is ``guessed`` in any release: click breaks an older typer.
 
     Not for what ``taken`` limits already or another index has, nor for what needs that: a lock fits together as a whole
     only. Nor for what some line takes from an address, whose release is its own, and what that needs. A framework and
@@ -46,10 +52,14 @@ def locked_releases(
     other = {each.key for each in taken} | {key for key, each in wanted.items() if _differs(each, one)}
     other |= {name for name, same in by_name.items() if any(each.elsewhere for each in same)}
     other = _needing(_families(other), by_name) | {*INSTALLERS}
+    pinned = {key for key, each in wanted.items() if each.release}
+    free = {*other, *apart}
+    imported = {each.key for each in guessed if each.name and not each.limited}
+    beneath = _beneath({*wanted}, imported, free, by_name)
     kept = [
         one[key].requirement
-        for key, each in wanted.items()
-        if key in one and key not in {*other, *apart} and not each.release and _has_wheel(one[key], python)
+        for key in (*wanted, *sorted(beneath - {*wanted}))
+        if key in one and key not in free | pinned and _has_wheel(one[key], python)
     ]
     lines = tuple(stated(each.written.partition("+")[0], "lock", each.file, each.line) for each in kept)
     reasons = (because("dependencies", each.written, WHY_LOCKED, each, weight=Weight.BOUND) for each in lines)
@@ -73,6 +83,21 @@ def _needing(names: set[str], by_name: Mapping[str, Iterable[Locked]]) -> set[st
     while more := {
         name for name, same in by_name.items() if name not in names and any(names & {*s.needs} for s in same)
     }:
+        names = names | more
+    return names
+
+
+def _beneath(wanted: set[str], more: set[str], free: set[str], by_name: Mapping[str, Iterable[Locked]]) -> set[str]:
+    """Return what the wanted names and ``more`` need, without what a ``free`` one may need in another release.
+
+    Nothing where a manifest asks for what the lock does not know: the lock is older, or of another part.
+    """
+    return _needed((wanted | more) - free, by_name) - _needed(free, by_name) if wanted <= {*by_name, *free} else set()
+
+
+def _needed(names: set[str], by_name: Mapping[str, Iterable[Locked]]) -> set[str]:
+    """Return the names and all that they need, directly or not."""
+    while more := {need for name in names for each in by_name.get(name, ()) for need in each.needs} - names:
         names = names | more
     return names
 
