@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslab.pipeline import plan_repository
-from roslab.plan.installed import AMENT_SCRIPT, IMPORT_SCRIPT, LIBRARIES_SCRIPT, PREFIXES
+from roslab.plan.installed import AMENT_SCRIPT, FIND_SCRIPT, IMPORT_SCRIPT, LIBRARIES_SCRIPT, PREFIXES
 from roslab.plan.proof import Proof
 
 MANIFEST = (
@@ -132,3 +132,42 @@ def test_what_this_python_cannot_import_is_not_imported(tmp_path: Path, ubuntu: 
     proofs = plan_repository(tmp_path, branch=None).plan.proofs
     found = next(proof for proof in proofs if proof.name == "declared Python packages import")
     assert list(found.command[3:]) == asked
+
+
+PROGRAM = "import os\nimport cv2\nimport sim.core\nif os.environ.get('X'):\n    import lazy\nimport bullet\n"
+
+
+@pytest.mark.parametrize(
+    ("readme", "found"),
+    [
+        (
+            "```\npip install git+https://github.com/lab/sim\npip install lazy opencv-python\npython run.py\n```\n",
+            ("cv2", "sim"),
+        ),
+        ("```\npython run.py\n```\n", ()),
+        ("```\npip install git+https://github.com/lab/sim\npython other.py\n```\n", ()),
+    ],
+)
+def test_what_the_command_imports_and_the_readme_installs_must_be_there(
+    tmp_path: Path, readme: str, found: tuple[str, ...]
+) -> None:
+    """What no line installs is a guess, whose name may be wrong."""
+    main = "if __name__ == '__main__':\n    print()\n"
+    files = {"README.md": f"# Robot\n\n{readme}", "run.py": PROGRAM + main, "other.py": main}
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    proofs = plan_repository(tmp_path, branch=None).plan.proofs
+    asked = [proof for proof in proofs if proof.name == "the default command finds the modules of its imports"]
+    assert [proof.command[3:] for proof in asked] == ([found] if found else [])
+    assert all(proof.required for proof in asked)
+
+
+def test_modules_are_looked_for_and_not_imported(tmp_path: Path) -> None:
+    (tmp_path / "gpu.py").write_text("raise RuntimeError\n")
+    call = (sys.executable, "-c", FIND_SCRIPT, "gpu", "absent_module")
+    found = subprocess.run(call, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (found.returncode, found.stdout, found.stderr) == (
+        1,
+        "found 1 of 2 modules\n",
+        "no module absent_module\n",
+    )

@@ -15,6 +15,7 @@ from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import Platforms
 from roslab.decide.proof import compiled, rostests, runs_ctest
+from roslab.decide.python.at_top import imported_by_command
 from roslab.decide.python.compiling import Compiling
 from roslab.decide.python.paths import python_path
 from roslab.decide.reasons import warn
@@ -199,6 +200,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         day=of.day.answer,
         command=of.command.answer.command,
         command_given=of.command.answer.given,
+        command_imports=imported_by_command(evidence, of.command.answer.page, of.python.answer.pip_guessed),
         command_through_entrypoint=of.command.answer.entrypoint,
         command_named=config.command is not None,
         command_candidates=of.command.answer.candidates,

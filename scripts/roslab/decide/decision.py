@@ -276,6 +276,8 @@ class Decision:
     """It is given through the entry point of that image."""
     command_named: bool = False
     """roslab.yaml, an input or an option names the command: it must start."""
+    command_imports: tuple[str, ...] = ()
+    """Modules that it imports at its top and whose packages are only tried: it does not start without one of them."""
     command_candidates: tuple[tuple[str, ...], ...] = ()
     test: tuple[str, ...] | str | None = None
     """The command that tests the image in place of the default proofs; a string runs in ``bash -c``."""

@@ -62,6 +62,7 @@ from roslab.evidence.prose import (
 from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.named_notebooks import with_notebooks
 from roslab.evidence.python import (
+    at_top,
     called,
     clones,
     commented,
@@ -188,6 +189,7 @@ def gather(repository: Repository) -> Evidence:
             *((*on_machines.read(own), *own_setup.read(own)) if manifests else ()),
             *print_statement.read(own),
             *from_root.read(own, prose.mentions),
+            *at_top.read(own, prose.mentions),
             *conflicts.read(own),
             *environments.read(own),
             *own_history.read(own),

@@ -48,6 +48,14 @@ A list that was made where the package was built may name folders that were neve
 12's python3-setuptools has ``debian``. A package none of whose modules is there has failed.
 """
 
+FIND_SCRIPT = """\
+import importlib.util, sys
+missing = [name for name in sys.argv[1:] if importlib.util.find_spec(name) is None]
+print("found", len(sys.argv) - 1 - len(missing), "of", len(sys.argv) - 1, "modules")
+sys.exit("\\n".join("no module " + name for name in missing) or 0)
+"""
+"""They are not imported: some need a GPU for that."""
+
 AMENT_SCRIPT = """\
 import os, sys
 prefixes = [prefix for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(":") if prefix]
@@ -106,6 +114,13 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
     distributions = _declared_distributions(decision, version)
     if distributions:
         found.append(_import_proof(version, distributions))
+    if decision.command_imports and not (version or "").startswith("2"):
+        found.append(
+            Proof(
+                name="the default command finds the modules of its imports",
+                command=("python3", "-c", FIND_SCRIPT, *decision.command_imports),
+            )
+        )
     on_python2 = Interpreter(pythons=("2.7",), platforms=decision.platforms)
     if beside := _names(decision.python.python2, on_python2):
         command = ("python2", "-m", "pip", "show", *beside)

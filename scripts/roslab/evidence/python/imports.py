@@ -68,10 +68,10 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
             )
         found |= {f"{each.name} {each.role}": each for each in _typelibs(module)}
-        statements = [(match, _modules_of(match, sorted_in)) for match in _imports(text)]
-        said = {**_told(module, statements), **said}
-        node = any(not _OF_NODES.isdisjoint(tops) for _, tops in statements) and _of_node(module)
-        for match, tops in statements:
+        found_in = [(match, modules_of(match, sorted_in)) for match in statements(text)]
+        said = {**_told(module, found_in), **said}
+        node = any(not _OF_NODES.isdisjoint(tops) for _, tops in found_in) and _of_node(module)
+        for match, tops in found_in:
             for top in tops:
                 if _standard(top) or top in local or top.startswith("_"):
                     continue
@@ -166,14 +166,14 @@ def _add_notebooks(
         text = repository.read(file, limit=notebooks.MAX_SIZE)
         for line, code in notebooks.imports(text):
             match = _IMPORT.match(code)
-            for top in _modules_of(match, sorted_in) if match and not match["indent"] else ():
+            for top in modules_of(match, sorted_in) if match and not match["indent"] else ():
                 if not _standard(top) and top not in local and top not in found and not top.startswith("_"):
                     found[top] = Dependency(
                         namespace="import", name=top, strength="optional", file=file.path, line=line
                     )
 
 
-def _imports(text: str) -> Iterator[re.Match[str]]:
+def statements(text: str) -> Iterator[re.Match[str]]:
     """Yield the statements that import; lines without that word need no pattern, which would read every one."""
     position = text.find("import")
     while position >= 0:
@@ -185,7 +185,7 @@ def _imports(text: str) -> Iterator[re.Match[str]]:
         position = text.find("import", end) if end >= 0 else -1
 
 
-def _modules_of(match: re.Match[str], sorted_in: frozenset[str]) -> list[str]:
+def modules_of(match: re.Match[str], sorted_in: frozenset[str] = frozenset()) -> list[str]:
     """Return the top-level modules that a statement imports, without those that ``sorted_in`` has whole."""
     names = [match["module"]] if match["module"] else [part.split()[0] for part in match["plain"].split(",")]
     return [name.partition(".")[0] for name in names if name not in sorted_in]
