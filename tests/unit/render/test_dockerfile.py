@@ -573,6 +573,18 @@ def test_a_conda_file_has_its_pip_part_installed_by_the_environment(plan: Callab
     assert "index-as-of" not in without
 
 
+def test_what_the_pip_part_of_a_conda_file_is_compiled_with_comes_before_it(plan: Callable[..., Plan]) -> None:
+    first = ("numpy==1.16.1", "Cython<3")
+    text = dockerfile(plan(manager="conda", conda_file="environment.yml", first=first))
+    parts = ("micromamba create", "numpy==1.16.1", "--upgrade --requirement environment.yml.pip")
+    places = [text.index(part) for part in parts]
+    assert places == sorted(places)
+    assert "--no-build-isolation --upgrade --requirement environment.yml.pip" in text
+    assert text.count("numpy==1.16.1") == 1
+    alone = dockerfile(plan(manager="conda", conda_file="environment.yml", conda_pip=False, first=first))
+    assert alone.index("# Python packages that are declared") < alone.index("numpy==1.16.1")
+
+
 def test_the_pip_part_of_a_conda_file_has_the_index_of_the_build_for_the_image_s_cuda(
     plan: Callable[..., Plan],
 ) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from roslab.plan.plan import Plan
 from roslab.plan.python import PythonPlan
 from roslab.render import quote
-from roslab.render.layers import caches, manifests
+from roslab.render.layers import building, caches, manifests, shell
 
 
 def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
@@ -25,7 +25,9 @@ def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
 
 
 def pip_part(plan: Plan, python: str, options: str) -> tuple[str, ...]:
-    """Return the command that installs what take-pip-part left beside a conda file, as conda would; none without it.
+    """Return the commands that install what take-pip-part left beside a conda file, as conda would; none without it.
+
+    Before it comes what its packages are compiled with.
 
     ``python`` is the environment's own, ``options`` are pip's: the file may pin a torch of which another index has the
     build for the image's CUDA.
@@ -35,8 +37,9 @@ def pip_part(plan: Plan, python: str, options: str) -> tuple[str, ...]:
         return ()
     folder, name = posixpath.split(posixpath.join(manifests.FOLDER, file))
     pip = f"{python} -m pip install {caches.pip_option(plan)}{options}"
-    install = f"{pip} --upgrade --requirement {quote.shell(f'{name}.pip')}"
-    return (f"(cd {quote.shell(folder)} && {install})",)
+    install = building.also_with_what_is_there(plan, pip, f" --upgrade --requirement {quote.shell(f'{name}.pip')}")
+    before = (f"{pip}{shell.words(plan.python.first)}",) if plan.python.first else ()
+    return (*before, f"(cd {quote.shell(folder)} && {install})")
 
 
 def _fewer_channels(addresses: Sequence[str], file: str) -> str:

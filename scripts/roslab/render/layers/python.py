@@ -115,9 +115,9 @@ def _conda(plan: Plan) -> str:
     if python.conda_cuda:
         more += f"CONDA_OVERRIDE_CUDA={quote.shell(python.conda_cuda)} "
     lists, file = locks.conda(plan)
-    pip_part = conda_lines.pip_part(plan, interpreter(plan), pip_options(python.options))
+    pip_part = _conda_pip(plan)
     if file:
-        copy, source, without, pip_part = lists, f"--file {file}", (), ()
+        copy, source, without = lists, f"--file {file}", ()
     elif pip_part:
         copy = shell.copy_script("take-pip-part") + copy
         without = (*without, f"take-pip-part {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}")
@@ -138,6 +138,12 @@ def _conda(plan: Plan) -> str:
     )
 
 
+def _conda_pip(plan: Plan) -> tuple[str, ...]:
+    """Return the commands for the ``pip:`` part of a conda file; none where roslab.lock has it."""
+    _, file = locks.conda(plan)
+    return () if file else conda_lines.pip_part(plan, interpreter(plan), pip_options(plan.python.options))
+
+
 def locked(plan: Plan) -> str:
     """Install exactly the files of roslab.lock; the steps below then find that everything is there."""
     options = pip_options((*plan.python.options, *plan.python.pip_options))
@@ -153,7 +159,8 @@ def packages(plan: Plan) -> str:
     python = plan.python
     blocks = []
     pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{pip_options(python.options)}"
-    commands = [f"{pip}{shell.words(python.first)}"] if python.first else []
+    there = python.manager == "conda" and bool(_conda_pip(plan))
+    commands = [f"{pip}{shell.words(python.first)}"] if python.first and not there else []
     commands += [building.with_option(pip, option, line) for line, option in python.cuda_options]
     if required := [line for line in python.pip if line not in python.pip_tried]:
         words = f"{pip_options(python.pip_options)}{shell.words(_arguments(required))}"
