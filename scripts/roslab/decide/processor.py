@@ -30,14 +30,12 @@ def decide_processor(
     made = {makefile.file for makefile in evidence.makefiles}
     installed = [p for p in evidence.python if p.extensions and (p.folder or ".") in python.projects]
     by_pip = {project.folder for project in installed}
+    # A program of Python opens a library where it lies: there is no build that it would be part of
+    ours = {"setup.py": by_pip, "opened by Python": folders | by_pip if kind in {"ros1", "ros2"} else {""}}
     compiled = [
         each
         for each in evidence.x86_only
-        if (
-            each.file in made
-            if each.source == "make"
-            else _below(each.file, by_pip if each.source == "setup.py" else folders | by_pip)
-        )
+        if (each.file in made if each.source == "make" else _below(each.file, ours.get(each.source, folders | by_pip)))
     ]
     if not compiled:
         return OnX86()

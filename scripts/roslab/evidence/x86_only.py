@@ -12,8 +12,8 @@ class X86Only:
     """An option of the compiler, a header or a library of x86 alone that is used when the tree is compiled for ARM."""
 
     what: str
-    source: Literal["cmake", "make", "setup.py", "header", "binary", "opened"]
+    source: Literal["cmake", "make", "setup.py", "header", "binary", "opened", "opened by Python"]
     """What passes the option: a file of CMake, a Makefile or setup.py; ``header`` for an include; ``binary`` for a
-    library that CMake downloads or links, ``opened`` for one that the code opens."""
+    library that CMake downloads or links, ``opened`` for one that the code opens, in C or C++ or by Python."""
     file: str
     line: int

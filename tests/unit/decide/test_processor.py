@@ -267,3 +267,24 @@ def test_a_library_of_the_tree_that_code_opens_rules_out_arm(
     tree: Tree, files: dict[str, str], platforms: tuple[str, ...]
 ) -> None:
     assert tree(cmake("") | MAIN | files).platforms == platforms
+
+
+CDLL = "import ctypes, os\nlib = ctypes.CDLL(os.path.join('lib', 'libArm.so'))\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "platforms"),
+    [
+        ({"arm.py": CDLL, "lib/libArm.so": X86_64}, (AMD64,)),
+        ({"arm.py": "from ctypes import cdll\ncdll.LoadLibrary('./libArm.so')\n", "libArm.so": X86_64}, (AMD64,)),
+        ({"arm.py": CDLL, "lib/libArm.so": ARM}, (AMD64, ARM64)),
+        ({"arm.py": CDLL, "x64/libArm.so": X86_64, "arm/libArm.so": ARM}, (AMD64, ARM64)),
+        ({"arm.py": f"import platform\nplatform.machine()\n{CDLL}", "lib/libArm.so": X86_64}, (AMD64, ARM64)),
+        ({"arm.py": "import ctypes\nNAME = 'libArm.so'\n", "lib/libArm.so": X86_64}, (AMD64, ARM64)),
+        ({"arm.py": CDLL, "lib/libArm.so": X86_64, "lib/Makefile": "libArm.so: a.c\n\tgcc -shared\n"}, (AMD64, ARM64)),
+    ],
+)
+def test_a_library_of_the_tree_that_python_opens_rules_out_arm(
+    tree: Tree, files: dict[str, str], platforms: tuple[str, ...]
+) -> None:
+    assert tree({"requirements.txt": "numpy\n", "run.py": "import numpy\n"} | files).platforms == platforms

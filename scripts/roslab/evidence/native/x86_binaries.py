@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native.x86 import always, cmake_files
 from roslab.evidence.native.x86_searched import FINDING, searched
+from roslab.evidence.python.modules import modules
 from roslab.evidence.x86_only import X86Only
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -40,6 +41,10 @@ _CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp")
 _OPENS = pattern(r"\bdlm?open\s*\(")
 _NAMED = pattern(r"\"(?:[^\"\n]*/)?([\w.+-]+\.so)\"")
 _CHOOSES_IN_CODE = pattern(r"__aarch64__|__arm__|__x86_64__|\buname\b")
+_OPENS_IN_PYTHON = pattern(r"\b(?:CDLL|PyDLL|LoadLibrary)\s*\(")
+"""https://docs.python.org/3/library/ctypes.html#loading-shared-libraries, read 2026-11-26."""
+_NAMED_IN_PYTHON = pattern(r"[\"'](?:[^\"'\n]*/)?([\w.+-]+\.so)[\"']")
+_CHOOSES_IN_PYTHON = pattern(r"\bmachine\(|\buname\b|aarch64|arm64|x86_64")
 MAX_LIBRARIES = 50
 MAX_CODE = 3_000
 MAX_HEAD = 1024 * 1024
@@ -69,24 +74,36 @@ def read(repository: Repository) -> Iterator[X86Only]:
             if what:
                 yield X86Only(what, "binary", file.path, call.line)
                 break
-    yield from _opened(repository)
-
-
-def _copied(file: File, repository: Repository) -> bool:
-    """Tell whether a file lies in copied code; a package of ROS in a folder of such code is built as the others."""
-    folder = file.folder
-    while folder and not repository.has(f"{folder}/package.xml"):
-        folder = folder.rpartition("/")[0]
-    return places.vendored(file.path.removeprefix(f"{folder}/"))
-
-
-def _opened(repository: Repository) -> Iterator[X86Only]:
-    """Yield the library of the tree that code of C or C++ opens by its name, if all of that name are for x86-64."""
     libraries = [file for file in repository.suffixed(".so")[:MAX_LIBRARIES] if not places.vendored(file.path)]
-    only = {file.name for file in libraries if _is_x86(file.path, repository)}
-    only -= {file.name for file in libraries if not _is_x86(file.path, repository)}
-    if not only:
-        return
+    x86 = {file.path for file in libraries if _is_x86(file.path, repository)}
+    only = {file.name for file in libraries if file.path in x86} - {f.name for f in libraries if f.path not in x86}
+    if only:
+        yield from _opened(repository, libraries, only)
+        yield from _opened_by_python(repository, libraries, only)
+
+
+def _opened_by_python(repository: Repository, libraries: Sequence[File], only: set[str]) -> Iterator[X86Only]:
+    """Yield the first one that a module opens by its name, and that no build file of the tree names: it may make it."""
+    for module in modules(repository):
+        text = "" if places.aside(module.file.path) else module.text
+        if "ctypes" not in text or not _OPENS_IN_PYTHON.search(text) or _CHOOSES_IN_PYTHON.search(text):
+            continue
+        for named in _NAMED_IN_PYTHON.finditer(text):
+            if named[1] in only and not _made(named[1], repository):
+                found = next(file.path for file in libraries if file.name == named[1])
+                yield X86Only(found, "opened by Python", module.file.path, text.count("\n", 0, named.start()) + 1)
+                return
+
+
+def _made(name: str, repository: Repository) -> bool:
+    """Tell whether a build file of the tree names a library, with what stands before and after its name or without."""
+    bare = name.removesuffix(".so").removeprefix("lib")
+    files = (*repository.named("Makefile"), *repository.named("CMakeLists.txt"), *repository.named("setup.py"))
+    return any(bare in repository.read(file) for file in (*files, *repository.suffixed(".sh", ".mk")))
+
+
+def _opened(repository: Repository, libraries: Sequence[File], only: set[str]) -> Iterator[X86Only]:
+    """Yield the library of the tree that code of C or C++ opens by its name, if all of that name are for x86-64."""
     code = [file for file in repository.suffixed(*_CODE)[:MAX_CODE] if not places.vendored(file.path)]
     texts = {file.path: repository.read(file) for file in code}
     opens = any(_OPENS.search(text) for text in texts.values())
@@ -130,3 +147,11 @@ def _is_x86(path: str, repository: Repository) -> bool:
     data = repository.read_bytes(path, limit=MAX_HEAD)
     start = data.find(_ELF) if data.startswith(_ARCHIVE_OF_OBJECTS) else 0
     return start >= 0 and data[start : start + 4] == _ELF and data[start + 18 : start + 20] == _X86_64
+
+
+def _copied(file: File, repository: Repository) -> bool:
+    """Tell whether a file lies in copied code; a package of ROS in a folder of such code is built as the others."""
+    folder = file.folder
+    while folder and not repository.has(f"{folder}/package.xml"):
+        folder = folder.rpartition("/")[0]
+    return places.vendored(file.path.removeprefix(f"{folder}/"))
