@@ -286,6 +286,39 @@ def test_imports_of_ros_code_come_from_apt(tmp_path: Path) -> None:
     assert [name for name, _ in apt_for_wheels(focal, everything, "bionic", evidence)] == ["python-numpy"]
 
 
+@pytest.mark.parametrize(("asked", "by_apt"), [("scipy==1.10.1", False), ("scipy", True), ("numpy==1.24.4", True)])
+def test_what_pip_installs_in_one_release_is_not_asked_of_apt_too(tmp_path: Path, asked: str, by_apt: bool) -> None:
+    files = {"requirements.txt": f"{asked}\n", "n.py": "import rclpy\nimport scipy\n"}
+    evidence = evidence_of(tmp_path, files)
+    python = chosen(evidence, Config(), "ros2", "jammy", "humble")
+    found = dict(apt_for_wheels(python, installed(evidence, python), "jammy", evidence))
+    assert ("python3-scipy" in found) == by_apt
+
+
+def test_wheels_of_python_2_have_its_tk(tmp_path: Path) -> None:
+    script = "import matplotlib\n\nif __name__ == '__main__':\n    print(matplotlib)\n"
+    files = {"README.md": "Needs Python 2.7.", "CMakeLists.txt": "project(x)\n", "plot.py": script}
+    evidence = evidence_of(tmp_path, files)
+    python = chosen(evidence, Config(), "cpp", "bionic")
+    found = dict(apt_for_wheels(python, installed(evidence, python), "bionic", evidence))
+    assert (python.version, "python-tk" in found, "python3-tk" in found) == ("2.7", True, False)
+
+
+@pytest.mark.parametrize(
+    ("files", "guessed"),
+    [
+        ({"airsim/flight.py": "import airsim\n", "n.py": "import airsim\n"}, ("airsim",)),
+        ({"airsim/flight.py": "import time\n", "n.py": "import airsim\n"}, ()),
+        ({"airsim/__init__.py": "", "airsim/flight.py": "import airsim\n", "n.py": "import airsim\n"}, ()),
+        ({"airsim/flight.py": "import airsim.flight\n", "n.py": "import airsim\n"}, ()),
+    ],
+)
+def test_a_folder_whose_programs_import_the_package_of_its_name_is_not_that(
+    tmp_path: Path, files: dict[str, str], guessed: tuple[str, ...]
+) -> None:
+    assert decide(tmp_path, {"requirements.txt": "tqdm\n", **files}).pip_guessed == guessed
+
+
 def test_a_page_of_the_documentation_tells_what_to_install_but_not_what_developers_use(tmp_path: Path) -> None:
     page = {"CMakeLists.txt": "project(x)\n", "docs/install.md": "```\npip install cmake pytest\n```\n"}
     assert decide(tmp_path, page, kind="cpp").pip_guessed == ("cmake",)

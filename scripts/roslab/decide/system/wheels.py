@@ -8,8 +8,9 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import ubuntus_with_python2
-from roslab.knowledge.frameworks import older_wheels, wheels
+from roslab.knowledge.frameworks import imports, older_wheels, wheels
 from roslab.knowledge.python2_packages import system_package
+from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 from roslab.values.version import version_of
 
@@ -22,20 +23,31 @@ def apt_for_wheels(
 ) -> tuple[tuple[str, Dependency | Requirement], ...]:
     """Return ``(apt name, the requirement or import that needs it)``; ``ubuntu`` is ``None`` on Debian bookworm."""
     found: dict[str, Dependency | Requirement] = {}
+    of_python2 = python.manager == "system" and (python.version or "").startswith("2")
     for asked in installed:
         for apt in (*wheels().get(asked.key, ()), *_older(asked)):
             if python.manager == "conda" and apt == _TK:
                 continue
-            found.setdefault(name_in(apt, ubuntu or "bookworm"), asked)
+            name = name_in(apt, ubuntu or "bookworm")
+            found.setdefault(name.replace("python3-", "python-") if of_python2 else name, asked)
     if python.manager == "system":
+        pinned = _pinned(python, installed)
         for dependency in evidence.code:
             if dependency.namespace != "import" or dependency.strength != "used" or places.test(dependency.file):
                 continue
-            if apt_name := system_package(dependency.name, ubuntu):
+            package = (imports().get(dependency.name) or (None, None))[0]
+            apt_name = system_package(dependency.name, ubuntu)
+            if apt_name and not (package and canonicalize_name(package) in pinned):
                 found.setdefault(apt_name, dependency)
             if dependency.name in {"matplotlib", "pylab"}:
                 found.setdefault("python-tk" if ubuntu in ubuntus_with_python2() else "python3-tk", dependency)
     return tuple(found.items())
+
+
+def _pinned(python: Python, installed: tuple[Requirement, ...]) -> set[str]:
+    """Return what pip installs in one release, as a manifest has it: the distribution's own would lie below it."""
+    aside = {*python.pip_guessed, *python.pip_tried}
+    return {each.key for each in installed if each.release and each not in aside and each.role != "conda"}
 
 
 def _older(asked: Requirement) -> tuple[str, ...]:

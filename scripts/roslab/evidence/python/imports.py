@@ -12,7 +12,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import first_line
 from roslab.evidence.program import Program
 from roslab.evidence.python import notebooks
-from roslab.evidence.python.modules import Module, modules
+from roslab.evidence.python.modules import MAX_READ, Module, modules
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
 from roslab.evidence.python.rendered import rendered
@@ -247,6 +247,23 @@ def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str]]:
         whole = [*holding, folder] if stem == "__init__" else [*holding, folder, stem]
         sorted_in |= {".".join(whole[at:]) for at, name in enumerate(holding) if name in known_imports()}
     names |= above - known_imports().keys()
+    names -= _imported_beside(repository, names - {file.name.partition(".")[0] for file in repository.suffixed(".py")})
     for file in repository.named("package.xml"):
         names.add(file.folder.rpartition("/")[2])
     return frozenset(names), frozenset(sorted_in)
+
+
+def _imported_beside(repository: Repository, names: set[str]) -> set[str]:
+    """Return the folders whose own programs import a known package of that name, which is not the folder.
+
+    A program's folder is on Python's path, and not the one above it.
+    """
+    packages = {file.folder for file in repository.named("__init__.py")}
+    found = set()
+    for file in repository.suffixed(".py") if names & known_imports().keys() else ():
+        name = file.folder.rpartition("/")[2]
+        if name in names and name in known_imports() and file.folder not in packages:
+            text = repository.read(file, limit=MAX_READ)
+            if any((match["plain"] or "").partition(" ")[0] == name for match in statements(text)):
+                found.add(name)
+    return found
