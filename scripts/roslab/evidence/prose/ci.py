@@ -13,6 +13,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
 from roslab.evidence.prose.ci_conditions import titled
+from roslab.evidence.prose.ci_hooks import hooks
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.other_branches import told
@@ -91,7 +92,7 @@ def _all(repository: Repository) -> tuple[dict[str, Prose], frozenset[str]]:
         if file.size < MAX_SIZE:
             text = repository.read(file)
             values = None if file.path.endswith("Jenkinsfile") else scalars(text)
-            found[file.path] = _read(text, values, file.path)
+            found[file.path] = merge((_read(text, values, file.path), *hooks(repository, values or (), file.path)))
             if values and repository.branch and _for_others(values, repository.branch):
                 others.add(file.path)
     own = any(mention.topic == "distro" for path in found.keys() - others for mention in found[path].mentions)
