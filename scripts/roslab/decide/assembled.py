@@ -12,6 +12,7 @@ from roslab.decide.cuda.cpu_releases import without_cuda
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Python, Warning_
 from roslab.decide.launch_needs import decide_launch_needs
+from roslab.decide.old_compiler import decide_compiler
 from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import Platforms
 from roslab.decide.proof import compiled, rostests, runs_ctest
@@ -80,6 +81,10 @@ class Choices:
     left_out: tuple[str, ...]
 
 
+def _by_apt(of: Choices) -> tuple[str, ...]:
+    return (*of.system.answer.apt, *of.system.answer.apt_guessed)
+
+
 def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     """Return the decision, with the reasons and the warnings of every choice.
 
@@ -132,6 +137,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         decide_absent_launches(evidence, of.kind.answer),
         *(() if of.own.answer else (decide_outside(evidence, config, of.kind.answer),)),
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
+        *(() if of.own.answer else (decide_compiler(evidence, config, of.base.answer.ubuntu, _by_apt(of)),)),
     )
     return Decision(
         kind=of.kind.answer,
