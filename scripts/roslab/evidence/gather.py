@@ -84,6 +84,7 @@ from roslab.evidence.python import (
     requirements,
     tests,
 )
+from roslab.evidence.python.modules import modules
 from roslab.evidence.ros import (
     commit_date,
     distro_names,
@@ -221,7 +222,10 @@ def gather(repository: Repository) -> Evidence:
         copies=copies.read(repository, manifests),
         repositories=copies.repositories(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
-        x86_only=(*x86.read(repository, intrinsics, signs.included), *x86_binaries.read(repository)),
+        x86_only=(
+            *x86.read(repository, intrinsics, signs.included),
+            *x86_binaries.read(repository, ((m.file.path, m.text) for m in modules(repository))),
+        ),
         problems=(
             *repository.problems,
             *(_malformed(m) for m in manifests if m.malformed),

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native.x86 import always, cmake_files
 from roslab.evidence.native.x86_searched import FINDING, searched
-from roslab.evidence.python.modules import modules
 from roslab.evidence.x86_only import X86Only
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -52,10 +51,10 @@ MAX_HEAD = 1024 * 1024
 _ROOT = pattern(r"^\$\{(?:(?:PROJECT|CMAKE|CMAKE_CURRENT|\w+)_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}/")
 
 
-def read(repository: Repository) -> Iterator[X86Only]:
+def read(repository: Repository, modules: Iterable[tuple[str, str]]) -> Iterator[X86Only]:
     """Yield each such download or path, once for a file of CMake that does not choose by the processor.
 
-    Then the first that code opens.
+    Then the first that code opens, and the first that ``modules`` of Python do: each a path with its text.
     """
     has = any(_NAME.search(file.name) for file in repository.files)
     for file in cmake_files(repository):
@@ -79,19 +78,25 @@ def read(repository: Repository) -> Iterator[X86Only]:
     only = {file.name for file in libraries if file.path in x86} - {f.name for f in libraries if f.path not in x86}
     if only:
         yield from _opened(repository, libraries, only)
-        yield from _opened_by_python(repository, libraries, only)
+        yield from _opened_by_python(repository, modules, libraries, only)
 
 
-def _opened_by_python(repository: Repository, libraries: Sequence[File], only: set[str]) -> Iterator[X86Only]:
+def _opened_by_python(
+    repository: Repository, modules: Iterable[tuple[str, str]], libraries: Sequence[File], only: set[str]
+) -> Iterator[X86Only]:
     """Yield the first one that a module opens by its name, and that no build file of the tree names: it may make it."""
-    for module in modules(repository):
-        text = "" if places.aside(module.file.path) else module.text
-        if "ctypes" not in text or not _OPENS_IN_PYTHON.search(text) or _CHOOSES_IN_PYTHON.search(text):
+    for path, text in modules:
+        if (
+            places.aside(path)
+            or "ctypes" not in text
+            or not _OPENS_IN_PYTHON.search(text)
+            or _CHOOSES_IN_PYTHON.search(text)
+        ):
             continue
         for named in _NAMED_IN_PYTHON.finditer(text):
             if named[1] in only and not _made(named[1], repository):
                 found = next(file.path for file in libraries if file.name == named[1])
-                yield X86Only(found, "opened by Python", module.file.path, text.count("\n", 0, named.start()) + 1)
+                yield X86Only(found, "opened by Python", path, text.count("\n", 0, named.start()) + 1)
                 return
 
 
