@@ -216,7 +216,8 @@ class Mention:
         "option", "gazebo", "compared", "skipped", "own_history", "data",
         "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked", "runs",
         "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld", "entered",
-        "parameter", "other_builder", "conflict", "made", "unlaunched", "machine", "own_setup", "demanded", "cloned_head", "at_top",
+        "parameter", "other_builder", "conflict", "made", "unlaunched", "machine", "own_setup", "demanded",
+        "cloned_head", "at_top",
     ]  # fmt: skip
     value: str
     source: Literal[
