@@ -19,7 +19,12 @@ COMPOSE = """services:
       - "9090:9090"
     environment:
       - WORLD=${WORLD:-house}
-      - DISPLAY=${DISPLAY}
+      - DISPLAY=${DISPLAY:-:0}
+      - ROS_MASTER_URI=http://localhost:11311
+      - SIMULATION_API_TOKEN=abc
+      - STORE=http://database:5432
+  database:
+    image: postgres
 """
 SIMULATOR = "FROM ros:humble-ros-base\nCOPY . /ws/src/demo\nRUN cd /ws && colcon build\nCMD /ws/src/demo/start.sh\n"
 PLAIN = "FROM ros:humble-ros-base\nCOPY . /ws/src/demo\nRUN cd /ws && colcon build\n"

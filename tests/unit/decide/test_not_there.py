@@ -38,6 +38,7 @@ FILE = "install(FILES .setup_assistant DESTINATION share)"
         (("if(WITH_GUI)", FOLDERS, "endif()"), ()),
         (("install(TARGETS node DESTINATION lib)", "install(EXPORT node DESTINATION lib)"), ()),
         (("configure_file(a.in ${CMAKE_CURRENT_SOURCE_DIR}/a.h)", "install(FILES a.h DESTINATION include)"), ()),
+        (("if(NOT EXISTS ${DATA})", "file(DOWNLOAD ${URL} ${DATA}/a.onnx)", "endif()", FOLDERS), ()),
         (("install(DIRECTORY config DESTINATION share)",), ()),
         (("install(DIRECTORY . ../../elsewhere DESTINATION share)",), ()),
     ],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.native.searched import SEARCHED
 from roslab.knowledge.distros import distro, ever
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released
@@ -10,8 +11,6 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-SEARCHED = "searched"
-"""The role of a library that CMake looks for by its name and stops without."""
 MOST_OF_A_PATTERN = 30
 """Most packages that are taken for one pattern of names: more hold drivers and tools that nobody meant."""
 APT_NAME = pattern(r"^[a-z0-9][a-z0-9.+-]+$")

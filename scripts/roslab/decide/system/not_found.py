@@ -9,11 +9,12 @@ from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.names import SEARCHED, Target, resolve
+from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.decide.system.required import similar
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.evidence.native.searched import SEARCHED
 from roslab.knowledge.shared_objects import given
 
 SHORTEST = 4

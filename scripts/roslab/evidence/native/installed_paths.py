@@ -22,6 +22,12 @@ _HERE = pattern(r"^\$\{(?:CMAKE_CURRENT|PROJECT)_SOURCE_DIR\}/")
 _PATH = pattern(r"[\w.+@-]+(?:/[\w.+@-]+)*/?")
 _MODULE = pattern(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 MAX_PATHS = 60
+_WRITES = pattern(
+    r"\bfile\s*\(\s*(?:DOWNLOAD|MAKE_DIRECTORY|WRITE|APPEND|COPY|GENERATE|CONFIGURE|ARCHIVE_EXTRACT)\b"
+    r"|\b(?:execute_process|configure_file|add_custom_command|ExternalProject_Add)\s*\(",
+    re.IGNORECASE,
+)
+"""What may make a file or a folder before it is installed, and asks whether it is there."""
 
 
 def installed(call: Call, folder: str) -> Iterator[InstalledPath]:
@@ -43,10 +49,12 @@ def installed(call: Call, folder: str) -> Iterator[InstalledPath]:
 
 
 def not_there(found: Iterable[InstalledPath], text: str, repository: Repository) -> tuple[InstalledPath, ...]:
-    """Return those that are not in the tree; ``text`` is the file's, which may make a file that it names twice.
+    """Return those that are not in the tree; none where the file, whose ``text`` is given, may make them itself.
 
-    Nothing is known of what lies in a submodule.
+    It may where it names a file twice. Nothing is known of what lies in a submodule.
     """
+    if _WRITES.search(text):
+        return ()
     modules = repository.once(_submodules)
     return tuple(
         each

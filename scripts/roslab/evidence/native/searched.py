@@ -13,7 +13,8 @@ from roslab.knowledge.libraries import library
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-ROLE = "searched"
+SEARCHED = "searched"
+"""The role of a library that CMake looks for by its name and stops without."""
 _FIND = "find_library"
 _CALLS = frozenset({_FIND, "target_link_libraries", "link_libraries"})
 _VARIABLE = pattern(r"\$\{(\w+)\}")
@@ -42,7 +43,7 @@ def searched(text: str, path: str, repository: Repository) -> Iterator[Dependenc
         names = [_plain(name) for call in looking for name in wanted(call)]
         if sure and used and names and not (_asked(text, variable) or any(_held(name, repository) for name in names)):
             name = next((name for name in names if _known(name)), names[0])
-            role = "test" if places.test(path) else ROLE
+            role = "test" if places.test(path) else SEARCHED
             yield Dependency(namespace="link", name=name, strength="used", file=path, line=looking[0].line, role=role)
 
 

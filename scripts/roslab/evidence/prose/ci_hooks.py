@@ -1,6 +1,6 @@
 """What industrial_ci runs around its own steps: ``BEFORE_SCRIPT``, ``AFTER_INIT``, and the scripts that these name.
 
-https://github.com/ros-industrial/industrial_ci/blob/master/doc/index.rst, custom commands, from memory, 2026-11-26.
+https://github.com/ros-industrial/industrial_ci/blob/master/doc/index.rst, custom commands, 2026-11-26.
 """
 
 from __future__ import annotations

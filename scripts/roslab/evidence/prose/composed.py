@@ -8,7 +8,7 @@ from __future__ import annotations
 import posixpath
 import re
 import shlex
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from roslab.evidence import places
@@ -25,6 +25,12 @@ _FILE = pattern(r"(?:-f|--file)(?:[ \t]+|=)(\S+)")
 _DEFAULTS = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
 _PORTS = 1 << 16
 _VALUE = pattern(r"\$(?:\{(\w+)(?::?-([^}]*))?\}|(\w+))")
+_OF_HOST = pattern(
+    r"(?:DISPLAY|XAUTHORITY|QT_X11_NO_MITSHM|ROS_(?:MASTER_URI|HOSTNAME|IP)|NVIDIA_\w+)$"
+    r"|.*(?:TOKEN|SECRET|PASSWORD|PASSWD|CREDENTIAL|(?:API|ACCESS|PRIVATE)_?KEY)",
+    re.IGNORECASE,
+)
+"""Variables that hold for the host on which its author starts the services, and secrets."""
 
 
 def services(repository: Repository) -> Mapping[str, Service]:
@@ -85,7 +91,7 @@ def _built(repository: Repository, file: File, page: File) -> Iterator[tuple[str
                 said=page.path,
                 command=_argv(said.get("command")) if own else (),
                 ports=tuple(_filled(str(port)) or "" for port in _items(said.get("ports")) if _plain(port)),
-                environment=tuple(_environment(said.get("environment"))),
+                environment=tuple(_environment(said.get("environment"), listed or ())),
             ),
         )
 
@@ -114,11 +120,13 @@ def _argv(said: Any) -> tuple[str, ...]:
     return () if None in filled else tuple(word for word in filled if word is not None)
 
 
-def _environment(said: Any) -> Iterator[tuple[str, str]]:
+def _environment(said: Any, services: Iterable[str]) -> Iterator[tuple[str, str]]:
+    """Yield each variable, but none of the host's screen, of another service, or with a secret."""
+    others = tuple(f"{name}:" for name in services)
     pairs = said.items() if isinstance(said, dict) else (str(each).partition("=")[::2] for each in _items(said))
     for name, value in pairs:
         filled = _filled("" if value is None else str(value).lower() if isinstance(value, bool) else str(value))
-        if filled:
+        if filled and not _OF_HOST.match(str(name)) and not any(other in filled for other in others):
             yield str(name), filled
 
 

@@ -55,7 +55,7 @@ roslab_older_builder() { # PYTHON
       echo "roslab: what is built here does not suit ${package} ${below} and newer: an older one is taken" >&2
       # Until 25.3 all constraints of pip hold where it builds, from then on these alone
       export PIP_BUILD_CONSTRAINT="${notes}.older"
-      if command "$1" -m pip install --help </dev/null | grep -q -e --build-constraint; then return; fi
+      if command "$1" -m pip install --help </dev/null | grep -e --build-constraint >/dev/null; then return; fi
       case " ${PIP_CONSTRAINT:-} " in
         *" ${notes}.older "*) ;;
         *) export PIP_CONSTRAINT="${PIP_CONSTRAINT:+${PIP_CONSTRAINT} }${notes}.older" ;;
@@ -74,6 +74,11 @@ roslab_older_builder() { # PYTHON
 # Tells whether a release of $package that is too new is installed
 roslab_newer_beside() { # PYTHON
   local version
+  # One of these does not run on a newer Python: https://setuptools.pypa.io/en/latest/history.html#v66-1-0
+  if [ "${package}" = setuptools ] && [ "${below}" -le 66 ] &&
+    command "$1" -c 'import sys; sys.exit(sys.version_info < (3, 12))'; then
+    return 1
+  fi
   version="$(command "$1" -m pip show "${package}" 2>/dev/null </dev/null | sed -n 's/^Version: \([0-9]*\).*/\1/p')"
   [ "${version:-0}" -ge "${below}" ]
 }

@@ -17,7 +17,8 @@ missing() {
   sed --quiet --regexp-extended \
     -e 's/.*Missing executable ([A-Za-z0-9.+-]+).*/\L\1/p' \
     -e 's/.*Could NOT find [A-Za-z0-9_]+ \(missing: *([A-Za-z0-9]+)_EXECUTABLE\b.*/\L\1/p' \
-    "${log}" | sed 's/[.]*$//' | sort --unique
+    <(awk '/^CMake .*Warning/ { error = 0 } /^CMake Error/ { error = 1 } error' "${log}") |
+    sed -e 's/[.]*$//' -e '/^python/d' | sort --unique
 }
 
 status=0
@@ -30,6 +31,7 @@ if [ "${#programs[@]}" -gt 0 ] && [ "$(id --user)" -eq 0 ] && apt-get update --q
   for program in "${programs[@]}"; do
     if apt-get install --yes --quiet=2 --no-install-recommends "${program}"; then installed+=("${program}"); fi
   done
+  rm -rf /var/lib/apt/lists/*
 fi
 if [ "${#installed[@]}" -gt 0 ]; then
   echo "roslab: CMake misses programs, apt installs them: ${installed[*]}: once more"

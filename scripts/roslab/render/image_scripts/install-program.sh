@@ -11,10 +11,11 @@ fi
 ldconfig
 if command -v python3 >/dev/null; then
   python3 -c '
-import os, sys, sysconfig
+import os, site, sys
 modules = "/usr/local/lib/python%d.%d/site-packages" % sys.version_info[:2]
-if os.path.isdir(modules) and modules not in sys.path:
-    with open(os.path.join(sysconfig.get_path("purelib"), "installed-by-cmake.pth"), "w") as file:
+read = [folder for folder in site.getsitepackages() if os.path.isdir(folder)]
+if os.path.isdir(modules) and modules not in sys.path and read:
+    with open(os.path.join(read[0], "installed-by-cmake.pth"), "w") as file:
         file.write(modules + "\n")
-'
+' || echo "roslab: Python does not find the modules that CMake installed" >&2
 fi

@@ -1,8 +1,8 @@
 #!/bin/bash
 # usage: leave-out-failed [--keep PACKAGE]... FOLDER... -- COMMAND...
-# Runs a command that builds the workspace in the current folder. Where it fails in packages below one of these folders, which
-# hold what is cloned or need what nothing is known to bring, they are told and hidden, and it is run again: one that
-# requires what no image has, the SDK of a camera, stops all others. What is kept, and what the others are compiled with, still stops the build.
+# Runs a command that builds the workspace in the current folder. Where it fails in packages below one of these folders, it is
+# run again without them, and they are told. The folders hold what is cloned, or packages that require what nothing brings:
+# one that needs the SDK of a camera stops all others. The packages of --keep still stop the build.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 kept=() cloned=()

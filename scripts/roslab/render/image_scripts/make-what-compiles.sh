@@ -5,7 +5,7 @@
 set -euo pipefail
 
 code=0
-said="$(mktemp)"
+said="$(mktemp)" before="$(mktemp)"
 make --keep-going "$@" 2>&1 | tee "${said}" || code="${PIPESTATUS[0]}"
 failed="$(sed --quiet --regexp-extended 's:^make.*[*]{3} \[([^]]* )?(.*/)?CMakeFiles/([^/]+)[.]dir/all\] Error.*:\3:p' \
   "${said}" | sort --unique | tr '\n' ' ')"
@@ -16,6 +16,6 @@ made=0
 while IFS= read -r -d '' file; do
   IFS= read -r -N 4 magic <"${file}" || true
   if [ "${magic}" = $'\x7fELF' ]; then made=$((made + 1)); fi
-done < <(find . -name CMakeFiles -prune -o -type f -perm -u+x ! -name '*.so*' -print0)
+done < <(find . -name CMakeFiles -prune -o -type f -newer "${before}" -perm -u+x ! -name '*.so*' -print0)
 if [ "${made}" = 0 ]; then exit "${code}"; fi
 echo "roslab: not compiled and left out: ${failed:-see above }(programs that are there: ${made})" >&2
