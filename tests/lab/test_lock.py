@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from roslab.github import locking
+from roslab.knowledge.tools import NEWEST
 from roslab.plan.lock import digest
 
 from . import doors, registry
@@ -46,7 +47,7 @@ def world(lab: Laboratory, tmp_path: Path) -> Iterator[World]:
         running.add_deb("robot-data", "1.0")
         running.add_wheel("robot-lib", "1.0", "robot-core")
         running.add_wheel("robot-core", "1.0")
-        running.add_real("pip", "setuptools", "wheel")
+        running.add_real(*NEWEST)
         host = gateway.partition(":")[0]
         files = {"sources.list": running.sources}
         files["Dockerfile"] = (
