@@ -45,9 +45,9 @@ roslab_call() {
 }
 # Takes an older release of what builds packages, where the output says that a package does not suit it
 roslab_older_builder() { # PYTHON
-  local package below pattern older limits=/usr/local/share/roslab/build-limits.txt
+  local package below python pattern older limits=/usr/local/share/roslab/build-limits.txt
   if [ ! -e "${limits}" ]; then return 1; fi
-  while read -r package below pattern; do
+  while read -r package below python pattern; do
     if ! grep -q -E "${pattern}" "${log}" 2>/dev/null; then continue; fi
     older="${package}<${below}"
     if ! grep -q -x -F "${older}" "${notes}.older" 2>/dev/null; then
@@ -71,14 +71,10 @@ roslab_older_builder() { # PYTHON
   done <"${limits}"
   return 1
 }
-# Tells whether a release of $package that is too new is installed
+# Tells whether a release of $package that is too new is installed, and older ones run on this Python
 roslab_newer_beside() { # PYTHON
   local version
-  # One of these does not run on a newer Python: https://setuptools.pypa.io/en/latest/history.html#v66-1-0
-  if [ "${package}" = setuptools ] && [ "${below}" -le 66 ] &&
-    command "$1" -c 'import sys; sys.exit(sys.version_info < (3, 12))'; then
-    return 1
-  fi
+  if command "$1" -c "import sys; sys.exit(sys.version_info < (${python/./, }))"; then return 1; fi
   version="$(command "$1" -m pip show "${package}" 2>/dev/null </dev/null | sed -n 's/^Version: \([0-9]*\).*/\1/p')"
   [ "${version:-0}" -ge "${below}" ]
 }

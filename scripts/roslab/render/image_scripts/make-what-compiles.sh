@@ -6,10 +6,10 @@ set -euo pipefail
 
 code=0
 said="$(mktemp)" before="$(mktemp)"
+trap 'rm -f "${said}" "${before}"' EXIT # no layer keeps their names, which are others each time
 make --keep-going "$@" 2>&1 | tee "${said}" || code="${PIPESTATUS[0]}"
 failed="$(sed --quiet --regexp-extended 's:^make.*[*]{3} \[([^]]* )?(.*/)?CMakeFiles/([^/]+)[.]dir/all\] Error.*:\3:p' \
   "${said}" | sort --unique | tr '\n' ' ')"
-rm -f "${said}"
 if [ "${code}" = 0 ]; then exit 0; fi
 
 made=0
