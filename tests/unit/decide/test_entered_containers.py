@@ -34,9 +34,39 @@ def test_a_script_that_enters_a_container_starts_nothing(tree: Tree, script: str
     assert not any("start.sh" in argv for argv in decision.command_candidates)
 
 
+SENT = """HOST=robot.local
+HERE="$(dirname "$(realpath "$0")")"
+rsync -az --exclude=.git \\
+  "$HERE/" "pi@${HOST}:/home/pi/demo/"
+"""
+
+
+@pytest.mark.parametrize(
+    "script", [SENT, "scp -r src pi@robot.local:demo\n", 'ssh pi@robot.local "cd demo && python3 run.py"\n']
+)
+def test_a_script_that_sends_the_tree_elsewhere_starts_nothing(tree: Tree, script: str) -> None:
+    page = "## Deploy\n```\n./start.sh\n```\n## Run\n```\npython3 run.py --world 0\n```\n"
+    decision = tree({**PYTHON, "README.md": page, "start.sh": script})
+    assert decision.command == ("python3", "run.py", "--world", "0")
+    assert not any("start.sh" in argv for argv in decision.command_candidates)
+
+
+def test_arrows_of_a_diagram_are_no_arguments(tree: Tree) -> None:
+    page = "```mermaid\nclassDiagram\n  demo *-- server\n```\n## Run\n```\n./demo --fast\n```\n"
+    cmake = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nadd_executable(demo main.cpp)\ninstall(TARGETS demo)\n"
+    decision = tree({"CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", "README.md": page})
+    assert decision.command[-1] == "--fast"
+    assert not any("server" in argv for argv in decision.command_candidates)
+
+
 def test_other_scripts_start_something(tree: Tree) -> None:
     """Its name is in the messages of one, and the other looks whether it is inside."""
-    for script in ("echo 'in singularity exec it'\npython3 run.py", 'test -n "$SINGULARITY_NAME"\npython3 run.py'):
+    fetched = "rsync -a host@robot.local:data/ data/\nCUDA_VISIBLE_DEVICES=$1 python3 run.py\n"
+    for script in (
+        "echo 'in singularity exec it'\npython3 run.py",
+        'test -n "$SINGULARITY_NAME"\npython3 run.py',
+        fetched,
+    ):
         assert tree({**PYTHON, "README.md": ALONE, "start.sh": script}).command == ("bash", "start.sh")
 
 

@@ -11,6 +11,7 @@ from roslab.evidence import places
 from roslab.evidence.prose.blanks import chosen
 from roslab.evidence.prose.block_values import with_values
 from roslab.evidence.prose.comments import without_comments
+from roslab.evidence.prose.diagrams import without_diagrams
 from roslab.evidence.prose.headings import lines_of, title_of
 from roslab.evidence.prose.other_branches import without
 from roslab.evidence.prose.preformatted import as_markdown
@@ -58,7 +59,7 @@ def text_of(repository: Repository, file: File) -> str:
 
 @cache
 def _shown(text: str) -> str:
-    return with_values(chosen(as_markdown(without_comments(text))))
+    return with_values(chosen(without_diagrams(as_markdown(without_comments(text)))))
 
 
 def pages(repository: Repository) -> tuple[File, ...]:

@@ -1,6 +1,7 @@
 """Scripts of the tree that start no program of it: they open a shell in which a person goes on, or a container.
 
-So do those that stop because nobody has set a variable, and those that only install what others need.
+So do those that stop because nobody has set a variable, and those that only install what others need or send the tree
+to another machine.
 """
 
 from __future__ import annotations
@@ -30,8 +31,15 @@ _INSTALLS = pattern(
     r"apt-get)[ \t]+(?:-\S+[ \t]+)*(?:install|create|env[ \t]+(?:create|update))\b",
     re.MULTILINE,
 )
+_SENDS = pattern(
+    r"^[ \t]*(?:(?:if|then|else|do|exec|sudo|time|!)[ \t]+)*(?:sshpass[ \t]+(?:-\S+[ \t]+(?:[\w\"'$][^\s-]*[ \t]+)?)*)?"
+    r"(?:(?:rsync|scp|sftp)\b[^\n]*:|ssh[ \t]+[^\n]*@)",
+    re.MULTILINE,
+)
+"""A copy to another machine, or a command there: ``rsync -az . pi@robot.local:/home/pi``."""
 _STARTS = pattern(
-    r"^[ \t]*(?:(?:exec|eval|nohup|time|then|else|do)[ \t]+)*(?:\w+=\S*[ \t]+)*"
+    r"^[ \t]*(?:(?:exec|eval|nohup|time|then|else|do)[ \t]+)*"
+    r"(?:\w+=(?:[\w./:,+-]|\$\{?\w+\}?|\"[^\"()\n]*\"|'[^'\n]*')*[ \t]+)*"
     r"(?:python[\d.]*[ \t]+(?!-m[ \t]+pip\b|setup\.py\b|-[cV])|torchrun\b|accelerate[ \t]+launch|roslaunch\b|rosrun\b|"
     r"roscore\b|ros2[ \t]|jupyter\b|[\w.~-]*/|(?:ba)?sh[ \t]+\S|[$\"'])",
     re.MULTILINE,
@@ -48,7 +56,8 @@ def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
 def _leads_elsewhere(text: str) -> bool:
     from roslab.evidence.prose.unset import stops_unset  # noqa: PLC0415 - few scripts stop so
 
-    if _INSTALLS.search(text) and not _STARTS.search(text):
+    text = text.replace("\\\n", " ")
+    if (_INSTALLS.search(text) or _SENDS.search(text)) and not _STARTS.search(text):
         return True
     return stops_unset(text) or starts_container(text) or any(map(_OPENS.match, text.splitlines()))
 
