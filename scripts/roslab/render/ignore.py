@@ -46,7 +46,7 @@ def ignore(plan: Plan, unread: tuple[str, ...]) -> str:
     parts.append(f"# What `roslab create` writes\n{own}\n")
     if hidden := plan.workspace.made_elsewhere:
         lines_of = "\n".join(map(_literal, hidden))
-        parts.append(f"# What CMake wrote on another machine, and refuses in another folder\n{lines_of}\n")
+        parts.append(f"# What a build on another machine left, from which none goes on in another folder\n{lines_of}\n")
     parts.append("# The history, and the credentials that a checkout leaves in it, belong in no image\n**/.git\n")
     return "\n".join(parts)
 

@@ -52,3 +52,20 @@ def test_a_file_of_that_name_alone_is_none(tmp_path: Path) -> None:
     repository = tree(tmp_path, {})
     (tmp_path / "CMakeCache.txt").write_text("What a cache of CMake holds\n")
     assert made_elsewhere.names(Repository.open(tmp_path)) == made_elsewhere.names(repository) == ()
+
+
+def test_a_space_of_a_workspace_is_hidden_as_a_whole(tmp_path: Path) -> None:
+    (tmp_path / "src/a").mkdir(parents=True)
+    (tmp_path / "src/a/package.xml").write_text("<package><name>a</name></package>")
+    for folder, tool in {
+        "build": "catkin_make",
+        "devel": "catkin build",
+        "install": "colcon",
+        "src/a": "catkin",
+    }.items():
+        (tmp_path / folder).mkdir(parents=True, exist_ok=True)
+        (tmp_path / folder / ".built_by").write_text(f"{tool}\n")
+    (tmp_path / "build/CMakeCache.txt").write_text(CACHE.format("/home/ann/ws/build"))
+    (tmp_path / "notes").mkdir()
+    (tmp_path / "notes/.built_by").write_text("Ann and Bob\n")
+    assert made_elsewhere.names(Repository.open(tmp_path)) == ("build", "devel", "install")

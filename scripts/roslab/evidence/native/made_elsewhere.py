@@ -1,4 +1,8 @@
-"""Files that CMake wrote on another machine: it refuses to go on from them in another folder."""
+"""What a build on another machine left in the tree: CMake refuses to go on from it in another folder.
+
+``catkin build`` refuses a build space that catkin_make made, by a file of that space:
+https://github.com/catkin/catkin_tools/blob/main/catkin_tools/verbs/catkin_build/cli.py, 2026-11-26.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +13,9 @@ from roslab.values.pattern import pattern
 
 CACHE = "CMakeCache.txt"
 FILES = "CMakeFiles"
+MARK = ".built_by"
+"""Says in a build, devel or install space which tool made it: catkin's tools and colcon write it."""
+_TOOLS = ("catkin", "colcon")
 MOST = 200
 """Each may be two lines of the ignore file; of more, the first."""
 _MADE_IN = pattern(r"^CMAKE_CACHEFILE_DIR:INTERNAL=(\S[^\n]{0,200})$")
@@ -17,9 +24,11 @@ _PLAIN = pattern(r"[\w.][\w./+-]*\Z")
 
 
 def names(repository: Repository) -> tuple[str, ...]:
-    """Return each cache of CMake, and the folder of its other files beside it, sorted."""
-    folders = [path.removesuffix(CACHE) for path, _, _ in _caches(repository)]
-    return tuple(name for folder in folders for name in (f"{folder}{FILES}", f"{folder}{CACHE}"))
+    """Return the spaces that a workspace tool made, and each other cache of CMake with the folder beside it, sorted."""
+    spaces = _spaces(repository)
+    inside = tuple(f"{space}/" for space in spaces)
+    folders = [path.removesuffix(CACHE) for path, _, _ in _caches(repository) if not path.startswith(inside)]
+    return spaces + tuple(name for folder in folders for name in (f"{folder}{FILES}", f"{folder}{CACHE}"))
 
 
 def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
@@ -33,6 +42,14 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
         more = f", and so are {len(found) - 1} more" if len(found) > 2 else ", and so is one more" if found[1:] else ""
         why = "CMake refuses it in any other folder, so a generated Dockerfile leaves it out"
         yield f"CMake wrote it in {folder}{more}: {why}", path, line
+
+
+def _spaces(repository: Repository) -> tuple[str, ...]:
+    """Return the folders that hold a tool's mark, without those inside another; a folder with a manifest is source."""
+    marks = (file for file in repository.named(MARK) if file.folder and _PLAIN.match(file.folder))
+    made = sorted(mark.folder for mark in marks if repository.read(mark).strip().startswith(_TOOLS))
+    made = [space for space in made if not repository.has(f"{space}/package.xml")]
+    return tuple(s for s in made if not any(s.startswith(f"{other}/") for other in made))[:MOST]
 
 
 def _caches(repository: Repository) -> Iterator[tuple[str, str, int]]:
