@@ -140,6 +140,7 @@ def gather(repository: Repository) -> Evidence:
         *clones.read(own, prose.sources),
     )
     sources = (*sources, *links.read(repository, sources))
+    lost = links.lost(repository, sources)
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
     lists = submodules.named(requirements.read(repository), own, prose.requirements)
     made = makefiles.read(own, prose.mentions)
@@ -164,6 +165,7 @@ def gather(repository: Repository) -> Evidence:
             *imports.read(repository),
             *called.read(own),
             *launch.plugins(repository),
+            *(links.packages(lost) if manifests else ()),
             *((*gazebo_plugins.read(repository), *image_transports.read(repository)) if manifests else ()),
             *fetched.programs,
             *configured.read(own),
@@ -230,6 +232,7 @@ def gather(repository: Repository) -> Evidence:
             *repository.problems,
             *(_malformed(m) for m in manifests if m.malformed),
             *vcs.absent(repository),
+            *links.problems(lost),
             *cpu.read(repository),
             *authors_folders.read(repository),
             *made_elsewhere.read(repository),

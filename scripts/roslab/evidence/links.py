@@ -1,4 +1,4 @@
-"""Repositories that the commit records in the tree without an address, and that a page clones.
+"""Repositories that the commit records in the tree without an address.
 
 ``git add`` of a folder that is a clone records its commit alone, and leaves it empty for everybody else:
 https://git-scm.com/docs/gitsubmodules, 2026-11-26
@@ -9,13 +9,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
-from roslab.evidence.dependency import GitSource
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.knowledge.released import ever_released
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 
+MOST = 5
+"""Most folders that a message names."""
+
 
 def read(repository: Repository, sources: Iterable[GitSource]) -> Iterator[GitSource]:
-    """Yield each such folder as a submodule: that which a page clones by its name, at the commit that is recorded.
+    """Yield each that a page clones by its name as a submodule, at the commit that is recorded.
 
     Of several folders of one name the first is meant. What is checked out is read as a part of the tree.
     """
@@ -35,3 +39,30 @@ def read(repository: Repository, sources: Iterable[GitSource]) -> Iterator[GitSo
     for name, path in found.items():
         ref = commits.get(path, clones[name].ref)
         yield replace(clones[name], name=path, into="", ref=ref, strength="declared", kind="submodule", absent=True)
+
+
+def lost(repository: Repository, sources: Iterable[GitSource]) -> tuple[str, ...]:
+    """Return the paths of those that nothing tells the address of: they are empty for whoever clones the repository."""
+    empty = repository.listing.empty
+    known = {git.name for git in sources if git.kind in {"submodule", "inside"}}
+    return tuple(path for path in repository.recorded(empty) if path not in known) if empty else ()
+
+
+def problems(paths: tuple[str, ...]) -> Iterator[tuple[str, str | None, int | None]]:
+    """Yield the message about the lost ones, which are in no file."""
+    if paths:
+        more = f" and {len(paths) - MOST} more" if len(paths) > MOST else ""
+        names = f"{', '.join(paths[:MOST])}{more}"
+        why = "the commit records a commit of another repository there, and nothing tells its address"
+        what = (
+            "add it again with `git submodule add ADDRESS FOLDER`, or name the repository under `source` in roslab.yaml"
+        )
+        yield f"empty in a clone, for {why}: {names}; {what}", None, None
+
+
+def packages(paths: tuple[str, ...]) -> Iterator[Dependency]:
+    """Yield the packages that a distribution has under the names of lost folders."""
+    for path in paths:
+        name = path.rpartition("/")[2]
+        if ever_released(name):
+            yield Dependency(namespace="ros", name=name, strength="used", file=path, line=1, role="exec")

@@ -51,6 +51,8 @@ class Listing:
     """Links to folders inside the tree, which no walk follows."""
     outside: tuple[str, ...]
     """Links that lead out of the tree or nowhere; never read."""
+    empty: tuple[str, ...]
+    """Folders with nothing in them: git makes one where a commit records that of another repository."""
     unreadable: tuple[str, ...]
     """Folders that could not be listed: no permission, or a path longer than the system takes."""
     truncated: bool
@@ -63,12 +65,14 @@ def list_tree(root: Path) -> Listing:
     links: set[str] = set()
     folder_links: set[str] = set()
     outside: list[str] = []
+    empty: list[str] = []
     unreadable: list[str] = []
     pending = [""]
     while pending and len(files) < MAX_FILES:
         folder = pending.pop()
         try:
             with os.scandir(f"{root}/{folder}") as entries:
+                entry = None
                 for entry in entries:
                     if len(files) == MAX_FILES:
                         pending.append(folder)  # not all of it was seen
@@ -81,6 +85,8 @@ def list_tree(root: Path) -> Listing:
                             pending.append(path)
                     elif entry.is_file(follow_symlinks=False):
                         files.append(File(path=path, size=entry.stat(follow_symlinks=False).st_size))
+                if entry is None:
+                    empty.append(folder)
         except OSError:
             unreadable.append(folder)
     return Listing(
@@ -88,6 +94,7 @@ def list_tree(root: Path) -> Listing:
         links=frozenset(links),
         folder_links=frozenset(folder_links),
         outside=tuple(sorted(outside)),
+        empty=tuple(sorted(empty)),
         unreadable=tuple(sorted(unreadable)),
         truncated=bool(pending),
     )
