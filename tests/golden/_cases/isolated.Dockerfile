@@ -87,10 +87,10 @@ EOF
 
 
 FROM dependencies AS compiled
+COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/ws
-COPY --from=source --chown=${NB_UID}:${NB_UID} / .
-COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/
+COPY --from=source --chown=${NB_UID}:${NB_UID} / /home/${NB_USER}/ws/
 RUN --mount=type=cache,id=build-isolated-${TARGETARCH},target=/var/cache/roslab-build,uid=${NB_UID},sharing=locked \
     . "/opt/ros/${ROS_DISTRO}/setup.bash" \
  && reuse-build catkin_make_isolated -j"$(compile-jobs)" \

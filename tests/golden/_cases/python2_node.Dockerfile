@@ -142,11 +142,11 @@ EOF
 
 
 FROM dependencies AS compiled
+COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/ws/src/python2_node
-COPY --from=source --chown=${NB_UID}:${NB_UID} / .
 WORKDIR /home/${NB_USER}/ws
-COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/
+COPY --from=source --chown=${NB_UID}:${NB_UID} / /home/${NB_USER}/ws/src/python2_node/
 RUN --mount=type=cache,id=build-python2_node-${TARGETARCH},target=/var/cache/roslab-build,uid=${NB_UID},sharing=locked \
     . "/opt/ros/${ROS_DISTRO}/setup.bash" \
  && reuse-build catkin_make -j"$(compile-jobs)" -DCMAKE_BUILD_TYPE=Release
@@ -154,9 +154,9 @@ RUN --mount=type=cache,id=build-python2_node-${TARGETARCH},target=/var/cache/ros
 
 FROM dependencies
 # What was compiled, and the source
-COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/built/ /home/${NB_USER}/ws/
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/ws/src/python2_node
+COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/built/ /home/${NB_USER}/ws/
 COPY --chown=${NB_UID}:${NB_UID} . .
 
 ENV HOME=/home/${NB_USER}

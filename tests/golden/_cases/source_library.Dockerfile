@@ -107,7 +107,7 @@ RUN ldconfig
 FROM dependencies AS compiled
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/source_library
-COPY --from=source --chown=${NB_UID}:${NB_UID} / .
+COPY --from=source --chown=${NB_UID}:${NB_UID} / /home/${NB_USER}/source_library/
 # The program
 COPY --from=scripts /compile-jobs /usr/local/bin/
 RUN mkdir --parents /home/${NB_USER}/source_library-build \
@@ -119,9 +119,9 @@ RUN mkdir --parents /home/${NB_USER}/source_library-build \
 
 FROM dependencies
 # What was compiled, and the source
-COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/source_library-build/ /home/${NB_USER}/source_library-build/
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/source_library
+COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/source_library-build/ /home/${NB_USER}/source_library-build/
 COPY --chown=${NB_UID}:${NB_UID} . .
 
 ENV HOME=/home/${NB_USER}

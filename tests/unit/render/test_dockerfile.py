@@ -80,7 +80,9 @@ def test_layers_go_from_rarely_to_often_changing() -> None:
         "COPY talker/package.xml /tmp/manifests/talker/",
         " && install-rosdep-keys",
         "numpy==1.17",
-        "FROM dependencies AS compiled\nUSER ${NB_USER}\nWORKDIR /home/${NB_USER}/ws/src/paper\nCOPY --from=source ",
+        "FROM dependencies AS compiled\nCOPY --from=scripts ",
+        "USER ${NB_USER}\nWORKDIR /home/${NB_USER}/ws/src/paper\nWORKDIR /home/${NB_USER}/ws\n",
+        "COPY --from=source --chown=${NB_UID}:${NB_UID} / /home/${NB_USER}/ws/src/paper/\nRUN ",
         "catkin_make -j",
         "COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/built/ /home/${NB_USER}/ws/",
         "COPY --chown=${NB_UID}:${NB_UID} . .",
@@ -200,7 +202,9 @@ def test_many_manifests_are_one_layer() -> None:
     names = tuple(f"part_{number}/package.xml" for number in range(40))
     text = written(plan(packages=names))
     stage, image = text.split("\nFROM base AS manifests\n")[1].split("\nFROM base AS dependencies\n")
-    assert "COPY --from=source / .\n" in stage, "what no build file names repeats nothing here either"
+    assert stage.startswith("RUN --mount=type=bind,from=source,target=/repository "), (
+        "what no build file names repeats nothing here either"
+    )
     assert all(name in stage for name in names)
     assert "package.xml" not in image.replace("# What the package.xml files name", "")
     assert "COPY --from=manifests /tmp/manifests/ /tmp/manifests/\n" in image
@@ -212,7 +216,7 @@ def test_what_no_build_file_names_is_blank_for_the_compilation_and_whole_in_the_
     text = dockerfile(found)
     assert "FROM scratch AS source\nCOPY . /\nCOPY --link <<README.md <<docs /\nREADME.md\ndocs\n" in text
     compiled, image = text.split("\nFROM dependencies AS compiled\n")[1].split("\nFROM dependencies\n")
-    assert "COPY --from=source --chown=${NB_UID}:${NB_UID} / ." in compiled
+    assert "COPY --from=source --chown=${NB_UID}:${NB_UID} / /home/${NB_USER}/ws/src/paper/" in compiled
     assert "COPY --chown=${NB_UID}:${NB_UID} . ." in image
     assert "RUN" not in image, "an edit of these repeats no step"
 
@@ -275,9 +279,10 @@ def test_each_build_tool(tool: str, command: str, setup: str) -> None:
 
 def test_the_image_runs_as_the_user_with_the_source_at_hand() -> None:
     lines = dockerfile(plan(command=("roslaunch", "talker", "a b.launch"))).splitlines()
-    assert lines[-7:] == [
+    assert lines[-8:] == [
         "USER ${NB_USER}",
         "WORKDIR /home/${NB_USER}/ws/src/paper",
+        "COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/built/ /home/${NB_USER}/ws/",
         "COPY --chown=${NB_UID}:${NB_UID} . .",
         "",
         "ENV HOME=/home/${NB_USER}",

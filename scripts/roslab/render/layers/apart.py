@@ -28,9 +28,10 @@ def source_stage(plan: Plan) -> str:
 
 def compiled(plan: Plan) -> str:
     """Compile what the source holds."""
-    copy = workspace.source_copied(plan, f"--from={SOURCE} ", "/")
-    compile_all = (workspace.any_processor(plan), workspace.compile_again(plan), program.compile_program(plan))
-    parts = (copy, *compile_all)
+    before, run = workspace.compile_again(plan)
+    target = quote.docker_path(workspace.source_folder(plan))
+    copy = f"COPY --from={SOURCE} --chown=${{NB_UID}}:${{NB_UID}} / {target}/"
+    parts = (before, copy, workspace.any_processor(plan), run, program.compile_program(plan))
     return "\n".join(part for part in parts if part)
 
 
@@ -46,6 +47,7 @@ def results(plan: Plan) -> str:
         f"COPY --from={COMPILED} --chown=${{NB_UID}}:${{NB_UID}} {quote.docker_path(old)}/ {quote.docker_path(new)}/"
         for old, new in pairs
     ]
-    source = [workspace.source_copied(plan)]
+    source = ["COPY --chown=${NB_UID}:${NB_UID} . ."]
     whole = plan.workspace.folder == WORKSPACE
-    return "\n".join(("# What was compiled, and the source", *(source + copies if whole else copies + source)))
+    lines = source + copies if whole else copies + source
+    return "\n".join(("# What was compiled, and the source", workspace.enter_source(plan), *lines))

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import shell
+from roslab.render.layers import secrets, shell
 
 FOLDER = "/tmp/manifests"  # noqa: S108 - a folder of the image while it is built
 """Not at the root: BuildKit reads the whole folder around what is copied out of a stage, to know whether it changed."""
@@ -39,10 +39,11 @@ def stage(plan: Plan) -> str:
     files = _all(plan)
     if len(_folders(files)) <= MOST_FOLDERS:
         return ""
+    mount = f"--mount=type=bind,{'from=source,' if plan.compiled_apart else ''}target=/repository"
     copy = f"cp --parents --target-directory={FOLDER}{shell.words(quote.path(name) for name in files)}"
-    source = "COPY --from=source / ." if plan.compiled_apart else "COPY . ."
     why = "# The manifests alone: what is installed from them is installed again only when one of them changes"
-    return "\n".join((why, "FROM base AS manifests", "WORKDIR /repository", source, shell.run(f"mkdir {FOLDER}", copy)))
+    run = shell.run(f"mkdir {FOLDER}", "cd /repository", copy, secrets=secrets.Secrets(mounts=(mount,)))
+    return f"{why}\nFROM base AS manifests\n{run}"
 
 
 def copy(plan: Plan, files: Iterable[str]) -> str:

@@ -111,10 +111,14 @@ def copy_source(plan: Plan) -> str:
     return f"# The source\n{source_copied(plan)}"
 
 
-def source_copied(plan: Plan, of: str = "", path: str = ".") -> str:
-    """Return the lines that copy a source as the user's into the repository's folder; ``of`` names its stage."""
-    target = quote.docker_path(source_folder(plan))
-    return f"USER ${{NB_USER}}\nWORKDIR {target}\nCOPY {of}--chown=${{NB_UID}}:${{NB_UID}} {path} ."
+def source_copied(plan: Plan) -> str:
+    """Return the lines that copy the source as the user's into the repository's folder."""
+    return f"{enter_source(plan)}\nCOPY --chown=${{NB_UID}}:${{NB_UID}} . ."
+
+
+def enter_source(plan: Plan) -> str:
+    """Return the lines that make the repository's folder as the user, and go there."""
+    return f"USER ${{NB_USER}}\nWORKDIR {quote.docker_path(source_folder(plan))}"
 
 
 def old_paths(plan: Plan) -> str:
@@ -228,11 +232,14 @@ def _without_logs(build: RosBuild) -> tuple[str, ...]:
     return () if build.tool == "rosmake" else (rf"find {folder} \( {_LOGS} \) -delete", "rm -rf log logs")
 
 
-def compile_again(plan: Plan) -> str:
-    """Compile the ROS workspace with the build tree of the last build, where a cache has kept it."""
+def compile_again(plan: Plan) -> tuple[str, str]:
+    """Compile the ROS workspace with the build tree of the last build, where a cache has kept it.
+
+    Returns what comes before the source, since an edit of that does not concern it, and what comes after.
+    """
     build = plan.workspace.ros
     if build is None:
-        return ""
+        return enter_source(plan), ""
     kept = secrets.Secrets(mounts=(tree_mount(plan),))
     run = shell.run(
         f". {setups(plan)[0]}",
@@ -242,8 +249,7 @@ def compile_again(plan: Plan) -> str:
     )
     scripts = ("compile-jobs", "reuse-build", *_scripts(run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
-    run = run.replace(shell.copy_script("compile-jobs"), "")
-    return f"WORKDIR {WS}\n{script}{run}"
+    return f"{script}{enter_source(plan)}\nWORKDIR {WS}", run.replace(shell.copy_script("compile-jobs"), "")
 
 
 def tree_mount(plan: Plan) -> str:
