@@ -311,6 +311,19 @@ def test_the_programs_that_doxygen_calls_are_installed(tree: Tree) -> None:
     assert {"doxygen", "graphviz"} <= {*decision.apt, *decision.apt_guessed}
 
 
+@pytest.mark.parametrize(("required", "installed"), [("", False), (" REQUIRED", True)])
+def test_what_only_writes_documentation_is_installed_where_cmake_requires_it(
+    tree: Tree, required: str, installed: bool
+) -> None:
+    cmake = (
+        f"project(tracker)\nadd_executable(track track.cpp)\nfind_package(Doxygen{required})\nfind_package(Eigen3)\n"
+    )
+    ci = "install:\n  - sudo apt-get install -y doxygen\n"
+    decision = tree({"CMakeLists.txt": cmake, "track.cpp": "int main() {}\n", ".travis.yml": ci})
+    assert ("doxygen" in {*decision.apt, *decision.apt_guessed}) == installed
+    assert "libeigen3-dev" in {*decision.apt, *decision.apt_guessed}
+
+
 @pytest.mark.parametrize(
     ("line", "told"),
     [

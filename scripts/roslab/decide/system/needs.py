@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Kind
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.documentation import without_documentation
 from roslab.decide.system.names import written_for
 from roslab.decide.system.switches import given, switched_off
 from roslab.decide.system.tests import always_compiled, always_of_packages
@@ -33,6 +34,12 @@ def needs(
     evidence: Evidence, packages: Packages, kind: Kind, ros_distro: str | None
 ) -> Iterator[tuple[Dependency, bool]]:
     """Yield each need, and whether it is trusted: whether the build really uses the file that names it."""
+    return without_documentation(_all(evidence, packages, kind, ros_distro))
+
+
+def _all(
+    evidence: Evidence, packages: Packages, kind: Kind, ros_distro: str | None
+) -> Iterator[tuple[Dependency, bool]]:
     yield from _cmake(evidence, packages, compiled=kind in {"ros1", "ros2", "cpp"})
     for dependency in always_compiled(evidence) if kind == "cpp" else ():
         yield dependency, True
