@@ -61,7 +61,7 @@ def test_an_ended_distribution_comes_from_its_snapshot_and_a_maintained_one_know
 ) -> None:
     for name, text in generated.items():
         release = distros()[name]
-        (step,) = [line for line in text.splitlines() if line.startswith("    renew-package-sources")]
+        (step,) = [line for line in text.splitlines() if line.startswith(" && renew-package-sources ")]
         snapshot = f"http://snapshots.ros.org/{name}/final/ubuntu {release.ubuntu} ros-snapshots"
         before, _, after = step.partition(" --after ")
         assert (snapshot in before) == (release.rosdistro_tag is not None), step

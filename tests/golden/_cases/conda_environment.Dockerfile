@@ -51,13 +51,13 @@ ARG NB_UID=1000
 ENV LANG=C.UTF-8 LC_ALL=C.UTF-8 NB_USER=${NB_USER} NB_UID=${NB_UID}
 COPY --from=scripts /create-user /usr/local/bin/
 COPY --from=scripts /git-hosts.txt /usr/local/share/roslab/
-RUN create-user
 
 # Package sources: what to do once this base has ended, on 2027-04-30
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /archives.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=apt-lists-conda_environment-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
-    renew-package-sources --after 2027-04-30 --ended
+    create-user \
+ && renew-package-sources --after 2027-04-30 --ended
 
 # System packages
 RUN --mount=type=cache,id=apt-lists-conda_environment-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \

@@ -58,13 +58,13 @@ ARG NB_UID=1000
 ENV LANG=C.UTF-8 LC_ALL=C.UTF-8 NB_USER=${NB_USER} NB_UID=${NB_UID}
 COPY --from=scripts /create-user /usr/local/bin/
 COPY --from=scripts /git-hosts.txt /usr/local/share/roslab/
-RUN create-user
 
 # Package sources that answer: this base's release has ended, or its keys may be old
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /ros-snapshots.asc /archives.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=apt-lists-isolated-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
-    renew-package-sources --ros http://snapshots.ros.org/noetic/final/ubuntu focal ros-snapshots --ended
+    create-user \
+ && renew-package-sources --ros http://snapshots.ros.org/noetic/final/ubuntu focal ros-snapshots --ended
 
 # The image is the environment: packages go beside the distribution's own
 ENV PIP_BREAK_SYSTEM_PACKAGES=1
@@ -78,7 +78,6 @@ RUN --mount=type=cache,id=apt-lists-isolated-${TARGETARCH},target=/var/lib/apt/l
  && install-rosdep-keys --tables noetic/final /tmp/manifests
 
 # ROS and the workspace, for every command and every shell in the container
-RUN echo 'source /usr/local/share/roslab/environment.bash' >>/etc/bash.bashrc
 COPY --from=scripts /roslab-entrypoint /usr/local/bin/
 COPY <<'EOF' /usr/local/share/roslab/environment.bash
 source "/opt/ros/${ROS_DISTRO}/setup.bash" --

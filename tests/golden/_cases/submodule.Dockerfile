@@ -39,13 +39,13 @@ ARG NB_UID=1000
 ENV LANG=C.UTF-8 LC_ALL=C.UTF-8 NB_USER=${NB_USER} NB_UID=${NB_UID}
 COPY --from=scripts /create-user /usr/local/bin/
 COPY --from=scripts /git-hosts.txt /usr/local/share/roslab/
-RUN create-user
 
 # Package sources that answer: this base's release has ended, or its keys may be old
 COPY --from=scripts /renew-package-sources /usr/local/bin/
 COPY --from=scripts /archives.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=apt-lists-submodule-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
-    renew-package-sources --ended
+    create-user \
+ && renew-package-sources --ended
 
 # System packages
 RUN --mount=type=cache,id=apt-lists-submodule-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \

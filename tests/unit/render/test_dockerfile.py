@@ -70,7 +70,7 @@ def test_layers_go_from_rarely_to_often_changing() -> None:
     order = positions(
         text,
         "FROM ros:noetic-ros-base AS base",
-        "RUN create-user",
+        " create-user",
         "FROM base AS library-1-ceres",
         "FROM base AS dependencies\n",
         "libeigen3-dev",

@@ -24,6 +24,9 @@ while read -r host; do
   if [ "${1:-}" != --ssh ]; then printf '\tinsteadOf = %s\n' "git@${host}:" "ssh://git@${host}/"; fi
 done </usr/local/share/roslab/git-hosts.txt >>/etc/gitconfig
 mkdir --parents /usr/local/share/roslab
+# What makes ROS and the workspace known to every shell, where the image has either
+environment=/usr/local/share/roslab/environment.bash
+echo "if [ -e ${environment} ]; then source ${environment}; fi" >>/etc/bash.bashrc
 # What the base brought: `roslab lock` tells it from what the steps below install
 # Without the architecture that dpkg puts behind the name of a library
 dpkg-query --show --showformat '${Package}\t${Version}\n' >/usr/local/share/roslab/base-packages

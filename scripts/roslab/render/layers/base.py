@@ -6,7 +6,7 @@ from roslab.plan.package_sources import PackageSources, RosSource
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
-from roslab.values.secret import SSH
+from roslab.values.secret import APT_AUTH, SSH
 
 START = f"""\
 SHELL ["/bin/bash", "-eo", "pipefail", "-c"]
@@ -17,12 +17,16 @@ ARG TARGETARCH
 ARG NB_USER=jovyan
 ARG NB_UID=1000
 ENV LANG=C.UTF-8 LC_ALL=C.UTF-8 NB_USER=${{NB_USER}} NB_UID=${{NB_UID}}
-{shell.copy_script("create-user")}{shell.copy_data(("git-hosts.txt",))}RUN create-user"""
+{shell.copy_script("create-user")}{shell.copy_data(("git-hosts.txt",))}"""
 
 
 def start(plan: Plan) -> str:
-    """Start with bash as the shell, no questions from apt, a UTF-8 locale and the image's user."""
-    return f"{START} --ssh" if SSH in plan.secrets else START
+    """Start with bash as the shell, no questions from apt, a UTF-8 locale and the image's user.
+
+    Where package sources are renewed, that step makes the user: each step costs a container and a layer. Not where it
+    has a secret, which is nobody else's.
+    """
+    return START.rstrip("\n") if _together(plan) else f"{START}RUN {_user(plan)}"
 
 
 def package_sources(plan: Plan) -> str:
@@ -30,7 +34,7 @@ def package_sources(plan: Plan) -> str:
     found = plan.package_sources
     if found is None:
         return ""
-    called = renewal(found, secrets.for_apt(plan))
+    called = renewal(found, secrets.for_apt(plan), before=(_user(plan),) if _together(plan) else ())
     ros = found.ros
     return called if ros is None or ros.in_base else f"ENV ROS_DISTRO={quote.docker(ros.distro)}\n{called}"
 
@@ -44,8 +48,19 @@ def snapshots(plan: Plan) -> str:
     return shell.call("take-snapshots", f" {plan.as_of.day}{words}", comment=comment, secrets=secrets.for_apt(plan))
 
 
-def renewal(found: PackageSources, given: secrets.Secrets = secrets.NONE) -> str:
-    """Return the step that makes the package sources of a base answer, today or once it has ended."""
+def _together(plan: Plan) -> bool:
+    return plan.package_sources is not None and APT_AUTH not in plan.secrets
+
+
+def _user(plan: Plan) -> str:
+    return "create-user --ssh" if SSH in plan.secrets else "create-user"
+
+
+def renewal(found: PackageSources, given: secrets.Secrets = secrets.NONE, *, before: tuple[str, ...] = ()) -> str:
+    """Return the step that makes the package sources of a base answer, today or once it has ended.
+
+    ``before``: commands of the same step, ahead of it.
+    """
     why = "ROS's package source" if found.ros else "Package sources"
     if found.ended:
         why = "Package sources that answer: this base's release has ended, or its keys may be old"
@@ -57,8 +72,9 @@ def renewal(found: PackageSources, given: secrets.Secrets = secrets.NONE) -> str
         options += f" --after {found.end.day}{_options(found.end.ros, ended=True)}"
         data += [f"{found.end.ros.key}.asc"] if found.end.ros else []
     data += ["archives.txt"] if found.ended or found.end else []
-    before = shell.copy_data(dict.fromkeys(data))
-    return shell.call("renew-package-sources", options, comment=why, before=before, secrets=given)
+    copied = shell.copy_data(dict.fromkeys(data))
+    around = shell.Around(first=before)
+    return shell.call("renew-package-sources", options, comment=why, before=copied, secrets=given, around=around)
 
 
 def _options(ros: RosSource | None, *, ended: bool) -> str:

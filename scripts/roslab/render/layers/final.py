@@ -43,7 +43,6 @@ def environment(plan: Plan) -> str:
         (
             "# ROS and the workspace, for every command and every shell in the container",
             "USER root",
-            f"RUN echo 'source {ENVIRONMENT}' >>/etc/bash.bashrc",
             shell.copy_script(ENTRY_POINT) + shell.heredoc(ENVIRONMENT, "\n".join(lines)).rstrip(),
         )
     )
