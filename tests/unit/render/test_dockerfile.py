@@ -465,7 +465,7 @@ def test_the_tests_of_sisters_are_not_compiled() -> None:
     scripts = (
         "/compile-jobs /reuse-build /leave-out-doubles /declare-needs /leave-out-tests /leave-out-failed /build-needed"
     )
-    scripts += " /workspace-packages /required-by-cmake"
+    scripts += " /read-manifest /required-by-cmake /workspace-packages"
     assert f"COPY --from=scripts {scripts} /usr/local/bin/" in text
     for stated_by in (
         dockerfile(plan(Config(cmake_options="-DBUILD_TESTING=ON"), **with_sister)),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-SCRIPT = Path("scripts/roslab/render/image_scripts/leave-out-doubles.sh").resolve()
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
 
 
 def hidden(workspace: Path, packages: dict[str, str], *markers: str) -> tuple[list[str], str]:
@@ -20,7 +20,7 @@ def hidden(workspace: Path, packages: dict[str, str], *markers: str) -> tuple[li
     for folder in markers:
         (workspace / "src" / folder / "CATKIN_IGNORE").touch()
     ran = subprocess.run(
-        ["bash", SCRIPT, "src/first", "src/second", "src/none"],
+        ["leave-out-doubles", "src/first", "src/second", "src/none"],
         cwd=workspace,
         capture_output=True,
         text=True,

@@ -15,15 +15,12 @@ manifests="$1" workspace="$2" tried=/tmp/clone-unknown
 shift 2
 touch "${tried}"
 
-depends() {
-  sed --quiet --regexp-extended 's:.*<[a-z_]*depend( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\2:p' "$@"
-}
-mapfile -t own < <(find "${manifests}" -name package.xml -exec cat {} + | depends)
+mapfile -t own < <(find "${manifests}" -name package.xml -exec read-manifest depends {} +)
 declare -A asked=()
 while IFS=$'\t' read -r _ manifest; do
   while read -r name; do
     asked["${name}"]="${asked["${name}"]:-${manifest}}" # the first clone that asks
-  done < <(depends "${manifest}")
+  done < <(read-manifest depends "${manifest}")
 done < <(workspace-packages needed "${workspace}" "${own[@]}")
 
 # Prints NAME URL REF of what the lists of the clones name; the interpreter of rosdep can read YAML

@@ -5,13 +5,12 @@
 # each other none is named.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
 declare -A file_of=() needs=()
 while read -r manifest; do
-  name="$(tag "${manifest}" name | head -n 1)"
+  name="$(read-manifest name "${manifest}")"
   if [ -z "${name}" ] || [ -e "$(dirname "${manifest}")/CATKIN_IGNORE" ]; then continue; fi
   file_of["${name}"]="${manifest}"
-  needs["${name}"]=" $(tag "${manifest}" '[a-z_]*depend' | tr '\n' ' ') "
+  needs["${name}"]=" $(read-manifest depends "${manifest}" | tr '\n' ' ') "
 done < <(find "$1" -name .git -prune -o -name package.xml -print)
 
 needs_in_turn() { # PACKAGE OTHER

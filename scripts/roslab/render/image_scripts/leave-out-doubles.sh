@@ -15,7 +15,7 @@ packages() {
       if [[ "${above}" != */* ]]; then break; fi
       above="${above%/*}"
     done
-    name="$(sed --quiet 's:.*<name>[[:space:]]*\([^<]*[^<[:space:]]\)[[:space:]]*<.*:\1:p' "${manifest}" | head -n 1)"
+    name="$(read-manifest name "${manifest}")"
     if [ -n "${name}" ]; then printf '%s\t%s\n' "${name}" "${folder}"; fi
   done < <(find "$1" -name .git -prune -o -name package.xml -print | sort)
 }

@@ -46,7 +46,7 @@ log="$(mktemp)"
 until "$@" 2>&1 | tee "${log}"; do
   hidden=()
   while read -r folder; do
-    name="$(sed --quiet --regexp-extended 's:.*<name( [^>]*)?>[[:space:]]*([^<[:space:]]+).*:\2:p' "${folder}/package.xml" | head -n 1)"
+    name="$(read-manifest name "${folder}/package.xml")"
     if ! is_cloned "${folder}" || [ -e "${folder}/CATKIN_IGNORE" ] || [[ " ${kept[*]} " = *" ${name} "* ]]; then continue; fi
     touch "${folder}/CATKIN_IGNORE" "${folder}/COLCON_IGNORE"
     hidden+=("${name}")

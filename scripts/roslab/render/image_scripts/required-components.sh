@@ -9,8 +9,7 @@ share="/opt/ros/${ROS_DISTRO}/share"
 if [ ! -d "${share}" ]; then exit 0; fi
 table="$(cat /usr/local/share/roslab/cmake-*.txt)"
 own="$(
-  find "$1" -name .git -prune -o -name package.xml -exec \
-    sed --quiet --regexp-extended 's:.*<name>[[:space:]]*([^<[:space:]]+)[[:space:]]*</name>.*:\1:p' {} +
+  find "$1" -name .git -prune -o -name package.xml -exec read-manifest name {} +
   find "$1" -name .git -prune -o -name CMakeLists.txt -exec \
     sed --quiet --regexp-extended 's:^[[:space:]]*project[[:space:]]*\([[:space:]]*([A-Za-z0-9_.+-]+).*:\1:Ip' {} +
 )"

@@ -13,7 +13,6 @@ while [[ "${1:-}" = --* ]]; do
   if [ "$1" = --without ]; then without="$2"; else but+=("$2"); fi
   shift 2
 done
-tag() { sed --quiet --regexp-extended "s:.*<($2)( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*<.*:\3:p" "$1"; }
 # Prints the packages that launch files and models below a folder find or start
 found_by() {
   local name='[[:space:]]*["'"'"']?[A-Za-z][A-Za-z0-9_-]*'
@@ -29,7 +28,7 @@ while read -r path; do marked+=(-path "${path}" -o); done < <(
 )
 declare -A file_of=() named=()
 while read -r manifest; do
-  name="$(tag "${manifest}" name | head -n 1)"
+  name="$(read-manifest name "${manifest}")"
   if [ -n "${name}" ]; then file_of["${name}"]="${manifest}"; fi
 done < <(
   find "${folder}" \( "${marked[@]}" -name .git -o -path "${without}" \) -prune -o -name package.xml -print
@@ -45,7 +44,7 @@ while [ "${#queue[@]}" -gt 0 ]; do
     named["${name}"]=yes
     if [ "${what}" = hide ]; then continue; fi
     printf '%s\t%s\n' "${name}" "${manifest}"
-    mapfile -t -O "${#more[@]}" more < <(tag "${manifest}" '[a-z_]*depend' && found_by "$(dirname "${manifest}")")
+    mapfile -t -O "${#more[@]}" more < <(read-manifest depends "${manifest}" && found_by "$(dirname "${manifest}")")
   done
   queue=("${more[@]}")
 done

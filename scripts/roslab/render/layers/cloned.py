@@ -6,6 +6,7 @@ from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
+from roslab.render.layers.called import with_called
 from roslab.render.layers.system import BRANCH, CONFIGURE, fetch, prepared
 from roslab.render.layers.workspace import HOLDING, WS, source_folder, words
 
@@ -44,7 +45,7 @@ def sister_sources(plan: Plan) -> str:
     tried = [shell.run(_tried(s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
     if tried:
         why = "# Packages that nothing known brings: what is not there is told and stops nothing"
-        runs += [why, shell.copy_script(HOLDING) + shell.copy_script(shell.PACKAGES).rstrip(), *tried]
+        runs += [why, *(shell.copy_script(name).rstrip() for name in with_called([HOLDING])), *tried]
     return "\n".join([*blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
 
 

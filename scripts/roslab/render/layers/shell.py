@@ -22,8 +22,6 @@ CHECKOUT = "checkout-branch"
 """The script that checks out a branch which may be gone."""
 AGAIN_TABLES = ("build-limits.txt", "build-programs.txt")
 """What the script that calls pip again knows."""
-PACKAGES = "workspace-packages"
-"""The script that says which packages of a workspace need which."""
 _PRINTING = ("compile-jobs", "index-as-of", "pip-cache")
 """Scripts that print what a command says with it."""
 

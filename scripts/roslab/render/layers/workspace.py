@@ -9,6 +9,7 @@ from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE, RosBuild
 from roslab.render import quote
 from roslab.render.layers import attempts, cloned_heads, locks, manifests, prepared, secrets, shell
+from roslab.render.layers.called import with_called
 from roslab.render.layers.prepared import WITHOUT_LACKING
 
 HOME = f"/home/{quote.USER}"
@@ -20,7 +21,6 @@ WITHOUT_TESTS = "leave-out-tests"
 WITHOUT_DOUBLES = "leave-out-doubles"
 DECLARED = "declare-needs"
 """The script that completes package.xml files by what CMake requires of the workspace."""
-REQUIRED = "required-by-cmake"
 HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 UNKNOWN = "clone-unknown"
@@ -49,12 +49,12 @@ def rosdep(plan: Plan) -> str:
     complete, folders = _complete(plan), rosdep_folders(plan)
     if complete and not files:
         folders = folders * 2  # all that is cloned is wanted
-    called = [UNKNOWN, HOLDING, shell.PACKAGES] if complete else []
+    called = [UNKNOWN] if complete else []
     required = _required(plan)
     if required:
-        called += ["required-components", REQUIRED, "install-optional-apt"]
+        called += ["required-components", "install-optional-apt"]
         before += shell.copy_data((f"cmake-{plan.ubuntu or 'other'}.txt",))
-    before += "".join(map(shell.copy_script, called))
+    before += "".join(map(shell.copy_script, with_called(called)))
     return shell.call(
         "install-rosdep-keys",
         (f" --tables {quote.shell(tag)}" if tag else "")
@@ -211,19 +211,15 @@ def compile_workspace(plan: Plan) -> str:
         *_without_logs(build),
         around=cloned_heads.of_day(plan),
     )
-    called = _scripts(run)
-    called += ["compile-jobs", ROSMAKE] if ROSMAKE in run else []
+    called = (*_scripts(run), *(("compile-jobs", ROSMAKE) if ROSMAKE in run else ()))
     scripts = "".join(map(shell.copy_script, called))
     return f"# The workspace\nUSER ${{NB_USER}}\nWORKDIR {WS}\n{scripts}{run}"
 
 
-def _scripts(run: str) -> list[str]:
+def _scripts(run: str) -> tuple[str, ...]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
     names = (WITHOUT_DOUBLES, WITHOUT_LACKING, DECLARED, WITHOUT_TESTS, attempts.WITHOUT_FAILED, attempts.NEEDED)
-    called = [name for name in names if name in run]
-    reading = (WITHOUT_LACKING, attempts.WITHOUT_FAILED, attempts.NEEDED)
-    beside = {**dict.fromkeys(reading, shell.PACKAGES), DECLARED: REQUIRED}
-    return [*called, *dict.fromkeys(name for caller, name in beside.items() if caller in called)]
+    return with_called(name for name in names if name in run)
 
 
 def _without_logs(build: RosBuild) -> tuple[str, ...]:
