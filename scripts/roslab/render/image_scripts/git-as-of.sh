@@ -1,10 +1,20 @@
 #!/bin/bash
-# usage: under the name git, before git itself in PATH, with GIT_AS_OF=DAY
-# Is git, but brings each clone to the last commit of a day (UTC): pip and CMake fetch repositories and know no days.
+# usage: eval "$(git-as-of DAY)"
+# Comes before git itself in PATH for the rest of this step, under its name. It is git, but brings each clone to the last
+# commit of a day (UTC): pip and CMake fetch repositories and know no days.
 # A commit or another branch that they are told to take is checked out afterwards, as ever.
 set -euo pipefail
 
-PATH="${PATH//\/dev\/shm\/as-of:/}"
+# The name alone is there: nothing can be executed in this folder, which no layer keeps
+before=/dev/shm/as-of
+if [[ "${1:-}" = [0-9]* ]]; then # as no command of git begins
+  mkdir -p "${before}"
+  ln -sf "$(command -v git-as-of)" "${before}/git"
+  echo "export GIT_AS_OF=$1 PATH=\"${before}:\${PATH}\""
+  exit 0
+fi
+
+PATH="${PATH//"${before}:"/}"
 if [[ " $* " != *" clone "* ]]; then
   exec git "$@"
 fi

@@ -236,14 +236,7 @@ if [ ! -s "${ready}" ]; then
   echo "echo 'roslab: the index of $1 cannot be served' && false"
   exit 0
 fi
-if command -v git-as-of >/dev/null; then
-  # The name alone is there: nothing can be executed in this folder, which no layer keeps
-  mkdir -p /dev/shm/as-of
-  ln -sf "$(command -v git-as-of)" /dev/shm/as-of/git
-  echo "export GIT_AS_OF=$1"
-  # shellcheck disable=SC2016 # for the shell that evaluates it
-  echo 'export PATH="/dev/shm/as-of:${PATH}"'
-fi
+if command -v git-as-of >/dev/null; then git-as-of "$1"; fi
 if [ "$(cat "${ready}")" = no ]; then
   rm -f "${ready}"
   exit 0

@@ -6,8 +6,6 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 
-_FOLDER = "/dev/shm/as-of"  # noqa: S108 - a folder of the step alone, in memory
-
 
 def of_day(plan: Plan) -> shell.Around:
     """Return what a step needs so that what it clones without a commit is of the plan's day, nothing for today's."""
@@ -16,9 +14,5 @@ def of_day(plan: Plan) -> shell.Around:
         return shell.NOTHING
     return shell.Around(
         before=f"# What CMake clones without a commit is of {quote.checked(day)}\n{shell.copy_script('git-as-of')}",
-        first=(
-            f"mkdir --parents {_FOLDER}",
-            f'ln -sf "$(command -v git-as-of)" {_FOLDER}/git',
-            f'export GIT_AS_OF={quote.shell(day)} PATH="{_FOLDER}:${{PATH}}"',
-        ),
+        first=(f'eval "$(git-as-of {quote.shell(day)})"',),
     )
