@@ -30,6 +30,7 @@ from roslab.decide.stops_without import decide_stops
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.may_fail import may_fail
 from roslab.decide.system.missing import Missing, marked
+from roslab.decide.system.must_build import must_build
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
@@ -37,6 +38,7 @@ from roslab.decide.system.packages import SystemPackages
 from roslab.decide.uncopied_packages import copied_names
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
+from roslab.evidence.prose.large_files import PACKAGE as LARGE_FILES
 from roslab.knowledge.distros import Distro
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
@@ -160,6 +162,8 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         may_fail=()
         if of.own.answer or config.compatible
         else may_fail(evidence, of.packages, of.target, of.sources.answer, of.left_out),
+        must_build=must_build(of.command.answer.command),
+        large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,
         python_path=python_path(evidence, config, of.kind.answer, of.python.answer.projects, of.command.answer.page),
         variables=() if of.own.answer else of.variables.answer,

@@ -212,6 +212,10 @@ class Decision:
     """Folders of submodules, whose packages a workspace is built without where it fails and needs none of them."""
     may_fail: tuple[str, ...] = ()
     """Folders of packages that are left out where they fail, for nothing is known to bring what they need."""
+    must_build: tuple[str, ...] = ()
+    """Packages that are never left out, for the default command does not start without them."""
+    large_files: bool = False
+    """Git LFS is installed, as a page has its reader do: it fetches its files of what is cloned, too."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of copied libraries that are compiled where they lie, each with the options of CMake."""
     python_path: tuple[str, ...] = ()

@@ -112,6 +112,10 @@ class Workspace:
     """Folders of submodules in the repository: the workspace is built without those of their packages that stop it."""
     may_fail: tuple[str, ...] = ()
     """Folders of packages of the repository that are left out where the build fails in them."""
+    must_build: tuple[str, ...] = ()
+    """Packages that are never left out: the build stops where one of them fails."""
+    large_files: bool = False
+    """Git fetches the files of Git LFS of what is cloned; those that are not served stay pointers."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
     scripts: tuple[Script, ...] = ()
@@ -174,6 +178,8 @@ def workspace(
         submodules=decision.submodules,
         apart=decision.apart,
         may_fail=decision.may_fail,
+        must_build=decision.must_build,
+        large_files=decision.large_files and bool(sisters or decision.submodules),
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         scripts=tuple(
             Script(folder=each.folder, command=each.command, required=each.required) for each in decision.scripts

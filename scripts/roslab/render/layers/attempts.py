@@ -5,14 +5,11 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import WORKSPACE
 from roslab.render import quote
-from roslab.values.pattern import pattern
-from roslab.values.words import line_of
 
 NEEDED = "build-needed"
 """The script that builds again without packages that are not needed."""
 WITHOUT_FAILED = "leave-out-failed"
 """The script that builds again without packages that failed."""
-_STARTED = pattern(r"\b(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*)(?= )")
 
 
 def tried(plan: Plan) -> str:
@@ -23,7 +20,7 @@ def tried(plan: Plan) -> str:
         return ""
     if not in_src and place.folder != WORKSPACE:
         return ""
-    kept = "".join(f" --keep {name}" for name in dict.fromkeys(_STARTED.findall(line_of(plan.run.command))))
+    kept = "".join(f" --keep {quote.shell(name)}" for name in place.must_build)
     own = f"{place.folder.removeprefix(WORKSPACE)}/".removeprefix("/")
     folders = [f"src/{source.name}" for source in place.sources]
     folders += [f"{own}{folder}" for folder in dict.fromkeys((*place.apart, *place.may_fail))]

@@ -12,7 +12,6 @@ from roslab.render.layers.workspace import HOLDING, WS, source_folder, words
 
 PLAIN = "install-plain-clones"
 """The script that compiles and installs clones in which catkin finds no package."""
-_LFS = "git-lfs"
 LISTED = "clone-listed"
 """The script that clones what a list or a page names, where its host lets anybody."""
 
@@ -22,12 +21,11 @@ def large_files(plan: Plan) -> str:
 
     https://github.com/git-lfs/git-lfs/blob/main/docs/man/git-lfs-config.adoc (lfs.skipdownloaderrors), 2026-11-26
     """
-    place = plan.workspace
-    if _LFS not in (*plan.apt, *plan.apt_guessed) or plan.compatible or not (place.sources or place.submodules):
+    if not plan.workspace.large_files:
         return ""
     steps = "git lfs install --system --skip-repo && git config --system lfs.skipdownloaderrors true"
     comment = "Files of Git LFS in what is cloned"
-    return shell.run(f"if command -v {_LFS} >/dev/null; then {steps}; fi", comment=comment)
+    return shell.run(f"if command -v git-lfs >/dev/null; then {steps}; fi", comment=comment)
 
 
 def sister_sources(plan: Plan) -> str:
