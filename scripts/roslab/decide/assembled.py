@@ -162,7 +162,14 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         may_fail=()
         if of.own.answer or config.compatible
         else may_fail(evidence, of.packages, of.target, of.sources.answer, of.left_out),
-        must_build=must_build(of.command.answer.command),
+        must_build=must_build(
+            evidence,
+            of.command.answer.command,
+            of.packages,
+            of.sources.answer,
+            left_out=of.left_out,
+            ros_distro=distro,
+        ),
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,
         python_path=python_path(evidence, config, of.kind.answer, of.python.answer.projects, of.command.answer.page),

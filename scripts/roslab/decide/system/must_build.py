@@ -2,12 +2,53 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator
+
+from roslab.decide.launch_needs import started_launch
+from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.sought import tried
+from roslab.decide.ros.workspace import Packages
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.released import released
 from roslab.values.pattern import pattern
 from roslab.values.words import line_of
 
 _STARTED = pattern(r"\b(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*)(?= )")
+_LAUNCHED = pattern(r"\b(?:roslaunch|ros2 launch) [^;&|'\"]{1,2000}")
+"""The call of a launch file, also where a shell makes it."""
 
 
-def must_build(command: tuple[str, ...] | str) -> tuple[str, ...]:
-    """Return the packages that the default command names."""
-    return tuple(dict.fromkeys(_STARTED.findall(line_of(command))))
+def must_build(
+    evidence: Evidence,
+    command: tuple[str, ...] | str,
+    packages: Packages,
+    sources: Sources,
+    *,
+    left_out: Collection[str],
+    ros_distro: str | None,
+) -> tuple[str, ...]:
+    """Return the packages that the default command names, and those that its launch file starts or includes, in turn.
+
+    Of the latter those of the workspace, and those that a clone may bring: what the distribution has is installed where
+    a clone's does not build. ``left_out``: those that are not built anyway.
+    """
+    line = line_of(command)
+    own = {manifest.name for manifest in packages.built} - {*left_out}
+    there, has = {*own, *sources.names, *tried(sources.sought)}, released(ros_distro or "")
+    launched = (
+        name for name in _launched(evidence, line) if name in there or (name not in has and sources.may_hold(name))
+    )
+    return tuple(dict.fromkeys((*_STARTED.findall(line), *launched)))
+
+
+def _launched(evidence: Evidence, line: str) -> Iterator[str]:
+    """Yield the package of each launch file that a command starts, and those that it needs in any case."""
+    for match in _LAUNCHED.finditer(line):
+        launch = started_launch(evidence, tuple(match[0].split()))
+        if launch is None:
+            continue
+        if launch.package:
+            yield launch.package
+        for asked in (*launch.dependencies, *launch.reached):
+            if asked.namespace == "ros" and asked.strength != "optional":
+                yield asked.name

@@ -1,0 +1,89 @@
+"""Packages that are never left out of a workspace: those without which the default command does not start."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+INCLUDES = '<include file="$(find {0})/launch/{0}.launch"{1}/>'
+NODE = '<node pkg="{}" type="a" name="a"{}/>'
+ONLY_IF = ' if="$(arg real)"'
+
+
+def _package(name: str, *, launch: str = "", needs: str = "") -> dict[str, str]:
+    depends = f"<depend>{needs}</depend>" if needs else ""
+    files = {
+        "package.xml": f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend>{depends}</package>",
+        "CMakeLists.txt": f"project({name})\nfind_package(catkin REQUIRED COMPONENTS {needs})\ncatkin_package()\n",
+    }
+    if launch:
+        files[f"launch/{name}.launch"] = f"<launch>\n{launch}\n</launch>\n"
+    return {f"{name}/{path}": text for path, text in files.items()}
+
+
+def planned(root: Path, run: str, files: dict[str, str]) -> tuple[tuple[str, ...], str]:
+    """Return the packages that must build where a README runs a command, and the Dockerfile."""
+    page = f"ROS Noetic\n```\ncd src\ngit clone https://github.com/lab/stack\ncatkin_make\n{run}\n```\n"
+    for path, text in {**files, "README.md": page}.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text)
+    plan = plan_repository(root).plan
+    return plan.workspace.must_build, dockerfile(plan)
+
+
+TREE = {
+    **_package("mine", launch=INCLUDES.format("arm", "") + NODE.format("rviz", "") + NODE.format("tools", ONLY_IF)),
+    **_package("arm", launch=INCLUDES.format("driver", "") + NODE.format("acme_hand", "")),
+    **_package("driver", launch=NODE.format("driver", ""), needs="acme_control"),
+    **_package("tools", needs="acme_control"),
+}
+"""``acme_control`` and ``acme_hand`` are of nobody but perhaps of the clone."""
+
+
+def test_what_its_launch_file_starts_or_includes_is_never_left_out(tmp_path: Path) -> None:
+    must, text = planned(tmp_path, "roslaunch mine mine.launch", TREE)
+    assert must == ("mine", "arm", "acme_hand", "driver")
+    folder = f"src/{tmp_path.name}"
+    kept = "".join(f" --keep {name}" for name in must)
+    assert f"leave-out-failed{kept} src/stack {folder}/driver {folder}/tools -- " in text
+
+
+@pytest.mark.parametrize(
+    ("run", "must"),
+    [
+        ("rosrun mine a", ("mine",)),
+        ("roslaunch driver driver.launch real:=true", ("driver",)),
+    ],
+)
+def test_another_command_needs_less(tmp_path: Path, run: str, must: tuple[str, ...]) -> None:
+    assert planned(tmp_path, run, TREE)[0] == must
+
+
+@pytest.mark.parametrize(
+    "command", ["[bash, -c, roslaunch arm arm.launch]", "sleep 1 && roslaunch arm arm.launch a:=b; true"]
+)
+def test_a_launch_file_that_a_shell_starts(tmp_path: Path, command: str) -> None:
+    (tmp_path / "roslab.yaml").write_text(f"format: 3\ncommand: {command}\n")
+    assert planned(tmp_path, "", TREE)[0] == ("arm", "acme_hand", "driver")
+
+
+def test_what_a_launch_file_of_ros_2_includes(tmp_path: Path) -> None:
+    included = 'IncludeLaunchDescription(os.path.join(get_package_share_directory("arm"), "launch", "arm.launch.py"))'
+    files = {
+        path: text.replace("catkin", "ament_cmake").replace("ament_cmake_package", "ament_package")
+        for path, text in {**_package("mine"), **_package("arm"), **_package("driver")}.items()
+    }
+    head = (
+        "from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([{}])\n"
+    )
+    files["mine/launch/mine.launch.py"] = head.format(included)
+    files["arm/launch/arm.launch.py"] = head.format('Node(package="driver", executable="a")')
+    page = "ROS 2 Humble\n```\ncolcon build\nros2 launch mine mine.launch.py\n```\n"
+    for path, text in {**files, "README.md": page}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    assert plan_repository(tmp_path).plan.workspace.must_build == ("mine", "arm", "driver")
