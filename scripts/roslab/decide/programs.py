@@ -9,7 +9,8 @@ from typing import TypeVar
 
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 

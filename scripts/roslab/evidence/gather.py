@@ -6,7 +6,8 @@ import posixpath
 import re
 
 from roslab.evidence import links, places, submodules
-from roslab.evidence.facts import CMakeProject, Evidence, PackageManifest
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import (
     asked_variables,
     authors_folders,

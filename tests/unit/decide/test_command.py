@@ -14,14 +14,9 @@ from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import OnX86
 from roslab.decide.python.installed import installed
 from roslab.evidence import facts
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import (
-    CMakeProject,
-    CondaEnvironment,
-    Evidence,
-    Mention,
-    RequirementFile,
-)
+from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, RequirementFile
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.program import Program
 from roslab.values.conda import conda_package

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from hanging import ends
-from roslab.evidence.facts import CMakeProject
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.native import cmake
 from roslab.repository.checkout import Repository
 

@@ -13,8 +13,9 @@ from roslab.decide.ros.source_names import wraps
 from roslab.decide.ros.without_manifest import by_catkin
 from roslab.decide.ros.workspace import of_one_ros, of_rosbuild, packages_of, ros_versions, types
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CMakeProject, Evidence, Mention
+from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import distros
 
 OF_ROS1: tuple[WorkspaceTool, ...] = tuple(tool for tool in WORKSPACE_TOOLS if tool != "colcon")

@@ -12,7 +12,8 @@ from roslab.decide.ros.other_workspaces import warn_of_others
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 

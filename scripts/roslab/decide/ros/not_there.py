@@ -9,7 +9,8 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.programs import owner
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence
 from roslab.evidence.installed_path import InstalledPath
 from roslab.values.origin import Place
 

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CMakeProject, Evidence, Mention
+from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.frameworks import imports
 
 CLIENTS = {"rospy": "ros1", "rclpy": "ros2"}

@@ -8,7 +8,8 @@ from roslab.decide.ros.source_names import plain
 from roslab.decide.system.inside import meant
 from roslab.decide.system.names import Target, resolve
 from roslab.evidence import places
-from roslab.evidence.facts import CMakeProject, Evidence, Mention
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence, Mention
 
 _ASIDE = (places.vendored, places.test, places.example, places.documentation)
 _OF_ROS = frozenset({"catkin", "ament", "rosbuild"})

@@ -14,8 +14,9 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.system.names import Target
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency, GitSource
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import header, packaged
 from roslab.knowledge.recipes import recipe_at
 from roslab.knowledge.released import released

@@ -7,8 +7,9 @@ from collections.abc import Iterable
 from roslab.config.model import Kind
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import cmake_of_ubuntu
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated

@@ -8,8 +8,9 @@ from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.decide.system.page_releases import built_older
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.code_limit import CodeLimit
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import fits, satisfies
 from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus

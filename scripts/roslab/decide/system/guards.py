@@ -5,8 +5,9 @@ from __future__ import annotations
 from roslab.config.model import Kind
 from roslab.decide.programs import compiled
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.facts import Evidence
 from roslab.evidence.lex.truth import workspace_holds
 from roslab.values.dataclass import replace
 

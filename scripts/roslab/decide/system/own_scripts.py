@@ -15,7 +15,8 @@ from roslab.decide.reasons import because
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.names import Target
 from roslab.evidence import places
-from roslab.evidence.facts import CMakeProject, Evidence, Mention
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence, Mention
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 

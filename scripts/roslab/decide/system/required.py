@@ -8,8 +8,9 @@ from collections.abc import Set as AbstractSet
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.facts import Evidence
 
 
 def required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:

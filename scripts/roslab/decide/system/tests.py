@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from roslab.decide.system.switches import given, switch_of, switched_off, switched_on, waits
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CMakeProject, Evidence
+from roslab.evidence.facts import Evidence
 
 BUILD_TESTING = "BUILD_TESTING"
 """CTest's own switch. https://cmake.org/cmake/help/latest/module/CTest.html"""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.code_limit import CodeLimit
-from roslab.evidence.facts import CMakeProject
 from roslab.evidence.makefile import Makefile
 from roslab.knowledge.code_limits import limits
 

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from roslab.evidence import places
-from roslab.evidence.facts import CMakeProject, Mention
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Mention
 from roslab.repository.checkout import File, Repository
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern

@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import GitSource
-from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace

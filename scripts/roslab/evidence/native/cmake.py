@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency, GitSource
-from roslab.evidence.facts import CMakeProject
 from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, included, own_project

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CMakeProject
 from roslab.evidence.lex.cmake import Call
 from roslab.evidence.lex.lines import matching_lines
 from roslab.knowledge.cmake_since import since

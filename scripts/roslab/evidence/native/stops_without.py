@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
-from roslab.evidence.facts import CMakeProject, Mention
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Mention
 from roslab.knowledge.nvidia_libraries import nvidia_libraries
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern

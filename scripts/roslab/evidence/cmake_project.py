@@ -1,0 +1,58 @@
+"""What one CMakeLists.txt tells."""
+
+from __future__ import annotations
+
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.installed_path import InstalledPath
+from roslab.values.dataclass import dataclass
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class CMakeProject:
+    """A CMakeLists.txt."""
+
+    file: str
+    line: int
+    name: str | None
+    top_level: bool
+    """It calls ``project()`` and no CMakeLists.txt above it adds its folder."""
+    added: bool = False
+    """A CMakeLists.txt above it, which is not about tests alone, adds its folder."""
+    top: str = ""
+    """The folder of the first CMakeLists.txt of those that add it, its own where none does."""
+    always: bool = False
+    """Those above it add its folder under no condition, from the one that is called first."""
+    languages: tuple[str, ...]
+    macros: tuple[str, ...]
+    """Macro families that it calls: ``catkin``, ``ament``, ``rosbuild``, ``cuda``."""
+    executables: tuple[tuple[str, int], ...]
+    """Programs of ``add_executable`` and similar calls by the names of their files, with their lines."""
+    dependencies: tuple[Dependency, ...]
+    sources: tuple[GitSource, ...] = ()
+    minimum: Dependency | None = None
+    """The CMake version that ``cmake_minimum_required`` asks for, as ``version``."""
+    newer: tuple[Dependency, ...] = ()
+    """What it always calls and only later releases of CMake have, each with the first of them as ``version``."""
+    tests: bool = False
+    """It has tests for ctest."""
+    programs_in: str | None = None
+    """The folder that programs are written to; ``None`` if the file names none. ``source/…`` is relative to the root of
+    the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
+    placed: tuple[tuple[str, str], ...] = ()
+    """Programs that are written to another folder than most, each with it."""
+    made: tuple[str, ...] = ()
+    """Libraries that are targets of it, but for imported ones."""
+    targets: tuple[str, ...] = ()
+    """Programs and libraries that are always targets of it, as CMake calls them."""
+    not_there: tuple[InstalledPath, ...] = ()
+    """What it installs in any case and the tree does not have, and which none of its other lines may make."""
+    linked: tuple[tuple[str, int], ...] = ()
+    """Files of libraries below the source that it links and that are not there, as written, each with its line."""
+    lacks: bool = False
+    """None of the files of code that its programs name is there: it cannot be built by itself."""
+    guards: tuple[tuple[str, str], ...] = ()
+    """Programs that are built only where a package was found, each with the package's name in lower case."""
+    optional: tuple[tuple[str, str], ...] = ()
+    """Programs that are built only where a variable is set, each with it; ``OFF NAME`` for an option that is not."""
+    outside: tuple[tuple[str, int], ...] = ()
+    """Programs that a workspace of ROS 1 or 2 does not make, by conditions of the build tool, each with that ROS."""
