@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from roslab.config.model import Config
-from roslab.decide.decision import Decision, Python
+from roslab.decide.decision import Decision
+from roslab.decide.python.image_python import Python
 from roslab.plan.proof import LONGEST, Proof, describe
 from roslab.plan.proofs import proofs
 from roslab.plan.workspace import workspace

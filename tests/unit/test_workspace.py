@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from roslab.config.model import Config, Custom, Source
-from roslab.decide.decision import Decision, Python
+from roslab.decide.decision import Decision
+from roslab.decide.python.image_python import Python
 from roslab.knowledge.distros import distro
 from roslab.plan.package_sources import sources_of
 from roslab.plan.plan import Plan, make_plan

@@ -10,7 +10,7 @@ from roslab.decide.command import Command
 from roslab.decide.conflicts import decide_conflicts
 from roslab.decide.cuda.cpu_releases import without_cuda
 from roslab.decide.cuda.version import Cuda
-from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Python, Warning_
+from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Warning_
 from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.old_compiler import decide_compiler
 from roslab.decide.outside import decide_outside
@@ -18,6 +18,7 @@ from roslab.decide.platforms import Platforms
 from roslab.decide.proof import compiled, rostests, runs_ctest
 from roslab.decide.python.at_top import imported_by_command
 from roslab.decide.python.compiling import Compiling
+from roslab.decide.python.image_python import Python
 from roslab.decide.python.paths import python_path
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources

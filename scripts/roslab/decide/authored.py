@@ -5,7 +5,8 @@ from __future__ import annotations
 from roslab.config.model import Config
 from roslab.decide.base import BaseImage, of_dockerfile
 from roslab.decide.cuda.version import Cuda, of_image
-from roslab.decide.decision import Choice, MendedBase, Python
+from roslab.decide.decision import Choice, MendedBase
+from roslab.decide.python.image_python import Python
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace
 

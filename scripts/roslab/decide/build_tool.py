@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.beside_cpp import of_cpp
-from roslab.decide.decision import Choice, Python
+from roslab.decide.decision import Choice
 from roslab.decide.programs import top_of
 from roslab.decide.python.build_tool import tool_of_python
+from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import because, configured
 from roslab.decide.ros.build_tool import tool_of_ros1
 from roslab.evidence.facts import Evidence

@@ -8,7 +8,8 @@ are therefore ignored, and a warning names those at the root that would be insta
 from __future__ import annotations
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind, Source
-from roslab.decide.decision import Choice, Python
+from roslab.decide.decision import Choice
+from roslab.decide.python.image_python import Python
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.layout import Layout
 from roslab.decide.system.packages import SystemPackages

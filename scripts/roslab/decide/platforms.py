@@ -6,8 +6,9 @@ from collections.abc import Iterable
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.cuda.version import DEFAULT as CUDA
-from roslab.decide.decision import Choice, Python, Reason
+from roslab.decide.decision import Choice, Reason
 from roslab.decide.processor import OnX86
+from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import Placed, because, configured, warn
 from roslab.decide.ros.source_names import address
 from roslab.evidence.facts import Evidence

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.config.model import BuildTool, Kind
-from roslab.decide.decision import Python
+from roslab.decide.python.image_python import Python
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.facts import Evidence
 from roslab.evidence.x86_only import X86Only

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roslab.decide import decision
-from roslab.decide.decision import Manager
 from roslab.decide.python.compiling import NOTHING, Compiling
+from roslab.decide.python.image_python import Manager, Python
 from roslab.values.dataclass import dataclass
 from roslab.values.native_part import NativePart
 from roslab.values.requirement import Requirement
@@ -14,7 +13,7 @@ from roslab.values.requirement import Requirement
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PythonPlan:
-    """The fields of ``decide.decision.Python``, which say what each is."""
+    """The fields of ``decide.python.image_python.Python``, which say what each is."""
 
     version: str | None
     manager: Manager
@@ -61,7 +60,7 @@ class PythonPlan:
     compiled_modules: tuple[str, ...] = ()
 
 
-def python_plan(python: decision.Python, compiling: Compiling = NOTHING) -> PythonPlan:
+def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
     """Write the decision's requirements out as lines."""
     return PythonPlan(
         version=python.version,

@@ -9,9 +9,10 @@ import pytest
 
 from roslab.config.model import Config, Kind
 from roslab.decide.command import decide_command
-from roslab.decide.decision import Decision, Python
+from roslab.decide.decision import Decision
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import OnX86
+from roslab.decide.python.image_python import Python
 from roslab.decide.python.installed import installed
 from roslab.evidence import facts
 from roslab.evidence.cmake_project import CMakeProject

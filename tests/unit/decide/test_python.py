@@ -9,9 +9,9 @@ import pytest
 
 from roslab.config.model import Base, Config, Kind
 from roslab.decide.cuda.version import decide_cuda
-from roslab.decide.decision import Python
 from roslab.decide.python.compiling import Compiling, decide_compiling
 from roslab.decide.python.environment import decide_python
+from roslab.decide.python.image_python import Python
 from roslab.decide.python.installed import installed
 from roslab.decide.python.own import decide_version
 from roslab.decide.python.pins import pins

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from roslab.config.model import Config
-from roslab.decide.decision import Decision, Python
+from roslab.decide.decision import Decision
+from roslab.decide.python.image_python import Python
 from roslab.errors import ConfigurationError, RefusedError
 from roslab.github import secrets
 from roslab.github.event import Event

@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 import pytest
 
 from roslab.config.model import Config
-from roslab.decide.decision import Decision, Python
+from roslab.decide.decision import Decision
+from roslab.decide.python.image_python import Python
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.python import PythonPlan
 from roslab.plan.run import Run

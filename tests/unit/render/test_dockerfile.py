@@ -15,8 +15,9 @@ from typing import Any
 import pytest
 
 from roslab.config.model import Base, Config, Custom, Source
-from roslab.decide.decision import Decision, OwnScript, Python
+from roslab.decide.decision import Decision, OwnScript
 from roslab.decide.python.compiling import Compiling
+from roslab.decide.python.image_python import Python
 from roslab.errors import ConfigurationError
 from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json

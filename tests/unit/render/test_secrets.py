@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from roslab.config.model import Config, Custom, Source
-from roslab.decide.decision import Decision, Python
+from roslab.decide.decision import Decision
+from roslab.decide.python.image_python import Python
 from roslab.plan.plan import Plan, make_plan
 from roslab.render.build_script import build_script
 from roslab.render.dockerfile import dockerfile

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from roslab.config.model import BuildTool
-from roslab.decide.decision import Choice, Python
+from roslab.decide.decision import Choice
+from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.decide.decision import Python, Warning_
+from roslab.decide.decision import Warning_
+from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.decide.decision import Python, Reason
+from roslab.decide.decision import Reason
+from roslab.decide.python.image_python import Python
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
-from roslab.decide.decision import Choice, Python, Reason
+from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_channels import no_channels, told
@@ -21,6 +21,7 @@ from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.gpu_projects import left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
+from roslab.decide.python.image_python import Python
 from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.locked import locked_releases
 from roslab.decide.python.lost import lost, with_told_links, without_history

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.decide.decision import Python
+from roslab.decide.python.image_python import Python
 from roslab.decide.python.manifests import files_of, with_includes
 from roslab.decide.python.native_parts import brought
 from roslab.decide.python.pins import of_conda

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.version import DEFAULT as CUDA
-from roslab.decide.decision import Choice, Manager, Reason, Warning_
+from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.python.base import cuda_ubuntu
+from roslab.decide.python.image_python import Manager
 from roslab.decide.python.packages import Chosen, choose
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED

@@ -6,7 +6,8 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 
 from roslab.config.model import Config, Kind
-from roslab.decide.decision import Choice, Python, Reason, Warning_
+from roslab.decide.decision import Choice, Reason, Warning_
+from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import because, configured
 from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.keys import (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.decide.decision import Python
+from roslab.decide.python.image_python import Python
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
