@@ -22,7 +22,7 @@ from roslab.decide.decision import Decision, Reason, Warning_
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, for_old_packages, python_tools, with_setuptools
 from roslab.plan.as_of import AsOf, as_of, lacking, of_day
-from roslab.plan.author_bases import Base, author_bases
+from roslab.plan.author_dockerfile import AuthorDockerfile, author_dockerfile
 from roslab.plan.locked import Lock
 from roslab.plan.package_sources import PackageSources, package_sources
 from roslab.plan.packages import data_of, image_packages
@@ -43,20 +43,6 @@ VERSION = 1
 """Version of the plan's JSON; a reader refuses any other."""
 SLIM = "slim"
 """The stage of the slim image, and what the names of its tags end in."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class AuthorDockerfile:
-    """The author's own Dockerfile, built instead of a generated one; paths relative to the root."""
-
-    dockerfile: str
-    context: str
-    args: tuple[tuple[str, str], ...] = ()
-    """Build arguments."""
-    target: str | None = None
-    """The stage to build; ``None`` for the last one."""
-    bases: tuple[Base, ...] = ()
-    """Images that it starts from and that the build replaces, as named contexts."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -172,17 +158,7 @@ def make_plan(
     ``folder_name`` names the image if roslab.yaml does not; ``ignore`` are the lines of the author's .dockerignore,
     ``unread`` the names at the top of the repository that no build file names.
     """
-    author_dockerfile = (
-        AuthorDockerfile(
-            dockerfile=decision.dockerfile,
-            context=decision.context or ".",
-            args=config.args,
-            target=config.target,
-            bases=author_bases(decision),
-        )
-        if decision.dockerfile
-        else None
-    )
+    author = author_dockerfile(decision, config)
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = tuple(
         of_day(s, decision.day) for s in decision.source if ros and s.build in (*WORKSPACE_TOOLS, "none")
@@ -219,7 +195,7 @@ def make_plan(
         package_sources=sources,
         as_of=as_of(decision),
         build_tool=decision.build_tool,
-        author_dockerfile=author_dockerfile,
+        author_dockerfile=author,
         repositories=(*config.repositories, *decision.repositories),
         apt_first=packages.first,
         apt_tools=packages.tools,
@@ -262,7 +238,7 @@ def make_plan(
             sources=sources,
             rosdistro_tag=rosdistro_tag,
             installers=() if decision.python.manager == "conda" else tools.installers,
-            bases=author_dockerfile.bases if author_dockerfile else (),
+            bases=author.bases if author else (),
         ),
     )
 

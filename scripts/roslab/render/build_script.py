@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from roslab.plan.plan import AuthorDockerfile, Plan
+from roslab.plan.author_dockerfile import AuthorDockerfile
+from roslab.plan.plan import Plan
 from roslab.render.bases import stage_name
 from roslab.render.output import Beside
 from roslab.render.script import script

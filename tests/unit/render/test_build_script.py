@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 
-from roslab.plan.plan import AuthorDockerfile, Plan
+from roslab.plan.author_dockerfile import AuthorDockerfile
+from roslab.plan.plan import Plan
 from roslab.render.build_script import build_script
 
 Plans = Callable[..., Plan]

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from roslab.files import generated
-from roslab.plan.plan import AuthorDockerfile, Plan
+from roslab.plan.author_dockerfile import AuthorDockerfile
+from roslab.plan.plan import Plan
 from roslab.render import FILES, OutputFile, render_all
 from roslab.render.script import script
 

@@ -15,7 +15,8 @@ import pytest
 
 from roslab.config.model import Matlab, Volume
 from roslab.errors import ConfigurationError
-from roslab.plan.plan import AuthorDockerfile, Plan
+from roslab.plan.author_dockerfile import AuthorDockerfile
+from roslab.plan.plan import Plan
 from roslab.plan.run import Given
 from roslab.render.run_script import run_script
 
