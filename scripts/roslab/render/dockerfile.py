@@ -20,6 +20,7 @@ from roslab.render.layers import (
     native_parts,
     program,
     python,
+    python_projects,
     scripts,
     shell,
     slim,
@@ -97,8 +98,8 @@ TODAY = Order(
     ),
     source=(
         workspace.copy_source,  # 5.
-        python.versions,
-        python.projects,
+        python_projects.versions,
+        python_projects.projects,
         native_parts.compile_of_projects,
         wheel_libraries.after_projects,
         workspace.own_projects,
@@ -133,8 +134,8 @@ OLD_FORMATS = Order(  # the order of the old generators, in which later steps us
     source=(
         workspace.copy_source,
         workspace.old_paths,
-        python.versions,
-        python.projects,
+        python_projects.versions,
+        python_projects.projects,
         workspace.own_home,
         *END,
     ),

@@ -23,7 +23,7 @@ from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
 from roslab.render import image_scripts
 from roslab.render.dockerfile import OLD_FORMATS, TODAY, dockerfile
-from roslab.render.layers import python
+from roslab.render.layers import python, python_projects
 from roslab.values.requirement_line import stated
 
 
@@ -96,10 +96,10 @@ def test_layers_go_from_rarely_to_often_changing() -> None:
 
 def test_both_orders_have_every_block_of_python() -> None:
     own = {python.environment, python.jupyter, python.constraints, python.packages, python.guessed_packages}
-    own |= {python.versions, python.projects}
+    own |= {python_projects.versions, python_projects.projects}
     for order in (TODAY, OLD_FORMATS):
         assert own <= {*order.image, *order.source}
-        assert order.source.index(python.versions) < order.source.index(python.projects)
+        assert order.source.index(python_projects.versions) < order.source.index(python_projects.projects)
 
 
 def test_a_new_system_package_rebuilds_no_library() -> None:

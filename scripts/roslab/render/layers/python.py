@@ -8,7 +8,6 @@ from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import building, caches, conda_lines, locks, manifests, secrets, shell
-from roslab.values.secret import NETRC
 
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
 DOWNLOADS = "/tmp/pip-downloads"  # noqa: S108 - a folder of the image while it is built
@@ -205,67 +204,6 @@ def guessed_packages(plan: Plan) -> str:
         comment="Imported or named in a page, declared nowhere else: none of them stops the build",
         secrets=secrets.for_tries_of_pip(plan),
     )
-
-
-def versions(plan: Plan) -> str:
-    """Tell projects the version that they would read from git, in the files that their tools read without it."""
-    source = plan.source_version
-    if source is None:
-        return ""
-    lines = [
-        "# These take their version from git, which the build does not see: the tag's, as in a source distribution"
-    ]
-    commands = []
-    if source.distributions:
-        lines.append(f"ARG SOURCE_VERSION={quote.docker(source.version)}")
-        text = "'Metadata-Version: 2.1\\nName: %s\\nVersion: %s\\n'"
-        for folder, name in source.distributions:
-            file = quote.shell(f"./{folder}/PKG-INFO" if folder else "./PKG-INFO")
-            commands.append(f'{{ [ -e {file} ] || printf {text} {quote.shell(name)} "${{SOURCE_VERSION}}" >{file}; }}')
-    if source.archives and source.tag:
-        lines.append(f"ARG SOURCE_TAG={quote.docker(source.tag)}")
-        for folder in source.archives:
-            place = quote.shell(f"./{folder}" if folder else ".")
-            commands.append(
-                f"find {place} -name _version.py -exec sed --in-place --regexp-extended "
-                f"\"s|^( *git_refnames = ).[$]Format:%d[$].\\$|\\1'(tag: ${{SOURCE_TAG}})'|\" {{}} +"
-            )
-    return "\n".join([*lines, shell.run(*commands)]) if commands else ""
-
-
-def projects(plan: Plan) -> str:
-    """Install the repository's own Python projects, editable: the reader changes a line and runs it."""
-    folders = plan.workspace.python_projects
-    if not folders:
-        return ""
-    isolation = " --no-build-isolation" if plan.python.first else ""
-    pip = f"{interpreter(plan)} -m pip install {caches.pip_option(plan)}{isolation}{pip_options(plan.python.options)}"
-    pip = "".join(f"{name}={quote.shell(flags)} " for name, flags in building.macros(plan)) + pip
-    if plan.python.native_parts and NETRC not in plan.secrets:  # a setup.py looks for them at home; root's has a .netrc
-        pip = f'HOME="/home/${{NB_USER}}" {pip}'
-    unseen = [folder for folder in folders if folder in plan.python.unseen]
-    whole = [folder for folder in folders if folder not in (*plan.python.alone, *unseen)]
-    alone = [folder for folder in folders if folder in plan.python.alone]
-    copied = frozenset(plan.python.copied)
-    commands = [_if_there(folder, f"{pip}{_own([folder], copied)}") for folder in unseen]
-    commands += [f"{pip}{_own(whole, copied)}"] if whole else []
-    commands += [f"{pip} --no-deps{_own(alone, copied)}"] if alone else []
-    run = shell.run(*commands, secrets=secrets.for_pip(plan))
-    editable = "" if copied.issuperset(folders) else ", editable"
-    header = f"{text}\n" if (text := building.older_names(plan)) else ""
-    return f"# The repository's own Python packages{editable}\nUSER root\n{header}{run}"
-
-
-def _if_there(folder: str, install: str) -> str:
-    """Return the command that installs a folder of a submodule, which nobody has seen, if it has something for pip."""
-    has = " || ".join(f"[ -e {quote.shell(f'./{folder}/{name}')} ]" for name in ("setup.py", "pyproject.toml"))
-    left_out = quote.shell(f"roslab: left out: {folder} has neither setup.py nor pyproject.toml")
-    return f"if {has}; then \\\n      {install}; \\\n    else echo {left_out}; fi"
-
-
-def _own(folders: Sequence[str], copied: frozenset[str]) -> str:
-    paths = ((folder, quote.shell(f"./{folder}" if folder not in ("", ".") else ".")) for folder in folders)
-    return "".join(f" {path}" if folder in copied else f" --editable {path}" for folder, path in paths)
 
 
 def jupyter(plan: Plan) -> str:
