@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency, GitSource
@@ -13,8 +11,8 @@ from roslab.evidence.native import cmake_needs, cmake_since, included, own_proje
 from roslab.evidence.native.installed_paths import installed, not_there
 from roslab.evidence.native.macros import macros
 from roslab.evidence.native.made_targets import TARGET, target
-from roslab.evidence.native.output_folder import output_folder
 from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
+from roslab.evidence.native.program_folders import VARIABLES, ProgramFolders
 from roslab.evidence.native.searched import searched
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field, replace
@@ -59,9 +57,6 @@ _NAMES = (
     | {"cs_*", "ament_*", "rosbuild_*", "rosidl_generate_interfaces"}
 )
 _LANGUAGES = frozenset({"C", "CXX", "CUDA", "Fortran"})
-_AT_ONCE = "CMAKE_RUNTIME_OUTPUT_DIRECTORY"
-"""A program is written where this says when it is added; what the other says last is for all programs without it."""
-_PROGRAMS_IN = frozenset({_AT_ONCE, "EXECUTABLE_OUTPUT_PATH"})
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
 _SWITCH = pattern(r"(?:OFF )?(?!UNIX$|LINUX$|WIN32$|MSVC$|APPLE$)[A-Za-z]\w*(?<!_FOUND)")
@@ -85,14 +80,8 @@ class _Reading:
     executables: dict[str, int] = field(default_factory=dict)
     guards: dict[tuple[str, str], None] = field(default_factory=dict)
     optional: dict[tuple[str, str], None] = field(default_factory=dict)
-    outputs: dict[str, str] = field(default_factory=dict)
-    """File names of targets that differ from the target's name."""
+    written: ProgramFolders = field(default_factory=ProgramFolders)
     tests: bool = False
-    programs_in: str | None = None
-    at_once: str | None = None
-    at_last: str | None = None
-    placed: dict[str, str | None] = field(default_factory=dict)
-    """Programs with the folder that was set when they were added."""
     libraries: set[str] = field(default_factory=set)
     targets: dict[str, None] = field(default_factory=dict)
     installed: list[InstalledPath] = field(default_factory=list)
@@ -200,7 +189,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         always=above.always,
         languages=tuple(dict.fromkeys(reading.languages)),
         macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
-        executables=tuple((reading.outputs.get(name, name), line) for name, line in reading.executables.items()),
+        executables=tuple((reading.written.file(name), line) for name, line in reading.executables.items()),
         dependencies=tuple(
             dict.fromkeys(d for d in reading.dependencies if d.namespace != "link" or d.name not in own)
         ),
@@ -208,15 +197,15 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         minimum=reading.minimum,
         newer=tuple(reading.newer.values()),
         tests=reading.tests,
-        programs_in=reading.programs_in,
-        placed=tuple(_placed(reading)),
+        programs_in=reading.written.folder,
+        placed=tuple(reading.written.elsewhere()),
         made=tuple(reading.made),
         targets=tuple(reading.targets) if above.always or file.folder not in added else (),
         not_there=not_there(reading.installed, text, repository) if above.always or file.folder not in added else (),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
-        guards=tuple((reading.outputs.get(name, name), package) for name, package in reading.guards),
-        outside=tuple((reading.outputs.get(name, name), ros) for name, ros in reading.outside),
-        optional=tuple((reading.outputs.get(name, name), variable) for name, variable in reading.optional),
+        guards=tuple((reading.written.file(name), package) for name, package in reading.guards),
+        outside=tuple((reading.written.file(name), ros) for name, ros in reading.outside),
+        optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
         lacks=bool(reading.named) and not any(repository.has(_joined(file.folder, name)) for name in reading.named),
     )
 
@@ -229,8 +218,8 @@ def _include(call: Call, repository: Repository, file: File, reading: _Reading) 
         return
     for module in repository.named(f"{name}.cmake")[:1]:
         text = repository.read(module) if module.size <= MAX_MODULE else ""
-        for inner in calls(text, frozenset({"set"})) if any(word in text for word in _PROGRAMS_IN) else ():
-            _place_programs(inner, file.folder, reading)
+        for inner in calls(text, frozenset({"set"})) if any(word in text for word in VARIABLES) else ():
+            reading.written.note(inner, file.folder, reading.executables)
 
 
 def _note(call: Call, path: str, reading: _Reading) -> None:
@@ -242,7 +231,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
     elif name in {"set", "set_target_properties"}:
-        _place_programs(call, path.rpartition("/")[0], reading)
+        reading.written.note(call, path.rpartition("/")[0], reading.executables)
         reading.dependencies += cmake_needs.files(told, path)
     elif name == "cmake_minimum_required":
         reading.minimum = reading.minimum or cmake_since.minimum(call, path)
@@ -268,7 +257,7 @@ def _program(call: Call, reading: _Reading) -> None:
     name, *files = call.words
     before = name in reading.executables
     reading.executables.setdefault(name, call.line)
-    reading.placed.setdefault(name, reading.at_once)
+    reading.written.add(name)
     reading.named.update(word for word in files if _CODE.match(word))
     outside_of_workspaces(name, (*reading.by_tool, *call.conditions), reading.outside, again=before)
     for condition in call.conditions:
@@ -276,35 +265,6 @@ def _program(call: Call, reading: _Reading) -> None:
         reading.optional |= {(name, switch): None} if _SWITCH.fullmatch(switch) else {}
         found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
         reading.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
-
-
-def _place_programs(call: Call, folder: str, reading: _Reading) -> None:
-    """Note the folder that ``set`` gives programs, and what ``set_target_properties(TARGETS… PROPERTIES …)`` does."""
-    words = call.words
-    if call.name == "set" and len(words) > 1 and words[0] in _PROGRAMS_IN:
-        place = output_folder(words[1], folder)
-        reading.programs_in = place or reading.programs_in
-        reading.at_once, reading.at_last = (
-            (place, reading.at_last) if words[0] == _AT_ONCE else (reading.at_once, place)
-        )
-    if call.name == "set" or "PROPERTIES" not in words:
-        return
-    split = words.index("PROPERTIES")
-    values = dict(zip(words[split + 1 :: 2], words[split + 2 :: 2], strict=False))
-    if (output := values.get("OUTPUT_NAME")) and TARGET.match(output):
-        reading.outputs |= dict.fromkeys(words[:split], output)
-    if (place := values.get("RUNTIME_OUTPUT_DIRECTORY")) and any(word in reading.executables for word in words[:split]):
-        written = output_folder(place, folder)
-        reading.programs_in = written or reading.programs_in
-        reading.placed |= {word: written for word in words[:split] if word in reading.placed}
-
-
-def _placed(reading: _Reading) -> Iterator[tuple[str, str]]:
-    """Yield the programs that lie elsewhere than in the folder that the file names last."""
-    for name, place in reading.placed.items():
-        where = place or reading.at_last
-        if where and where != reading.programs_in:
-            yield reading.outputs.get(name, name), where
 
 
 def _joined(folder: str, path: str) -> str:
