@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -37,13 +38,4 @@ def keys_of_sources() -> dict[str, str]:
 @cache
 def added_sources() -> tuple[AddedSource, ...]:
     """Return the sources that are added for what is installed, whether a page adds them or not."""
-    return tuple(
-        AddedSource(
-            packages=pattern(row["packages"]),
-            ubuntu=tuple(row["ubuntu"].split()),
-            url=row["url"],
-            components=row["components"],
-            key=row["key"],
-        )
-        for row in rows("added_sources")
-    )
+    return tuple(record(AddedSource, row, packages=pattern(row["packages"])) for row in rows("added_sources"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import grouped, record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -20,8 +21,4 @@ class Since:
 @cache
 def since() -> dict[str, tuple[Since, ...]]:
     """Return the table by the name of the command, in lower case."""
-    found: dict[str, tuple[Since, ...]] = {}
-    for row in rows("cmake_since"):
-        each = Since(words=tuple(row["words"].split()), release=row["since"])
-        found[row["call"]] = (*found.get(row["call"], ()), each)
-    return found
+    return grouped((row["call"], record(Since, row, release=row["since"])) for row in rows("cmake_since"))

@@ -8,6 +8,7 @@ from itertools import takewhile
 from typing import Literal, cast
 
 from roslab.knowledge.hints import Hints, hints
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -37,13 +38,11 @@ class Limit:
 def limits() -> tuple[Limit, ...]:
     """Return every sign."""
     return tuple(
-        Limit(
+        record(
+            Limit,
+            row,
             where=cast("Sign", row["where"]),
             pattern=pattern(row["pattern"], re.MULTILINE),
-            library=row["library"],
-            at_least=row["at_least"] or None,
-            below=row["below"] or None,
-            what=row["what"],
             hints=hints(row["hints"]),
         )
         for row in rows("code_limits")

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, kw_only=True, slots=True)
 class CondaLimit:
     """A limit beside a package of ``before`` a release and from a channel, ``""`` for any."""
 
@@ -22,7 +23,4 @@ class CondaLimit:
 @cache
 def conda_limits() -> tuple[CondaLimit, ...]:
     """Return the limits of the table."""
-    return tuple(
-        CondaLimit(row["conda"], row["before"], row["channel"], row["limit"], row["why"])
-        for row in rows("conda_limits")
-    )
+    return tuple(record(CondaLimit, row, name=row["conda"]) for row in rows("conda_limits"))

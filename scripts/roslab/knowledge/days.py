@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import grouped
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -20,9 +21,7 @@ class Sync:
 @cache
 def _syncs() -> dict[str, tuple[dict[str, str], ...]]:
     """Return the rows of each distribution, the oldest day first."""
-    found: dict[str, list[dict[str, str]]] = {}
-    for row in rows("ros_syncs"):
-        found.setdefault(row["distro"], []).append(row)
+    found = grouped((row["distro"], row) for row in rows("ros_syncs"))
     return {name: tuple(sorted(syncs, key=lambda row: row["day"])) for name, syncs in found.items()}
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Literal
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -40,14 +41,10 @@ class Distro:
 def distros() -> dict[str, Distro]:
     """Return every distribution with an image, by name: the oldest first, ROS 1 before ROS 2."""
     return {
-        row["name"]: Distro(
-            name=row["name"],
+        row["name"]: record(
+            Distro,
+            row,
             ros=1 if row["ros"] == "1" else 2,
-            ubuntu=row["ubuntu"],
-            python=row["python"],
-            released=row["released"],
-            eol=row["eol"] or None,
-            rosdistro_tag=row["rosdistro_tag"] or None,
             arm64=row["arm64"] == "yes",
             preference=int(row["preference"]),
             default=row["default"] == "yes",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -19,4 +20,4 @@ class Nightly:
 @cache
 def dropped_nightlies() -> dict[str, Nightly]:
     """Return the table by normalised name; what is older than its day does not come back."""
-    return {row["pip"]: Nightly(stable=row["stable"], since=row["since"]) for row in rows("dropped_nightlies")}
+    return {row["pip"]: record(Nightly, row) for row in rows("dropped_nightlies")}

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
-from roslab.knowledge.native_parts import Series, series
+from roslab.knowledge.native_parts import Series
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -20,6 +21,4 @@ class EnvironmentExtras(Series):
 @cache
 def environment_extras() -> tuple[EnvironmentExtras, ...]:
     """Return all rows of the table."""
-    return tuple(
-        EnvironmentExtras(**series(row), needs=tuple(row["needs"].split())) for row in rows("environment_extras")
-    )
+    return tuple(record(EnvironmentExtras, row) for row in rows("environment_extras"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -29,13 +30,6 @@ class Dropped:
 def dropped() -> tuple[Dropped, ...]:
     """Return the table."""
     return tuple(
-        Dropped(
-            package=row["package"],
-            pattern=pattern(row["pattern"], re.MULTILINE),
-            below=row["below"],
-            define=row["define"],
-            what=row["what"],
-            hint=row["hints"],
-        )
+        record(Dropped, row, pattern=pattern(row["pattern"], re.MULTILINE), hint=row["hints"])
         for row in rows("extension_code")
     )

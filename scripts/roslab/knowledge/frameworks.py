@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import grouped, record
 from roslab.knowledge.table import cells, rows
 from roslab.values.dataclass import dataclass
 from roslab.values.version import Version, minor_of, version_of
@@ -30,12 +31,9 @@ class Framework:
 
 
 @cache
-def _rows() -> dict[str, list[dict[str, str]]]:
+def _rows() -> dict[str, tuple[dict[str, str], ...]]:
     """Return the rows of each package."""
-    found: dict[str, list[dict[str, str]]] = {}
-    for row in rows("frameworks"):
-        found.setdefault(row["package"], []).append(row)
-    return found
+    return grouped((row["package"], row) for row in rows("frameworks"))
 
 
 @cache
@@ -50,14 +48,10 @@ def _series(package: str) -> tuple[tuple[Version, Framework], ...]:
     found = [
         (
             Version(row["first"]),
-            Framework(
-                package=package,
-                first=row["first"],
+            record(
+                Framework,
+                row,
                 cuda=tuple(f"{row['cuda']} {row['other_cuda']}".split()),
-                cudnn=row["cudnn"] or None,
-                python_min=row["python_min"],
-                python_max=row["python_max"],
-                source=row["source"],
                 released=_days().get((package, row["first"]), ""),
             ),
         )
@@ -85,10 +79,7 @@ def framework_sources() -> dict[str, str]:
 @cache
 def released_together() -> dict[str, tuple[str, ...]]:
     """Return, for each framework, the packages of which each release is built for one release of it."""
-    found: dict[str, tuple[str, ...]] = {}
-    for row in rows("released_together"):
-        found[row["framework"]] = (*found.get(row["framework"], ()), row["pip"])
-    return found
+    return grouped((row["framework"], row["pip"]) for row in rows("released_together"))
 
 
 def same_numbers() -> str:
@@ -178,16 +169,7 @@ class CudaImage:
 @cache
 def cuda_images() -> tuple[CudaImage, ...]:
     """Return every CUDA version known, oldest first."""
-    return tuple(
-        CudaImage(
-            cuda=row["cuda"],
-            tag=row["tag"],
-            cudnn=row["cudnn"],
-            ubuntu=tuple(row["ubuntu"].split()),
-            source=row["source"],
-        )
-        for row in rows("cuda_images")
-    )
+    return tuple(record(CudaImage, row) for row in rows("cuda_images"))
 
 
 def cuda_image(cuda: str) -> CudaImage | None:

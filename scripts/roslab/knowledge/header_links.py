@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -25,13 +26,4 @@ class HeaderLink:
 @cache
 def header_links() -> tuple[HeaderLink, ...]:
     """Return all rows."""
-    return tuple(
-        HeaderLink(
-            ubuntu=row["ubuntu"],
-            one=tuple(row["one"].split()),
-            other=tuple(row["other"].split()),
-            file=row["file"],
-            instead=row["instead"],
-        )
-        for row in rows("header_links")
-    )
+    return tuple(record(HeaderLink, row) for row in rows("header_links"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -24,12 +25,4 @@ class LaunchedSimulator:
 @cache
 def launched_simulators() -> dict[str, LaunchedSimulator]:
     """Return the simulators by the modules that start them."""
-    return {
-        row["module"]: LaunchedSimulator(
-            program=row["program"],
-            package=row["package"],
-            variables=tuple(row["variables"].split()),
-            address=row["address"],
-        )
-        for row in rows("launched_simulators")
-    }
+    return {row["module"]: record(LaunchedSimulator, row) for row in rows("launched_simulators")}

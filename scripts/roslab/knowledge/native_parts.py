@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 from typing import TypeVar
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
@@ -64,17 +65,7 @@ Row = TypeVar("Row", bound=Series)
 def natives() -> tuple[Native, ...]:
     """Return all rows of ``native_parts``."""
     return tuple(
-        Native(
-            **series(row),
-            part=row["part"],
-            folder=row["folder"],
-            archive=row["archive"],
-            unpacks=row["unpacks"],
-            key=(row["key"].split()[0], row["key"].split()[1]) if row["key"] else None,
-            variables=tuple(row["variables"].split()),
-            bound=row["bound"],
-            module=row["module"],
-        )
+        record(Native, row, key=(row["key"].split()[0], row["key"].split()[1]) if row["key"] else None)
         for row in rows("native_parts")
     )
 
@@ -82,12 +73,7 @@ def natives() -> tuple[Native, ...]:
 @cache
 def bringing() -> tuple[Bringing, ...]:
     """Return all rows of ``brought_packages``."""
-    return tuple(
-        Bringing(
-            **series(row), extras=tuple(row["extras"].split()), brings=row["brings"], of_index=row["from"] == "index"
-        )
-        for row in rows("brought_packages")
-    )
+    return tuple(record(Bringing, row, of_index=row["from"] == "index") for row in rows("brought_packages"))
 
 
 def series_of(asked: Requirement, day: str | None, known: Iterable[Row]) -> Row | None:
@@ -99,8 +85,3 @@ def series_of(asked: Requirement, day: str | None, known: Iterable[Row]) -> Row 
     fitting = [row for row in ours if asked.specifier.contains(row.newest) or asked.specifier.contains(row.first)]
     then = [row for row in fitting if day is None or row.since <= day]
     return then[-1] if then else next(iter(fitting), None)
-
-
-def series(row: dict[str, str]) -> dict[str, str]:
-    """Return the fields of a row that every such table has."""
-    return {name: row[name] for name in ("pip", "first", "newest", "since")}

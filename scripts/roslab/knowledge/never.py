@@ -6,10 +6,10 @@ import re
 from functools import cache
 
 from roslab.knowledge.table import rows
-from roslab.values.pattern import pattern
+from roslab.values.pattern import one_of
 
 
 @cache
 def never() -> re.Pattern[str]:
     """Return one pattern that matches the full name of each of them."""
-    return pattern("(?:" + "|".join(row["pattern"] for row in rows("never")) + r")\Z")
+    return one_of(row["pattern"] for row in rows("never"))

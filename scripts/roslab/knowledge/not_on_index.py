@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
@@ -24,20 +25,13 @@ class NotOnIndex:
 @cache
 def not_on_index() -> dict[str, NotOnIndex]:
     """Return the table by normalised name."""
-    return {
-        canonicalize_name(row["pip"]): NotOnIndex(
-            instead=row["instead"], why=row["why"], conda=tuple(row["conda"].split()), source=row["source"]
-        )
-        for row in rows("not_on_index")
-    }
+    return {canonicalize_name(row["pip"]): record(NotOnIndex, row) for row in rows("not_on_index")}
 
 
 @cache
 def of_ros() -> dict[str, NotOnIndex]:
     """Return ROS's own packages by normalised name: the index has none, or another thing of the name."""
     return {
-        canonicalize_name(row["pip"]): NotOnIndex(
-            instead="", why="it is a package of ROS's", conda=(), source=row["source"]
-        )
+        canonicalize_name(row["pip"]): record(NotOnIndex, row, instead="", why="it is a package of ROS's", conda=())
         for row in rows("of_ros")
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -21,7 +22,4 @@ class PackageData:
 @cache
 def package_data() -> tuple[PackageData, ...]:
     """Return all rows."""
-    return tuple(
-        PackageData(package=row["package"], script=row["script"], needs=tuple(row["needs"].split()))
-        for row in rows("package_data")
-    )
+    return tuple(record(PackageData, row) for row in rows("package_data"))

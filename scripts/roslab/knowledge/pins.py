@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -26,4 +27,4 @@ class Pin:
 def pin(name: Literal["buildx", "buildkit", "binfmt", "scanner"]) -> Pin:
     """Return the pin of a part of the builder."""
     row = next(row for row in rows("pins") if row["name"] == name)
-    return Pin(image=row["image"], version=row["version"], digest=row["digest"])
+    return record(Pin, row)

@@ -6,6 +6,7 @@ import re
 from functools import cache
 
 from roslab.knowledge.hints import Hints, hints
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -45,15 +46,14 @@ class Removal:
 def removals() -> tuple[Removal, ...]:
     """Return the table."""
     return tuple(
-        Removal(
+        record(
+            Removal,
+            row,
             rank=rank,
-            package=row["package"],
             having=row["bound"],
             with_it=row["beside"],
             hints=hints(row["hints"]),
             pattern=pattern(row["pattern"]),
-            what=row["what"],
-            source=row["source"],
         )
         for rank, row in enumerate(rows("removals"))
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -38,14 +39,7 @@ def ros_sources(package: str, ros: int, distro: str = "") -> tuple[RosSource, ..
     if row is None or (distro and row["distros"] and distro not in row["distros"].split()):
         return ()
     first = {found.package: found for needed in row["after"].split() for found in ros_sources(needed, ros, distro)}
-    own = RosSource(
-        package=package,
-        repo=row["repo"],
-        ref=row["ref"].format(distro=distro or "rolling"),
-        library=row["library"],
-        prepare=row["prepare"],
-        options=row["options"],
-    )
+    own = record(RosSource, row, ref=row["ref"].format(distro=distro or "rolling"))
     return (*first.values(), own)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.record import grouped
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
@@ -23,9 +24,7 @@ class UndeclaredLimit:
 @cache
 def undeclared_limits() -> dict[str, tuple[UndeclaredLimit, ...]]:
     """Return the table by the normalised name of the package."""
-    found: dict[str, tuple[UndeclaredLimit, ...]] = {}
-    for row in rows("undeclared_limits"):
-        name = canonicalize_name(row["package"])
-        each = UndeclaredLimit(below=Version(row["below"]), limit=stated(row["limit"]))
-        found[name] = (*found.get(name, ()), each)
-    return found
+    return grouped(
+        (canonicalize_name(row["package"]), UndeclaredLimit(below=Version(row["below"]), limit=stated(row["limit"])))
+        for row in rows("undeclared_limits")
+    )

@@ -6,10 +6,10 @@ import re
 from functools import cache
 
 from roslab.knowledge.table import rows
-from roslab.values.pattern import pattern
+from roslab.values.pattern import one_of
 
 
 @cache
 def unread() -> re.Pattern[str]:
     """Return one pattern that matches the full name of each of them."""
-    return pattern("(?:" + "|".join(f"(?:{row['pattern']})" for row in rows("unread")) + r")\Z")
+    return one_of(row["pattern"] for row in rows("unread"))

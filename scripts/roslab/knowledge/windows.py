@@ -7,6 +7,7 @@ from functools import cache
 from typing import Literal
 
 from roslab.knowledge.hints import Hints, Search, hints
+from roslab.knowledge.record import record
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -41,7 +42,7 @@ class _Call:
 @cache
 def _calls(language: str) -> Search[_Call]:
     found = (
-        _Call(library=row["library"], hints=hints(row["hints"]), pattern=pattern(row["pattern"], re.MULTILINE))
+        record(_Call, row, hints=hints(row["hints"]), pattern=pattern(row["pattern"], re.MULTILINE))
         for row in rows("window_calls")
         if row["language"] == language
     )

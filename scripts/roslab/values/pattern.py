@@ -7,7 +7,7 @@ compiled by ``re`` and forgotten.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, cast
 
@@ -36,6 +36,11 @@ def pattern(source: str, flags: int = 0) -> re.Pattern[str]:
     first use; a test compiles every one.
     """
     return cast("re.Pattern[str]", _Lazy(source, flags))
+
+
+def one_of(sources: Iterable[str]) -> re.Pattern[str]:
+    """Return a pattern that matches where one of these matches up to the end of a text."""
+    return pattern("(?:" + "|".join(f"(?:{source})" for source in sources) + r")\Z")
 
 
 @contextmanager
