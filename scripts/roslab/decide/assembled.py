@@ -28,6 +28,7 @@ from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.stops_without import decide_stops
+from roslab.decide.system.left_out import folders_of
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.may_fail import may_fail
 from roslab.decide.system.missing import Missing, marked
@@ -142,6 +143,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
         *(() if of.own.answer else (decide_compiler(evidence, config, of.base.answer.ubuntu, _by_apt(of)),)),
     )
+    failing = may_fail(evidence, of.packages, of.target, of.sources.answer, of.left_out)
     return Decision(
         kind=of.kind.answer,
         ros_distro=distro,
@@ -160,15 +162,13 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         vcs=of.sources.answer.vcs,
         submodules=() if of.own.answer else of.sources.answer.submodules,
         apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),
-        may_fail=()
-        if of.own.answer or config.compatible
-        else may_fail(evidence, of.packages, of.target, of.sources.answer, of.left_out),
+        may_fail=() if of.own.answer or config.compatible else folders_of(of.packages, failing),
         must_build=must_build(
             evidence,
             of.command.answer.command,
             of.packages,
             of.sources.answer,
-            left_out=of.left_out,
+            left_out={*of.left_out, *failing},
             ros_distro=distro,
         ),
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,

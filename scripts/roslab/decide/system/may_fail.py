@@ -12,7 +12,7 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.included import included
 from roslab.decide.ros.source_names import plain, telling_words
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.left_out import folders_of, needing
+from roslab.decide.system.left_out import needing
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.required import required
 from roslab.evidence.dependency import Dependency
@@ -23,7 +23,7 @@ from roslab.knowledge.released import released, rosdep_keys
 def may_fail(
     evidence: Evidence, packages: Packages, target: Target, sources: Sources, left_out: Collection[str]
 ) -> tuple[str, ...]:
-    """Return the folders of packages that CMake or the compiler will stop in where no clone has what they need.
+    """Return the packages that CMake or the compiler will stop in where no clone has what they need.
 
     With those that need them; none where no others are left. What a clone is called like is most likely in that.
     """
@@ -32,9 +32,9 @@ def may_fail(
     found: dict[str, None] = {}
     for package in dict.fromkeys(_stopped(evidence, packages, _known(packages, target, sources), target)):
         found |= dict.fromkeys(needing(package, packages))
-    names = [name for name in found if name not in left_out]
+    names = tuple(name for name in found if name not in left_out)
     others = [m for m in packages.built if m.name not in {*names, *left_out} and not m.metapackage]
-    return tuple(folder for folder in folders_of(packages, names) if folder) if others else ()
+    return names if others else ()
 
 
 def _known(packages: Packages, target: Target, sources: Sources) -> Callable[[str], bool]:

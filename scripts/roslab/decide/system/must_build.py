@@ -30,13 +30,16 @@ def must_build(
     """Return the packages that the default command names, and those that its launch file starts or includes, in turn.
 
     Of the latter those of the workspace, and those that a clone may bring: what the distribution has is installed where
-    a clone's does not build. ``left_out``: those that are not built anyway.
+    a clone's does not build. ``left_out``: those that are not built anyway, or may fail: a launch file starts its other
+    nodes without them, and what they lack is told.
     """
     line = line_of(command)
     own = {manifest.name for manifest in packages.built} - {*left_out}
     there, has = {*own, *sources.names, *tried(sources.sought)}, released(ros_distro or "")
     launched = (
-        name for name in _launched(evidence, line) if name in there or (name not in has and sources.may_hold(name))
+        name
+        for name in _launched(evidence, line)
+        if name not in left_out and (name in there or (name not in has and sources.may_hold(name)))
     )
     return tuple(dict.fromkeys((*_STARTED.findall(line), *launched)))
 
