@@ -91,6 +91,20 @@ def test_a_torch_that_is_locked_has_its_own_cuda(tree: Tree) -> None:
     assert "--extra-index-url https://download.pytorch.org/whl/cu124" in found.python.options
 
 
+def test_what_is_built_for_a_locked_torch_is_the_locks_too(tree: Tree) -> None:
+    on_torch = 'dependencies = [{ name = "torch" }]\n'
+    lock = uv("torch", "2.5.1", wheel="cp310-cp310-manylinux1_x86_64")
+    lock += uv("tensordict", "0.6.2", more=on_torch) + uv("torchrl", "0.6.0", more=on_torch)
+    files = {"demo.py": "import torch\nimport torchrl\n", "uv.lock": lock}
+    project = PROJECT.replace(
+        '"trimesh", "viser>=1", "scipy==1.10.0", "plan @ git+https://example.org/lab/plan"', "FREE"
+    )
+    found = limits(tree(files | {"pyproject.toml": project.replace("FREE", '"torch", "tensordict>=0.6"')}))
+    assert {"torch==2.5.1", "tensordict==0.6.2", "torchrl==0.6.0"} <= found
+    older = limits(tree(files | {"pyproject.toml": project.replace("FREE", '"torch<2.5", "tensordict>=0.6"')}))
+    assert not {"tensordict==0.6.2", "torchrl==0.6.0"} & older
+
+
 def test_what_another_index_has_is_left_free(tree: Tree) -> None:
     lock = uv("trimesh", "4.1.0.dev3", index="https://nightly.example") + uv("viser", "1.2.0") + uv("mesh", "1.0")
     assert limits(tree({"pyproject.toml": PROJECT, "demo.py": "import trimesh\n", "uv.lock": lock})) == {"viser==1.2.0"}

@@ -33,10 +33,10 @@ def locked_releases(
 
     So for what these need, directly or not, and for what is ``guessed`` in any release: click breaks an older typer.
 
-    Not for what ``taken`` limits already or another index has, nor for what needs that: a lock fits together as a whole
-    only. Nor for what some line takes from an address, whose release is its own, and what that needs. A framework and
-    what is released with it count as one. Left free is also what has wheels, but none for this Python, and pip's own
-    tools, of which each package that is compiled asks for others.
+    Not for what ``taken`` limits already or another index has, nor, unless it is the lock's own release, for what needs
+    that: a lock fits together as a whole only. Nor for what some line takes from an address, whose release is its own,
+    and what that needs. A framework and what is released with it count as one. Left free is also what has wheels, but
+    none for this Python, and pip's own tools, of which each package that is compiled asks for others.
     """
     if python is None:
         return Choice(answer=())
@@ -49,11 +49,13 @@ def locked_releases(
     wanted = {each.key: each for each in named if each.package}
     apart = {each.key for each in named if each.url}
     apart |= {need for name in apart for each in by_name.get(name, ()) for need in each.needs}
-    other = {each.key for each in taken} | {key for key, each in wanted.items() if _differs(each, one)}
+    taken = tuple(taken)
+    other = {each.key for each in taken if not _agrees(each, one)}
+    other |= {key for key, each in wanted.items() if _differs(each, one)}
     other |= {name for name, same in by_name.items() if any(each.elsewhere for each in same)}
     other = _needing(_families(other), by_name) | {*INSTALLERS}
     pinned = {key for key, each in wanted.items() if each.release}
-    free = {*other, *apart}
+    free = {*other, *apart, *(each.key for each in taken)}
     imported = {each.key for each in guessed if each.name and not each.limited}
     beneath = _beneath({*wanted}, imported, free, by_name)
     kept = [
@@ -64,6 +66,13 @@ def locked_releases(
     lines = tuple(stated(each.written.partition("+")[0], "lock", each.file, each.line) for each in kept)
     reasons = (because("dependencies", each.written, WHY_LOCKED, each, weight=Weight.BOUND) for each in lines)
     return Choice(answer=lines, reasons=tuple(reasons))
+
+
+def _agrees(taken: Requirement, one: Mapping[str, Locked]) -> bool:
+    """Tell whether a limit is the very release that the lock has, whichever build of it."""
+    locked = one[taken.key].requirement.release if taken.key in one else None
+    releases = {each.version.partition("+")[0] for each in taken.specifier if each.operator == "=="}
+    return locked is not None and locked.partition("+")[0] in releases
 
 
 def _differs(asked: Requirement, one: Mapping[str, Locked]) -> bool:
