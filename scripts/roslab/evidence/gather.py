@@ -84,6 +84,7 @@ from roslab.evidence.python import (
     removed,
     requirements,
     tests,
+    version_file,
 )
 from roslab.evidence.python.modules import modules
 from roslab.evidence.ros import (
@@ -198,6 +199,7 @@ def gather(repository: Repository) -> Evidence:
             *conflicts.read(own),
             *environments.read(own),
             *own_history.read(own),
+            *version_file.read(own),
             *options.read(own, (*prose.mentions, *by_name)),
             *options.of_programs(own, started, (*prose.mentions, *by_name)),
             *script_parameters.read(own, prose.mentions),

@@ -147,3 +147,17 @@ def test_what_a_package_in_another_release_needs_is_left_free(tree: Tree) -> Non
     project = PROJECT.replace(', "scipy==1.10.0", "plan @ git+https://example.org/lab/plan"', "")
     found = tree({"pyproject.toml": project, "demo.py": "import trimesh\n", "uv.lock": lock})
     assert limits(found) == {"trimesh==4.1.0"}
+
+
+def test_no_page_puts_a_locked_torch_on_a_cuda_that_needs_a_newer_driver(tree: Tree) -> None:
+    lock = uv("torch", "2.9.1", wheel="cp310-cp310-manylinux1_x86_64")
+    project = PROJECT.replace(
+        '"trimesh", "viser>=1", "scipy==1.10.0", "plan @ git+https://example.org/lab/plan"', "FREE"
+    )
+    project = project.replace("FREE", '"torch"')
+    page = "```bash\n# nightly (CUDA 13.0 example)\npip install --pre torch --index-url URL/whl/nightly/cu130\n```\n"
+    page = page.replace("URL", "https://download.pytorch.org")
+    files = {"pyproject.toml": project, "demo.py": "import torch\n", "uv.lock": lock, "README.md": page}
+    assert tree(files).cuda == "12.8"
+    files["README.md"] = page.replace("--pre ", "").replace("nightly/", "")
+    assert tree(files).cuda == "13.0"

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 from roslab.config.model import Config
+from roslab.decide.cuda.above_lock import above, cuda_of_lock
 from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
 from roslab.decide.cuda.imported import imported
@@ -156,10 +157,11 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
         # The wheels of torch bring the CUDA of their day: the image needs it only where something is compiled for them
         of = None if tabled(pin.name) == "torch" and not compiles else day
         yield from _of_pin(pin, of, python, lowest.get(tabled(pin.name)))
-    yield from _of_indexes(evidence)
+    locked = None if compiles else cuda_of_lock(evidence)
+    yield from (each for each in _of_indexes(evidence) if not above(each[0].answer, locked))
     yield from _of_conda(evidence)
     yield from _of_dockerfiles(evidence)
-    yield from _of_mentions(evidence)
+    yield from (each for each in _of_mentions(evidence) if not above(each[0].answer, locked))
     if evidence.cuda_files:
         place = Place(file=evidence.cuda_files[0], line=1)
         yield because("cuda", DEFAULT, "it has CUDA sources, no version is named", place, weight=Weight.SOURCES), ()

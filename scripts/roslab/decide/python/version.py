@@ -24,6 +24,7 @@ from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.python import version_file
 from roslab.knowledge.days import existed, usual
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.values.dataclass import dataclass, replace
@@ -125,6 +126,10 @@ def _mentioned(mention: Mention, *, three: bool) -> Iterator[Reason]:
         return
     if mention.value.startswith("2") and (three or _BOTH.search(mention.text)):
         return  # Python 3 works as well
+    if mention.file == version_file.NAME:
+        why = f"{mention.file} names it"
+        yield because("python", mention.value, why, mention, weight=Weight.VERSION_FILE)
+        return
     weight = Weight.SAID.get(mention.source, Weight.SAID_ELSEWHERE)
     weight -= Weight.DEEPER * min(mention.file.count("/"), 3)
     weight += Weight.CREATES if "create" in mention.text and "python" in mention.text else 0

@@ -14,6 +14,7 @@ class VersionWeight:
     REQUIRES = 45  # requires-python of the project
     REQUIRES_BELOW = 35  # of a project in a folder
     WHEEL = 42  # a wheel for one version is named
+    VERSION_FILE = 50  # .python-version, which uv and pyenv obey; a page that creates an environment counts more
     SAID: ClassVar = {"readme": 40, "dockerfile": 24, "script": 16, "ci": 12}
     SAID_ELSEWHERE = 8
     DEEPER = 4  # what each folder takes from what is said, up to three
