@@ -36,3 +36,35 @@ def test_a_torch_that_only_a_page_pins(tree: Tree, torch: str, limited: bool) ->
 )
 def test_limits_count_like_what_is_asked_for(asked: list[str], limited: bool) -> None:
     assert [each.written for each in numpy_of(map(stated, asked)).answer] == ["numpy<2"] * limited
+
+
+def robot(distro: str, code: str, lists: str) -> dict[str, str]:
+    manifest = (
+        "<package format='3'><name>eyes</name><version>1.0.0</version><description>d</description>"
+        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>"
+        "<export><build_type>ament_python</build_type></export></package>"
+    )
+    page = f"Made for ROS 2 {distro.title()}.\n\n    pip install -r requirements.txt\n"
+    setup = "from setuptools import setup\nsetup(name='eyes', packages=['eyes'])\n"
+    page += f"\n    source /opt/ros/{distro}/setup.bash\n"
+    files = {"README.md": page, "src/eyes/package.xml": manifest, "src/eyes/setup.py": setup}
+    return {**files, "src/eyes/eyes/look.py": code, "requirements.txt": lists}
+
+
+@pytest.mark.parametrize(
+    ("distro", "code", "lists", "limit"),
+    [
+        ("humble", "import cv_bridge\nimport mediapipe\n", "mediapipe\n", {"numpy<2"}),
+        ("jazzy", "import cv_bridge\nimport mediapipe\n", "mediapipe\n", {"numpy<2"}),
+        ("jazzy", "import cv_bridge\n", "mediapipe\nnumpy>=2\n", set()),
+        ("jazzy", "import cv_bridge\n", "setuptools<80\n", set()),
+        ("jazzy", "import mediapipe\n", "mediapipe\n", set()),
+        ("jazzy", "import matplotlib\n", "matplotlib\n", set()),
+        ("foxy", "import cv_bridge\n", "mediapipe\n", set()),  # its Python has no NumPy 2
+        ("foxy", "import numpy as np\nx = np.float(1)\n", "numpy>=1.22.0\n", {"numpy<1.24"}),
+        ("jazzy", "import numpy as np\nx = np.float(1)\n", "numpy>=1.22.0\n", set()),  # the distribution's will do
+    ],
+)
+def test_beside_what_the_distribution_built(tree: Tree, distro: str, code: str, lists: str, limit: set[str]) -> None:
+    written = {each.written for each in tree(robot(distro, code, lists)).python.bounds}
+    assert {each for each in written if each.startswith("numpy")} == limit

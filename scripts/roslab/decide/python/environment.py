@@ -29,6 +29,7 @@ from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts, with_includes
 from roslab.decide.python.named_frameworks import named_frameworks
 from roslab.decide.python.native_parts import decide_native_parts
+from roslab.decide.python.numpy_limit import numpy_limit
 from roslab.decide.python.old_setuptools import setuptools_of
 from roslab.decide.python.older_torch import older_torch, without_release
 from roslab.decide.python.other_environments import left_to_others
@@ -39,7 +40,7 @@ from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, in_full, of_pages, repair, right, untold
 from roslab.decide.python.too_new import loosened
-from roslab.decide.python.torch_build import decide_build, numpy_of
+from roslab.decide.python.torch_build import decide_build
 from roslab.decide.python.undeclared import decide_undeclared
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.python.wheel_pages import fitting_pages
@@ -126,7 +127,9 @@ def decide_python(
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number, chosen.guessed)
     undeclared = decide_undeclared((*everything, *limits, *of_lock.answer) if manager != "system" else ())
     limits = (*limits, *of_lock.answer, *undeclared.answer)
-    numpy = numpy_of((*_no_old_numpy(conda_asked), *everything, *limits) if manager != "system" else ())
+    numpy = numpy_limit(
+        evidence, kind, ubuntu, everything, limits=limits, of_conda=conda_asked, system=manager == "system"
+    )
     indexes = [
         *indexes_of([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files),
         *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option"),
@@ -224,11 +227,6 @@ def decide_python(
 def _without(asked: Sequence[Requirement], of_conda: Sequence[Requirement]) -> tuple[Requirement, ...]:
     """Return what pip is asked for and conda's own packages do not bring: their build is the file's choice."""
     return tuple(each for each in asked if each.key not in {of.key for of in of_conda})
-
-
-def _no_old_numpy(of_conda: Sequence[Requirement]) -> Iterator[Requirement]:
-    """Yield conda's packages; NumPy 1 is no limit for pip, which replaces it where a package asks for NumPy 2."""
-    return (each for each in of_conda if each.key != "numpy" or each.specifier.contains("2.0.0"))
 
 
 def _default_channels(evidence: Evidence, conda: str | None) -> bool:

@@ -1,0 +1,84 @@
+"""The limit of NumPy: beside packages of pip that were compiled before NumPy 2, and beside the distribution's own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from roslab.config.model import Kind
+from roslab.decide.decision import Choice
+from roslab.decide.python.bounds import Constraints, decide_bounds
+from roslab.decide.python.torch_build import numpy_of
+from roslab.decide.python.weights import PackageWeight as Weight
+from roslab.decide.reasons import because
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.distros import python_of_ubuntu
+from roslab.knowledge.frameworks import imports
+from roslab.knowledge.table import row, rows
+from roslab.knowledge.tools import INSTALLERS
+from roslab.values.name import canonicalize_name
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+from roslab.values.version import Version
+
+_OLDEST_PYTHON = Version("3.9")
+"""The first Python that NumPy 2 has wheels for: https://numpy.org/doc/stable/release/2.0.0-notes.html."""
+_OF_BUILDS = frozenset({*INSTALLERS, "cmake", "ninja"})
+
+
+def numpy_limit(
+    evidence: Evidence,
+    kind: Kind,
+    ubuntu: str | None,
+    asked: Sequence[Requirement],
+    *,
+    limits: Sequence[Requirement],
+    of_conda: Sequence[Requirement],
+    system: bool,
+) -> Choice[Constraints]:
+    """Return the limit for what pip is ``asked`` for; ``system``: it goes beside the distribution's own packages."""
+    if not system:
+        return numpy_of((*_no_old_numpy(of_conda), *asked, *limits))
+    own = row("system_numpys", ubuntu or "")
+    if own is None:
+        return Choice(answer=())
+    removed = _removed(evidence, asked, Version(own["numpy"]))
+    return removed if removed.answer or kind not in {"ros1", "ros2"} else _beside_apt(evidence, ubuntu, asked)
+
+
+def _removed(evidence: Evidence, asked: Sequence[Requirement], own: Version) -> Choice[Constraints]:
+    """Return the limit that the code needs where pip is asked for a newer NumPy than the distribution's own."""
+    newer = [each for each in asked if each.key == "numpy" and each.at_least and Version(each.at_least) > own]
+    return decide_bounds((each for each in evidence.bounds if each.bound.key == "numpy"), newer)
+
+
+def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirement]) -> Choice[Constraints]:
+    """Return NumPy 1 as the limit where a module of apt was built with it, which no NumPy 2 loads.
+
+    https://numpy.org/devdocs/dev/depending_on_numpy.html#numpy-2-0-specific-advice, read 2026-11-26.
+    """
+    names = {each.key for each in asked if each.name}
+    numpy = [each for each in asked if each.key == "numpy"]
+    used = next(_built_with_numpy(evidence, names), None) if names - _OF_BUILDS else None
+    too_old = Version(python_of_ubuntu().get(ubuntu or "", "0")) < _OLDEST_PYTHON
+    if used is None or too_old or any(each.limited or not each.specifier.contains("1.26.4") for each in numpy):
+        return Choice(answer=())
+    limit = stated("numpy<2")
+    why = f"{used.name} of the distribution was built with NumPy 1, which what pip brings must not replace by NumPy 2"
+    return Choice(answer=(limit,), reasons=(because("dependencies", limit.written, why, used, weight=Weight.BOUND),))
+
+
+def _built_with_numpy(evidence: Evidence, by_pip: set[str]) -> Iterator[Dependency]:
+    """Yield where the code imports a module that was built with NumPy and comes from apt."""
+    known = {each["module"] for each in rows("built_with_numpy")}
+    for used in evidence.code:
+        if used.namespace == "import" and used.name in known and not places.vendored(used.file):
+            package = imports().get(used.name, (None, None))[0]
+            if package is None or canonicalize_name(package) not in by_pip:
+                yield used
+
+
+def _no_old_numpy(of_conda: Sequence[Requirement]) -> Iterator[Requirement]:
+    """Yield conda's packages; NumPy 1 is no limit for pip, which replaces it where a package asks for NumPy 2."""
+    return (each for each in of_conda if each.key != "numpy" or each.specifier.contains("2.0.0"))
