@@ -13,6 +13,7 @@ from roslab.evidence.prose.block_values import with_values
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.diagrams import without_diagrams
 from roslab.evidence.prose.headings import lines_of, title_of
+from roslab.evidence.prose.listings import without_listings
 from roslab.evidence.prose.other_branches import without
 from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.translations import without_translations
@@ -59,7 +60,7 @@ def text_of(repository: Repository, file: File) -> str:
 
 @cache
 def _shown(text: str) -> str:
-    return with_values(chosen(without_diagrams(as_markdown(without_comments(text)))))
+    return with_values(chosen(without_listings(without_diagrams(as_markdown(without_comments(text))))))
 
 
 def pages(repository: Repository) -> tuple[File, ...]:
