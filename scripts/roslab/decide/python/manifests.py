@@ -154,7 +154,10 @@ def resolve(asked: Requirement, known: Iterable[str]) -> str | None:
 def projects(
     evidence: Evidence, kind: Kind, conda: str | None, files: Iterable[RequirementFile] = ()
 ) -> tuple[PythonProject, ...]:
-    """Return the folders to install: the root, what a README or the given files install, else the nearest."""
+    """Return the folders to install: the root, what a README or the given files install, else the nearest.
+
+    A README that installs its own folder says nothing of the folders beside it.
+    """
     ros = kind in {"ros1", "ros2"}
     by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
     there = (m for m in evidence.manifests if ros and not m.ignored and not nothing_builds(m, by_cmake))
@@ -170,13 +173,15 @@ def projects(
         chosen[""] = usable[""]
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
     listed += [asked for file in with_includes(evidence, files) for asked in file.requirements]
+    alone = not chosen
     for asked in (*_prose(evidence), *listed):
         if asked.role != "project" or asked.written in {".", "./"}:
             continue
         folder = resolve(asked, {folder for folder in usable if folder})
         if folder and folder not in manifests - by_cmake_alone:  # plain CMake leaves the Python part to pip
             chosen.setdefault(folder, usable[folder])
-    if not chosen and kind != "cpp":
+            alone = alone and asked.file.rpartition("/")[0] == folder
+    if alone and kind != "cpp":
         own = [
             folder
             for folder in usable
@@ -188,7 +193,7 @@ def projects(
         ]
         depth = min((folder.count("/") for folder in own), default=0)
         near = [folder for folder in own if folder.count("/") == depth and depth <= 1]
-        chosen = {folder: usable[folder] for folder in near[:MAX_PROJECTS]}
+        chosen |= {folder: usable[folder] for folder in near[:MAX_PROJECTS]}
     return tuple(_with_needed(list(chosen.values()), usable, manifests)[:MAX_NAMED])
 
 
