@@ -78,7 +78,13 @@ _NAMED_PYTHON = pattern(
     re.IGNORECASE,
 )
 """A sentence that runs a file of Python; what is used *as* something is read by another program."""
-_IN_SENTENCES: Signs = (("`", _NAMED), (".py", _NAMED_PYTHON), ("`", _GO_INTO), ("://", _CLONED))
+_NAMED_SHELL = pattern(
+    r"\b(?:run|runn?ing|start|launch|execute)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
+    r"`(?:(?:\./)?~/[\w.-]+/|\./)((?:[\w.-]+/)+[\w.-]+\.sh(?: [^`<\n]{0,200})?)`",
+    re.IGNORECASE,
+)
+"""A sentence that runs a script below a folder of the tree, which may lie in the reader's home."""
+_IN_SENTENCES: Signs = (("`", _NAMED), (".py", _NAMED_PYTHON), (".sh", _NAMED_SHELL), ("`", _GO_INTO), ("://", _CLONED))
 """What a sentence tells to do, each after a part of it."""
 _SAID_LAUNCH = pattern(
     r"(?<![`\w/-])(?:roslaunch|ros2 launch) +[a-z]\w+ +[\w./-]+(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.py)"
@@ -261,3 +267,4 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
         yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
         yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
+        yield from (f"./{named[1]}" for named in (_NAMED_SHELL.finditer(line) if ".sh" in line else ()))
