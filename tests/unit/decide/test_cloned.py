@@ -54,6 +54,28 @@ def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> No
     assert texts == urls, "pip refuses a package that has another name than its repository"
 
 
+@pytest.mark.parametrize(
+    ("code", "urls"),
+    [
+        ("import numpy\nfrom widow.utils import load\n", ["git+https://github.com/lab/robot_infra#subdirectory=widow"]),
+        ("import numpy\n", []),
+    ],
+)
+def test_a_folder_of_a_clone_that_a_page_never_enters(tree: Tree, code: str, urls: list[str]) -> None:
+    page = "Clone the  [infrastructure repository](https://github.com/lab/robot_infra), and run\n\n`pip install -e widow`\n"
+    decision = tree({**CODE, "play.py": code, "README.md": f"# Demo\n## Installation\n{page}"})
+    assert [each.url for each in decision.python.pip_guessed] == urls
+    assert not any("widow" in warning.message for warning in decision.warnings)
+
+
+def test_a_folder_of_the_tree_is_no_clones(tree: Tree) -> None:
+    page = "Clone the [robot infrastructure](https://github.com/lab/robot_infra), and run\n\n`pip install -e widow`\n"
+    own = {"widow/setup.py": "from setuptools import setup\nsetup(name='widow')\n", "widow/widow/__init__.py": ""}
+    decision = tree({**CODE, **own, "play.py": "import widow\n", "README.md": f"# Demo\n## Installation\n{page}"})
+    assert decision.python.projects == ("widow",)
+    assert not decision.python.pip_guessed
+
+
 SAID = "- Clone https://github.com/lab/rsl_lib\n- `cd rsl_lib && git checkout v1.0.2 && pip install -e .`\n"
 URL = "git+https://github.com/lab/rsl_lib"
 

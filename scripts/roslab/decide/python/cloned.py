@@ -43,6 +43,10 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
         before = [g for g in clones if g.file == asked.file and g.line < (asked.line or 0)]
         at = {name: git for git in before for name in folders(git) if f"/{name}/" in folder}
         name = max(at, key=lambda name: folder.rindex(f"/{name}/"), default=None)
+        if name is None and before and _of_clone(asked.written, evidence):  # the page has not gone into the clone
+            yield stated(
+                f"git+{https(before[-1].url)}#subdirectory={folder.strip('/')}", "prose", asked.file, asked.line
+            )
         if name is None or canonicalize_name(at[name].name) in named:
             continue
         git = at[name]
@@ -56,3 +60,12 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
         ref = git.ref if git.ref and not (moves(git.ref) and name.endswith(git.ref)) else ""
         url = f"git+{https(git.url)}" + (f"@{ref}" if ref else "") + (f"#subdirectory={below}" if below else "")
         yield stated(url, "prose", asked.file, asked.line or 1)
+
+
+def _of_clone(written: str, evidence: Evidence) -> bool:
+    """Tell whether a folder that pip is given by its name is a clone's: the code imports it, the tree lacks it."""
+    name = written.partition("[")[0].strip("./")
+    there = any(name in {project.folder, canonicalize_name(project.name or "")} for project in evidence.python)
+    return not there and any(
+        each.namespace == "import" and each.name == name and each.strength == "used" for each in evidence.code
+    )

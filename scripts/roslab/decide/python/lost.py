@@ -123,6 +123,8 @@ def _known(evidence: Evidence, chosen: Chosen) -> set[str]:
         asked.key for asked in (*chosen.declared, *chosen.guessed, *_extras(evidence))
     }
     known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
+    folders = (asked.url.partition("#subdirectory=")[2] for asked in chosen.guessed)
+    known |= {canonicalize_name(folder.rpartition("/")[2]) for folder in folders if folder}
     return known | {part for name in known for part in (*name.split("-"), name.replace("-", ""))}
 
 
