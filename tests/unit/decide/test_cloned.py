@@ -62,7 +62,7 @@ def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> No
     ],
 )
 def test_a_folder_of_a_clone_that_a_page_never_enters(tree: Tree, code: str, urls: list[str]) -> None:
-    page = "Clone the  [infrastructure repository](https://github.com/lab/robot_infra), and run\n\n`pip install -e widow`\n"
+    page = "Clone the  [infrastructure](https://github.com/lab/robot_infra), and run\n\n`pip install -e widow`\n"
     decision = tree({**CODE, "play.py": code, "README.md": f"# Demo\n## Installation\n{page}"})
     assert [each.url for each in decision.python.pip_guessed] == urls
     assert not any("widow" in warning.message for warning in decision.warnings)

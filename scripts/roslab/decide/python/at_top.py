@@ -22,7 +22,9 @@ def imported_by_command(
     Their packages are tried, as all that only a page names; an image without one of them cannot run its command.
     """
     started = {word for word in command.argv if word.endswith(".py")} if command else set()
-    written = {each.key for each in guessed if _of_readme(each)} if started else set()
+    asked = [each for each in guessed if _of_readme(each)] if started else []
+    written = {each.key for each in asked}
+    written |= {canonicalize_name(each.url.partition("#subdirectory=")[2]) for each in asked}
     said = (mention.value for mention in evidence.mentions if mention.topic == "at_top" and mention.file in started)
     return tuple(module for module in said if _brought(module, written))
 
