@@ -123,4 +123,17 @@ def _beside(row: dict[str, str]) -> tuple[str, ...]:
 def python_tools(version: str | None, ubuntu: str | None) -> PythonTools:
     """Return the tools for a Python version, or for an Ubuntu's own Python where no version is given."""
     known = version or python_of_ubuntu().get(ubuntu or "", "3.12")
-    return _table().get(".".join(known.split(".")[:2]), PythonTools())
+    tools = _table().get(".".join(known.split(".")[:2]), PythonTools())
+    first = pip_with_sni(ubuntu) if known.startswith("2") else None
+    if first is None:
+        return tools
+    return replace(tools, installers=(first[0], *(each for each in tools.installers if not each.startswith("pip"))))
+
+
+def pip_with_sni(ubuntu: str | None) -> tuple[str, tuple[str, ...]] | None:
+    """Return the pip that reaches its index on an Ubuntu whose Python 2 does not, with what apt brings for that.
+
+    The base's own pip, which brings it, knows no markers and no cache. ``None`` for all other Ubuntus.
+    """
+    found = next((row for row in rows("pip_with_sni") if row["ubuntu"] == ubuntu), None)
+    return (found["pip"], tuple(found["apt"].split())) if found else None

@@ -9,6 +9,7 @@ from roslab.knowledge.compiled import programs
 from roslab.knowledge.distros import distro
 from roslab.knowledge.on_request import packages
 from roslab.knowledge.package_data import PackageData, package_data
+from roslab.knowledge.tools import pip_with_sni
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.secret import SSH
@@ -88,7 +89,9 @@ def _python_needs(decision: Decision, *, notebook: bool, compatible: bool) -> li
         needs += ["ca-certificates", "python3", "python3-venv"]
     files = python.requirements or python.cloned_files
     if not own_python and python.manager == "system" and (asked or files or python.projects):
-        needs.append("python-pip" if (python.version or "").startswith("2") else "python3-pip")
+        two = (python.version or "").startswith("2")
+        sni = pip_with_sni(decision.ubuntu) if two else None
+        needs += ["python-pip" if two else "python3-pip", *(sni[1] if sni else ())]
     return needs + list(packages("python2", decision.ubuntu) if python.python2 else ())
 
 

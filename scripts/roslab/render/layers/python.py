@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
+from roslab.knowledge.tools import OLD_METADATA, pip_with_sni, python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import building, caches, conda_lines, locks, manifests, secrets, shell
@@ -48,11 +48,14 @@ def environment(plan: Plan) -> str:
 
 def _upgrades(plan: Plan) -> tuple[str, ...]:
     """Return the commands that bring pip and what it builds with; where only packages are of a day, pip is not."""
-    upgrade, tools = f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade", _tools(plan)
-    if plan.python.day:
-        own = tuple(line for line in tools if line.startswith("pip"))
+    upgrade, tools = f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade", plan.python_tools.installers
+    own = tuple(line for line in tools if line.startswith("pip"))
+    old = pip_with_sni(plan.ubuntu)
+    if plan.python.day or (old and old[0] in own):
         others = tuple(line for line in tools if line not in own)
-        return f"{upgrade}{shell.words(own)}", *secrets.of_pip_day(plan), f"{upgrade}{shell.words(others)}"
+        # The base's own pip may be older than the option
+        first = upgrade.replace(" --no-cache-dir", "") if old and old[0] in own else upgrade
+        return f"{first}{shell.words(own)}", *secrets.of_pip_day(plan), f"{upgrade}{shell.words(others)}"
     # What is pinned may be newer than the day
     return *(() if plan.python_tools.pinned else secrets.as_of(plan)), f"{upgrade}{shell.words(tools)}"
 
@@ -75,7 +78,7 @@ RUN {secrets.REPEATABLE} \\
  && if python2 -m pip --version >/dev/null 2>&1; then \\
       python2 -m pip install --no-cache-dir --upgrade{_words(python2_installers())}; \\
     fi; \\
-    python3 -m pip install --no-cache-dir --upgrade{shell.words(_tools(plan))}"""
+    python3 -m pip install --no-cache-dir --upgrade{shell.words(plan.python_tools.installers)}"""
 
 
 def constraints(plan: Plan) -> str:
@@ -91,10 +94,6 @@ def constraints(plan: Plan) -> str:
 def interpreter(plan: Plan) -> str:
     """Name of the interpreter that the packages are for."""
     return "python2" if (plan.python.version or "").startswith("2") else "python3"
-
-
-def _tools(plan: Plan) -> tuple[str, ...]:
-    return plan.python_tools.installers
 
 
 def _conda(plan: Plan) -> str:
@@ -217,7 +216,7 @@ def jupyter(plan: Plan) -> str:
     return shell.run(
         secrets.REPEATABLE,
         *_venv("/opt/jupyter"),
-        f"{pip} --upgrade{shell.words(_tools(plan))}",
+        f"{pip} --upgrade{shell.words(plan.python_tools.installers)}",
         *files,
         f"{pip}{shell.words(plan.python_tools.jupyter)}",
         "/opt/jupyter/bin/python -m bash_kernel.install --sys-prefix",
