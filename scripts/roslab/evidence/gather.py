@@ -84,6 +84,7 @@ from roslab.evidence.python import (
     project,
     removed,
     requirements,
+    siblings,
     tests,
     version_file,
 )
@@ -198,6 +199,7 @@ def gather(repository: Repository) -> Evidence:
             *print_statement.read(own),
             *from_root.read(own, prose.mentions),
             *at_top.read(own, prose.mentions),
+            *siblings.read(own, python_projects),
             *conflicts.read(own),
             *environments.read(own),
             *own_history.read(own),

@@ -33,3 +33,9 @@ def test_a_project_at_the_root_is_the_whole(tree: Tree) -> None:
     root["pyproject.toml"] += '[tool.setuptools]\npackages = ["rig"]\n'
     found = tree({**TWO, **root, "arms/README.md": "## Install\n```\npip install -e ./arms\n```\n"})
     assert set(found.python.projects) == {".", "arms"}
+
+
+def test_what_an_installed_package_imports(tree: Tree) -> None:
+    files = {**TWO, **package("extra"), "README.md": "## Install\n```\npip install -e ./arms\n```\n"}
+    files["arms/arms/move.py"] = "from cameras.see import look\ntry:\n    import extra\nexcept ImportError:\n    pass\n"
+    assert tree(files).python.projects == ("cameras", "arms")

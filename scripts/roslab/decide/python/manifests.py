@@ -15,7 +15,7 @@ from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.ros.workspace import nothing_builds, types
 from roslab.evidence import places
-from roslab.evidence.facts import CondaEnvironment, Evidence, PythonProject, RequirementFile
+from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, PythonProject, RequirementFile
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -194,13 +194,20 @@ def projects(
         depth = min((folder.count("/") for folder in own), default=0)
         near = [folder for folder in own if folder.count("/") == depth and depth <= 1]
         chosen |= {folder: usable[folder] for folder in near[:MAX_PROJECTS]}
-    return tuple(_with_needed(list(chosen.values()), usable, manifests)[:MAX_NAMED])
+    imported = [m for m in evidence.mentions if m.topic == "sibling" and m.value in usable.keys() - manifests]
+    return tuple(_with_needed(list(chosen.values()), usable, manifests, imported)[:MAX_NAMED])
 
 
 def _with_needed(
-    chosen: Sequence[PythonProject], usable: Mapping[str, PythonProject], manifests: set[str]
+    chosen: Sequence[PythonProject],
+    usable: Mapping[str, PythonProject],
+    manifests: set[str],
+    imported: Sequence[Mention],
 ) -> list[PythonProject]:
-    """Return the projects after those of the tree that they need by name, which pip would look for on its index."""
+    """Return the projects after those of the tree that they need.
+
+    That is by name, which pip would look for on its index, and what their modules import.
+    """
     named = {canonicalize_name(p.name): p for p in usable.values() if p.name and p.folder not in manifests}
     found: dict[str, PythonProject] = {}
     seen: set[str] = set()
@@ -212,6 +219,9 @@ def _with_needed(
         for asked in project.requirements:
             if asked.role == "" and not asked.url and asked.key in named:
                 add(named[asked.key])
+        for each in imported:
+            if project.folder and each.file.startswith(f"{project.folder}/"):
+                add(usable[each.value])
         found[project.folder] = project
 
     for project in chosen:
