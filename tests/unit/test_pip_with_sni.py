@@ -29,7 +29,9 @@ def test_pip_of_trusty(tmp_path: Path, distro: str, old: bool) -> None:
     for path, text in files.items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")
-    text = dockerfile(plan_repository(tmp_path).plan)
+    plan = plan_repository(tmp_path).plan
+    assert any("has no SNI" in each.why for each in plan.upstreams) is old
+    text = dockerfile(plan)
     assert "--editable ./deep_car" in text
     assert ("python2 -m pip install --upgrade 'pip<9'" in text) is old
     assert ("pip<21" in text) is not old

@@ -70,6 +70,8 @@ def why_bounded(line: str) -> str:
         "<" not in pin or line in NEWEST or marker.strip().startswith("python_version >=")
     ):  # for a newer Python than the image's alone
         return ""
+    if line in {row["pip"] for row in rows("pip_with_sni")}:
+        return "newer ones do not reach the index with the image's Python, which has no SNI"
     of_python = {each for tools in _table().values() for each in tools.installers if "<" in each.partition(";")[0]}
     if pin in python2_installers() or line.startswith(tuple(of_python)):
         return "newer ones do not run on the image's Python"
