@@ -39,3 +39,10 @@ def test_what_an_installed_package_imports(tree: Tree) -> None:
     files = {**TWO, **package("extra"), "README.md": "## Install\n```\npip install -e ./arms\n```\n"}
     files["arms/arms/move.py"] = "from cameras.see import look\ntry:\n    import extra\nexcept ImportError:\n    pass\n"
     assert tree(files).python.projects == ("cameras", "arms")
+
+
+def test_the_limit_of_a_package_that_is_not_installed_holds(tree: Tree) -> None:
+    files = {**TWO, "README.md": "## Install\n```\npip install -e ./arms\n```\n", "look.py": "import gi\n"}
+    found = tree(files).python
+    assert found.projects == ("arms",)
+    assert [each.written for each in found.pip_guessed] == ["PyGObject<3.52"]

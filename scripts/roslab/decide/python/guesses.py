@@ -60,7 +60,7 @@ def guesses(
         found["notebook"] = stated("notebook", "prose", first.file, first.line)
     tools = tooling("installers") | tooling("developers")
     heavy = bool(known & {"torch", "tensorflow", "jax"})
-    offered = _linked(evidence)
+    offered, limits = _linked(evidence), _limits(evidence)
     for dependency in _imported(evidence, manifests=manifests):
         package, apt = imports().get(dependency.name) or (None, None)
         linked = _of_link(dependency, offered, ros=ros)
@@ -75,9 +75,16 @@ def guesses(
         by_apt = bool(apt) or dependency.name in ros_modules()
         if ros and (by_apt or (name in _FRAMEWORKS and dependency.role != "node")):
             continue  # a ROS image's Python is the system's: what apt has comes from there
-        version = (dependency.version or "") if dependency.role == "told" else ""
+        version = (dependency.version or "") if dependency.role == "told" else limits.get(name, "")
         found[name] = stated(package + version, "import", dependency.file, dependency.line)
     return tuple(found.values())[:MAX_GUESSES]
+
+
+def _limits(evidence: Evidence) -> dict[str, str]:
+    """Return by name the versions that packages of the tree allow of what they need, installed or not."""
+    asked = (each for project in evidence.python if not places.vendored(project.file) for each in project.requirements)
+    bound = (each for each in asked if each.role == "" and each.below and not each.url and not each.marker)
+    return {each.key: str(each.specifier) for each in bound}
 
 
 def to_show(evidence: Evidence, known: Set[str]) -> Iterator[Requirement]:
