@@ -159,6 +159,10 @@ def doubt(  # noqa: PLR0911 - one doubt a line
         return f"its base is not known: {authored.base or 'no FROM'}"
     if not local and not published(authored.base):
         return f"its base {authored.base} is built on the author's machine first: Docker Hub has no image of that name"
+    if given := next((each for each in authored.taken if not published(each[0])), None):
+        return (
+            f"line {given[1]} takes {given[0]}, which is no stage and no image: `docker build --build-context` gives it"
+        )
     against = _base_doubt(authored.base, kind, ros_distro, mended=mended)
     return against or (None if mended else _tables_doubt(authored))
 

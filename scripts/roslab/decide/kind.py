@@ -10,7 +10,7 @@ from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_o
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
-from roslab.decide.ros.plain_workspace import built_by_cmake_alone, built_together
+from roslab.decide.ros.plain_workspace import built_by_cmake_alone, built_together, parts_of_cmake
 from roslab.decide.ros.without_manifest import CLIENTS, by_catkin, client_of
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
@@ -187,7 +187,7 @@ def _meta(evidence: Evidence) -> list[Reason]:
     lead = sides.count(2) - sides.count(1)
     version = 2 if lead > 0 or (lead == 0 and listed[0].file.endswith(".repos")) else 1
     why = f"{len(listed)} repositories to import" + (f", and a ROS {version} distribution is named" if sides else "")
-    weight = Weight.OWN_LIST if own else Weight.LIST
+    weight = Weight.OWN_LIST if own and not parts_of_cmake(evidence, own) else Weight.LIST
     return [because("kind", f"ros{version}", why, (own or listed)[0], weight=weight)]
 
 

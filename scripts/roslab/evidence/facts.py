@@ -152,6 +152,7 @@ class AuthorDockerfile:
     recipe: str | None = None
     """Its text, if it needs no build context."""
     copied: tuple[str, ...] = ()  # files and folders, relative to the root; none where a pattern is among them
+    taken: tuple[tuple[str, int], ...] = ()  # images and named contexts that it takes files from, with the line
     service: Service | None = None  # the service of Docker Compose that a page at the root starts from it
 
 

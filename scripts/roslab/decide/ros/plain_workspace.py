@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from roslab.config.model import WORKSPACE_TOOLS
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of
+from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence, Mention, PackageManifest
 
 FEWEST = 2
@@ -30,3 +33,15 @@ def built_by_cmake_alone(evidence: Evidence, made: list[PackageManifest]) -> boo
         return False
     said = {m.value for m in evidence.mentions if m.topic == "build_tool" and m.source == "readme"}
     return not {"catkin", "ament"} & {*top.macros} and "cmake" in said and said.isdisjoint(WORKSPACE_TOOLS)
+
+
+def parts_of_cmake(evidence: Evidence, listed: Sequence[GitSource]) -> bool:
+    """Tell whether a list adds to one project of plain CMake: each repository into a folder with parts of that project.
+
+    ``extensions/udp`` beside ``extensions/pcl/CMakeLists.txt`` is such a part.
+    """
+    roots = [project for project in evidence.cmake if "/" not in project.file]
+    if not roots or any({"catkin", "ament", "rosbuild"} & {*project.macros} for project in roots):
+        return False
+    folders = {project.file.partition("/")[0] for project in evidence.cmake if "/" in project.file}
+    return all("/" in source.name and source.name.partition("/")[0] in folders for source in listed)

@@ -11,6 +11,7 @@ from roslab.evidence.lex.balance import unbalanced
 from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
 from roslab.evidence.lex.shell import Command, expand
 from roslab.evidence.prose import mentions, other_dockerfiles
+from roslab.evidence.prose.build_context import build_context
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.composed import services
 from roslab.evidence.prose.copies import in_copy
@@ -25,12 +26,6 @@ _NAME = pattern(r"^(?:dockerfile(?:[-_.].*)?|.*\.dockerfile|.*[-_.]dockerfile|co
 _NOT = pattern(
     r"\.(?:md|rst|html?|py|ya?ml|json|sh|png|jpe?g|svg|j2|jinja2?|em|in|template|tmpl|erb|dockerignore|txt)$"
 )
-_DOCKER_FOLDER = pattern(
-    r"^(?:.*/)?\.?(?:docker\w*|container\w*|devcontainer|build\w*|images?|env\w*|recipes?|"
-    r"images?/\w+)(?:/[^/]+)*$|^$",
-    re.IGNORECASE,
-)
-"""Folders that only hold Dockerfiles, whose build context is the root."""
 _FROM = pattern(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
 _UPDATE = pattern(r"\brosdep\s+update\b(?!\s+--(?:include-eol-distros|rosdistro))")
 """Not told to keep distributions that have ended. https://github.com/ros-infrastructure/rosdep/issues/818"""
@@ -44,7 +39,6 @@ _COMPILES = pattern(r"\b(?:cmake|make|ninja)\b")
 _OPTIONS = pattern(r"^(?:--\S+\s+)+")
 """Options of RUN."""
 _COMMENT = pattern(r"^[ \t]*#.*$", re.MULTILINE)
-_REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
 def read(repository: Repository) -> tuple[AuthorDockerfile, ...]:
@@ -195,6 +189,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.stages import copied_from, only_files, taken  # noqa: PLC0415 - as above
     from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
 
     known: dict[str, str] = {}
@@ -203,8 +198,11 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     for instruction in (written := tuple(instructions(text))):
         reading.take(instruction)
     problem = reading.problem or (None if reading.base else "no FROM")
-    copies, context, missing = _context(repository, file, reading.copied)
+    copies, context, missing = build_context(repository, file, reading.copied)
     collector, start = reading.collector, reading.start
+    missing = only_files(written, reading.base) or missing
+    if reading.base == "scratch" and (base := reading.stages.get((copied_from(written) or "").lower())):
+        reading.base, reading.base_line = base, dict(reading.bases).get(base, reading.base_line)
     if started := uncopied(repository, context or "", dict(reading.copied), (*start.entrypoint, *start.command)):
         missing = missing or f"it starts {started} and does not copy it: the repository is mounted when it is run"
     if removes_its_copy((each.text for each in written if each.name == "RUN"), start.source):
@@ -245,6 +243,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         recipe=recipe(text),
         updates_rosdep=reading.updates_rosdep,
         copied=paths_of(context or "", reading.copied),
+        taken=taken(written, known),
     )
 
 
@@ -267,34 +266,3 @@ def _itself(repository: Repository, clone: GitSource) -> bool:
     origin = (repository.origin or "").rstrip("/").removesuffix(".git").rpartition("/")[2].lower()
     folder = repository.root.name.rpartition("__")[2].lower()
     return clone.name.lower() in {origin, folder} - {""}
-
-
-def _context(repository: Repository, file: File, copied: list[tuple[str, int]]) -> tuple[bool, str | None, str | None]:
-    """Return whether the Dockerfile copies the repository's source, its context, and which copied file is missing.
-
-    The context is the folder that contains everything it copies: the root, the folder above, or the Dockerfile's own.
-    """
-    if not copied:
-        return False, None, None
-    everything = any(source in {"", "*"} for source, _ in copied)
-    named = [(source, line) for source, line in copied if source and not re.search(r"[*?\[]", source)]
-    own = file.folder
-    order = ["", own.rpartition("/")[0], own] if _DOCKER_FOLDER.search(own) or named else [own, ""]
-
-    def lies(context: str, source: str) -> bool:
-        where = posixpath.normpath(f"{context}/{source}".strip("/"))
-        return repository.has(where) or where in repository.folders
-
-    fitting = [context for context in dict.fromkeys(order) if all(lies(context, source) for source, _ in named)]
-    if not fitting:
-        best = min(dict.fromkeys(order), key=lambda context: sum(not lies(context, source) for source, _ in named))
-        source, line = next((source, line) for source, line in named if not lies(best, source))
-        return everything, best, f"line {line} copies {source}, which the repository does not hold"
-    context = fitting[0]
-    held = (f"{context}/{source}".strip("/") for source, _ in named)
-    return everything or any(w in repository.folders and _holds_source(repository, w) for w in held), context, None
-
-
-def _holds_source(repository: Repository, folder: str) -> bool:
-    prefix = folder + "/"
-    return any(file.path.startswith(prefix) and file.name.endswith(_REPOSITORY_FILES) for file in repository.files)

@@ -1,0 +1,55 @@
+"""What a Dockerfile takes from elsewhere than its build context, and what its last stage holds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from roslab.evidence.lex.dockerfile import Instruction
+from roslab.evidence.lex.shell import expand
+from roslab.values.pattern import pattern
+
+_NAMED = pattern(r"\bAS[ \t]+(\S+)[ \t]*$", 2)
+_MOUNTED = pattern(r"--mount=(?:\S*,)?from=([^,\s]+)")
+_COPIED = pattern(r"--from=[\"']?([^\s\"']+)")
+_WHOLE = pattern(r"--from=\S+[ \t]+(?:--\S+[ \t]+)*/\.?[ \t]+/")
+_ROOT = pattern(r"(?:^|[ \t])\S+\.(?:tar(?:\.\w+)?|tgz|txz)[ \t]+/[ \t]*$")
+"""The tree of a system, which ADD unpacks."""
+
+
+def taken(written: Sequence[Instruction], known: Mapping[str, str]) -> tuple[tuple[str, int], ...]:
+    """Return the images and named contexts that files are copied or mounted from, each with its line; no stages.
+
+    https://docs.docker.com/reference/dockerfile/#copy---from, read 2026-11-26. ``known``: the values of variables.
+    """
+    stages = {match[1].lower() for each in written if each.name == "FROM" and (match := _NAMED.search(each.text))}
+    found: list[tuple[str, int]] = []
+    for each in written:
+        here = _MOUNTED.findall(each.text) if each.name == "RUN" else []
+        here += _COPIED.findall(each.text) if each.name == "COPY" else []
+        names = (expand(name, known) for name in here)
+        found += [(name, each.line) for name in names if not (name.lower() in stages or name.isdigit() or "$" in name)]
+    return tuple(found)
+
+
+def copied_from(written: Sequence[Instruction]) -> str | None:
+    """Return the stage whose files the last one copies, as it is written, ``None`` where it copies of none."""
+    return next((match[1] for each in reversed(_last(written)) if (match := _COPIED.search(each.text))), None)
+
+
+def only_files(written: Sequence[Instruction], base: str | None) -> str | None:
+    """Return why an image of the last stage runs nothing: it starts from nothing and has no system, and no program.
+
+    ``base``: what that stage starts from.
+    """
+    last = _last(written)
+    if base != "scratch" or any(each.name in {"CMD", "ENTRYPOINT"} for each in last):
+        return None
+    if any(_WHOLE.search(each.text) or (each.name == "ADD" and _ROOT.search(each.text)) for each in last):
+        return None
+    line = next((each.line for each in reversed(written) if each.name == "FROM"), 1)
+    return f"its last stage, line {line}, starts from scratch and holds some files and no system that runs a command"
+
+
+def _last(written: Sequence[Instruction]) -> list[Instruction]:
+    begins = max((index for index, each in enumerate(written) if each.name == "FROM"), default=0)
+    return [*written[begins:]]
