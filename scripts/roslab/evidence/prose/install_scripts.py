@@ -11,12 +11,13 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.fixtures import of_tests
 from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.shell import fill_placeholders
-from roslab.evidence.prose import author_dockerfile, only_on
+from roslab.evidence.prose import author_dockerfile, only_on, package_lists
 from roslab.evidence.prose.cloners import spelled_out
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
+from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.distros import distros
-from roslab.repository.checkout import Repository, nearest
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -45,7 +46,6 @@ _ASSIGNED = pattern(
 _HOME = pattern(r"\$HOME\b|\$\{HOME\}")
 _USED = pattern(r"\$\{?(\w+)\}?")
 _ROS = pattern(r"ros-([a-z]+)-")
-_NAMES = pattern(r"[a-z0-9][a-z0-9+.-]+")
 
 
 def read(repository: Repository) -> Prose:
@@ -62,6 +62,7 @@ def read(repository: Repository) -> Prose:
         and not of_tests(repository, file.path)
         and file.size < MAX_SIZE
     ]
+    given = _given(repository)
     for file in nearest(shells)[:MAX_SCRIPTS]:
         text = repository.read(file)
         if any(word in text for word in _TOLD):
@@ -74,15 +75,16 @@ def read(repository: Repository) -> Prose:
             if file.path.count("/") <= 1:
                 kept = (*kept, *only_on.read(text, file.path))
             parts.append(replace(found, mentions=kept))
-    lists = (
+        given += package_lists.given_to_apt(repository, text, file)
+    lists = [
         file
         for file in repository.suffixed(".txt")
         if _LIST.match(file.name.lower())
         and not places.vendored(file.path)
         and file.size < MAX_SIZE
         and file.name.lower() not in {"packages.txt", "dependencies.txt"}
-    )
-    parts += (_listed(repository.read(file), file.path) for file in lists)
+    ]
+    parts += (package_lists.listed(repository.read(file), file.path) for file in dict.fromkeys((*lists, *given)))
     return merge(parts)
 
 
@@ -91,6 +93,15 @@ def _run_by_images(repository: Repository) -> frozenset[str]:
     authored = (file for file in author_dockerfile.files(repository) if not places.vendored(file.path))
     found = (each for file in authored for each in instructions(repository.read(file, limit=MAX_SIZE)))
     return frozenset(name for each in found if each.name in _RUNNING for name in _SCRIPT.findall(each.text))
+
+
+def _given(repository: Repository) -> list[File]:
+    """Return the lists that Dockerfiles and the pages at the root give to apt."""
+    authored = (file for file in author_dockerfile.files(repository) if not places.vendored(file.path))
+    authored = (file for file in authored if not (places.documentation(file.path) or _ROBOT.search(file.path.lower())))
+    own = [(file, repository.read(file, limit=MAX_SIZE)) for file in authored]
+    own += [(page, text_of(repository, page)) for page in pages(repository) if not page.folder]
+    return [file for by, text in own for file in package_lists.given_to_apt(repository, text, by)]
 
 
 def _distros(asked: tuple[Dependency, ...]) -> Iterator[Mention]:
@@ -124,14 +135,3 @@ def _assignments(text: str, collector: Collector) -> None:
         if "$" not in value:
             known[match[1]] = " ".join(value.strip("\"'()").replace("\\\n", " ").split())
     collector.variables = known
-
-
-def _listed(text: str, path: str) -> Prose:
-    lines = [line.split("#")[0].strip() for line in text.split("\n")]
-    if not all(_NAMES.fullmatch(line.replace("=", "-")) for line in lines if line):
-        return Prose()
-    collector = Collector(path, "script")
-    for number, line in enumerate(lines, 1):
-        if line:
-            collector.logical(f"apt-get install {line}", number)
-    return collector.prose()
