@@ -41,6 +41,8 @@ class Candidate:
     """pip installs the program with the repository."""
     elsewhere: bool = False
     """It is a script that cannot do without a folder of its author's computer."""
+    contained: bool = False
+    """A container of an author's Dockerfile starts it."""
     tried: bool = False
     """A page has the reader run it to see whether it works."""
     makes: tuple[str, ...] = ()

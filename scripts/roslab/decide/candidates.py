@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
+from roslab.decide.contained import contained
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
@@ -35,6 +36,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     demands = {calls[each.file]: each.demands for each in evidence.launch if each.file in calls}
     said = written(evidence, kind, ros=ros, compiled=compiled)
     yield from (_cut(each, demands) for each in said)
+    yield from contained(evidence, kind, compiled=compiled)
     if not compiled and not any(each.strong for each in said):
         yield from _explained(evidence)
     if ros:

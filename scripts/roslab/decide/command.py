@@ -9,6 +9,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.author_command import composed, entry_point, given, left_to_base, startable, started
 from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
+from roslab.decide.contained import only_contained
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upkeep
 from roslab.decide.included import included
@@ -153,7 +154,7 @@ def _obvious(
         why = _before_others(first, ours)
         argv = given(first, authored) if dockerfile and authored else first.argv
         return argv, because("command", shlex.join(argv), why, first, weight=Weight.FIRST)
-    meant = None if dockerfile else pointed_at(evidence, kind) or included(evidence, kind)
+    meant = None if dockerfile else only_contained(ours) or pointed_at(evidence, kind) or included(evidence, kind)
     if meant and not upkeep(meant):
         return meant.argv, because("command", shlex.join(meant.argv), meant.why, meant, weight=Weight.FIRST)
     ours = [c for c in ours if c.strong or not c.cut]

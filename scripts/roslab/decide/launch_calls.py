@@ -26,7 +26,11 @@ def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collectio
     """
     name = written.rpartition("/")[2]
     named = [call for file, call in calls.items() if file.rpartition("/")[2] == name]
-    return calls.get(written) or (named[0] if len(named) == 1 else without_package(written, alone))
+    return (
+        calls.get(written)
+        or ((written,) if written in alone else ())
+        or (named[0] if len(named) == 1 else without_package(written, alone))
+    )
 
 
 def without_package(written: str, alone: Collection[str]) -> tuple[str, ...]:

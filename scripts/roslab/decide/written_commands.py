@@ -50,7 +50,7 @@ def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tup
     that the page of one package runs in a collection of packages; and, where packages have launch files, what the
     page of a folder without any runs.
     """
-    found = tuple(_said(evidence, kind, ros=ros, compiled=compiled))
+    found = tuple(calls_of(evidence, kind, ros=ros, compiled=compiled))
     nodes = ros and any(each.strong and not each.argv[0].startswith(_NO_NODES) for each in found)
     folders = tuple(f"{m.file.rpartition('/')[0]}/" for m in packages_of(evidence).built if "/" in m.file)
     many = ros and len(folders) >= _MANY
@@ -64,7 +64,8 @@ def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tup
     return tuple(replace(c, strong=False) if outside else c for c, outside in zip(found, weak, strict=True))
 
 
-def _said(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
+def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
+    """Yield each call of the pages that starts something of the tree, as it is from the root."""
     tree = _Tree(
         kind=kind,
         programs=tuple(script.file for script in evidence.programs),
@@ -224,7 +225,7 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
     if not start:
         return _program_of_ros(argv, tree)
     package, *rest = argv[len(start) :]
-    if LAUNCH.search(package):
+    if LAUNCH.search(package) or package in tree.alone:
         call = call_of(package, tree.calls, tree.alone)
         return (*start, *call, *rest) if call else None
     if package not in tree.packages:

@@ -40,7 +40,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         path = _in_checkout(path, repository) or _from_above(path, repository) or path
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
-            path = _only(path, repository) or path
+            path = only(path, repository) or path
         path = _by_its_program(words[0], _with_ending(path, repository) if index else path, repository)
         beside = (
             folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
@@ -97,7 +97,7 @@ def _by_its_program(program: str, path: str, repository: Repository) -> str:
     if path.endswith(".ipynb") and program.startswith("jupyter"):
         return _below(path, repository)
     if program in SIMULATORS and "/" in path and not repository.has(path):
-        return _only(path, repository) or path
+        return only(path, repository) or path
     return path
 
 
@@ -110,7 +110,7 @@ def _module(name: str, folder: str, repository: Repository) -> tuple[str, str]:
     for start in ends(folder):
         if file := next((path for path in paths if repository.has(posixpath.join(start, path))), None):
             return posixpath.join(start, file), start
-    alone = (_only(path, repository) for path in paths) if "." in name else ()
+    alone = (only(path, repository) for path in paths) if "." in name else ()
     return next((file for file in alone if file), ""), ""
 
 
@@ -161,7 +161,7 @@ def _of_package(word: str, repository: Repository) -> bool:
     return below and any(f"/{file.path}".endswith(path) for file in repository.named(posixpath.basename(path)))
 
 
-def _only(path: str, repository: Repository) -> str | None:
+def only(path: str, repository: Repository) -> str | None:
     """Return the one file of the tree whose path ends in this one, ``None`` if there are several or none."""
     ends = [file.path for file in repository.named(posixpath.basename(path)) if file.path.endswith(f"/{path}")]
     own = [each for each in ends if not places.vendored(each)]
