@@ -13,6 +13,7 @@ from roslab.decide.launch_needs import started_launch
 from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
 from roslab.decide.system.code_fits import misfits
+from roslab.decide.unbrought_modules import unbrought
 from roslab.decide.uncopied_packages import only_manifest, uncopied_by_command, uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import codename_of, distro, distros, ubuntus
@@ -114,7 +115,7 @@ def _uncopied(
 ) -> str | None:
     """Return why the image lacks packages of the tree: what it builds, or what would be started in it, needs them."""
     if kind not in {"ros1", "ros2"}:
-        return uncopied_package(authored, evidence, ros_distro)
+        return uncopied_package(authored, evidence, ros_distro) or unbrought(authored, evidence, config, kind)
     if why := uncopied_package(authored, evidence, ros_distro) or only_manifest(authored, evidence):
         return why
     if not authored.copied or "" in authored.copied or started(authored):

@@ -188,6 +188,7 @@ class _Reading:
 def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import started_by  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
     from roslab.evidence.prose.stages import copied_from, only_files, taken  # noqa: PLC0415 - as above
     from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
@@ -244,6 +245,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         updates_rosdep=reading.updates_rosdep,
         copied=paths_of(context or "", reading.copied),
         taken=taken(written, known),
+        hides=hides(written),
     )
 
 
