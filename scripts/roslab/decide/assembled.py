@@ -106,7 +106,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             of.base,
             of.build_tool,
             of.layout,
-            of.python,
+            replace(of.python, warnings=()) if of.own.answer else of.python,
             of.cuda,
             of.own,
             of.mended,

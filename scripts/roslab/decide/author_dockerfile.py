@@ -14,7 +14,7 @@ from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
 from roslab.decide.system.code_fits import misfits
 from roslab.decide.unbrought_modules import unbrought
-from roslab.decide.uncopied_packages import only_manifest, uncopied_by_command, uncopied_package
+from roslab.decide.uncopied_packages import empty_folders, only_manifest, uncopied_by_command, uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import codename_of, distro, distros, ubuntus
 from roslab.knowledge.frameworks import cuda_image
@@ -98,6 +98,7 @@ def decide_dockerfile(
     return Choice(
         answer=Dockerfile(file=best.file, context=best.context or ""),
         reasons=(_about(best, why, Weight.BELIEVED), *reasons[: MOST_REASONS - 1]),
+        warnings=empty_folders(best),
     )
 
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import asked_for, plain
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.released import released
+from roslab.values.origin import Place
 
 
 def uncopied_package(authored: AuthorDockerfile, evidence: Evidence, ros_distro: str | None) -> str | None:
@@ -36,6 +39,15 @@ def uncopied_package(authored: AuthorDockerfile, evidence: Evidence, ros_distro:
             if lacking and not there and not _brought(asked, authored):
                 return f"it copies {folder} and not {lacking[0]}, which {asked.file}:{asked.line} requires"
     return None
+
+
+def empty_folders(authored: AuthorDockerfile) -> tuple[Warning_, ...]:
+    """Return a warning where the steps of a Dockerfile name submodules that are not checked out: its build stops."""
+    if not authored.enters:
+        return ()
+    names, (_, line) = ", ".join(name for name, _ in authored.enters), authored.enters[0]
+    message = f"the build of the author's Dockerfile stops here: nothing is in {names} until it is checked out"
+    return (warn(f"{message}; git submodule update --init --recursive", Place(file=authored.file, line=line)),)
 
 
 def only_manifest(authored: AuthorDockerfile, evidence: Evidence) -> str | None:

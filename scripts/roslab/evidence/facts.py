@@ -153,6 +153,7 @@ class AuthorDockerfile:
     """Its text, if it needs no build context."""
     copied: tuple[str, ...] = ()  # files and folders, relative to the root; none where a pattern is among them
     taken: tuple[tuple[str, int], ...] = ()  # images and named contexts that it takes files from, with the line
+    enters: tuple[tuple[str, int], ...] = ()  # submodules without their files that its steps name, with the line
     hides: bool = False  # its steps may install more than its lines say
     service: Service | None = None  # the service of Docker Compose that a page at the root starts from it
 

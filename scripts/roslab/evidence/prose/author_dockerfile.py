@@ -17,6 +17,7 @@ from roslab.evidence.prose.composed import services
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
+from roslab.evidence.ros import vcs
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -190,7 +191,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.entry_scripts import started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
-    from roslab.evidence.prose.stages import copied_from, only_files, taken  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.stages import copied_from, entered, only_files, taken  # noqa: PLC0415 - as above
     from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
 
     known: dict[str, str] = {}
@@ -245,6 +246,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         updates_rosdep=reading.updates_rosdep,
         copied=paths_of(context or "", reading.copied),
         taken=taken(written, known),
+        enters=entered(written, repository.once(vcs.missing)),
         hides=hides(written),
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 
 from roslab.evidence.lex.dockerfile import Instruction
@@ -29,6 +30,19 @@ def taken(written: Sequence[Instruction], known: Mapping[str, str]) -> tuple[tup
         names = (expand(name, known) for name in here)
         found += [(name, each.line) for name in names if not (name.lower() in stages or name.isdigit() or "$" in name)]
     return tuple(found)
+
+
+def entered(written: Sequence[Instruction], folders: Sequence[str]) -> tuple[tuple[str, int], ...]:
+    """Return those of some folders of the tree whose whole paths a step names, each with the line of the first."""
+    runs = [each for each in written if each.name == "RUN"]
+    found = (
+        (
+            name,
+            next((each.line for each in runs if re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])", each.text)), 0),
+        )
+        for name in folders
+    )
+    return tuple((name, line) for name, line in found if line)
 
 
 def copied_from(written: Sequence[Instruction]) -> str | None:
