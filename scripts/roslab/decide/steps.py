@@ -23,6 +23,7 @@ _FETCHES = pattern(r"\b(?:wget|curl|vcs|wstool|rosinstall|rosws)\s")
 _OF_ROS = pattern(r"\bros2?-apt-source\b")
 """The package with ROS's own source of apt, which the base image has: https://github.com/ros-infrastructure/ros-apt-source,
 2026-11-26."""
+_UNASKED = "for nothing that is built asks for it by name"
 MOST = 8
 """Most steps that are told of one kind."""
 
@@ -115,21 +116,28 @@ def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], it
     """
     told: dict[str, Warning_] = {}
     authored = [git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones]
+    asks = (each for project in evidence.cmake for each in project.dependencies if each.required)
+    alike = {_stem(each.name): each for each in asks if not _by_ubuntu(each.name)}
     copied = {plain(part) for manifest in evidence.manifests for part in manifest.file.split("/")[:-1]}
     for git in (*evidence.sources, *authored) if kind in {"ros1", "ros2", "cpp"} else ():
         aside = places.vendored(git.file) or places.documentation(git.file) or places.test(git.file)
         aside = aside or not (git.file.endswith(PAGES) or git in authored)
         if git.kind != "clone" or git.strength != "prose" or aside or itself_in(git, itself):
             continue
-        if address(git.url) in there or plain(git.name) in names | copied or _in_ubuntu(git):
+        if address(git.url) in there or plain(git.name) in names | copied or _by_ubuntu(git.name):
             continue
-        message = f"not cloned: {git.url}, for nothing that is built asks for it by name"
-        told.setdefault(
-            address(git.url), warn(f"{message}; if it is needed, give it under `source` in roslab.yaml", git)
-        )
+        asked = alike.get(_stem(git.name))
+        why = f"though {asked.file}:{asked.line} requires {asked.name}, which it may be" if asked else _UNASKED
+        message = f"not cloned: {git.url}, {why}; if it is needed, give it under `source` in roslab.yaml"
+        told.setdefault(address(git.url), warn(message, git))
     yield from list(told.values())[:MOST]
 
 
-def _in_ubuntu(git: GitSource) -> bool:
-    found = library("cmake", git.name, None)
+def _stem(name: str) -> str:
+    """Return a name without ``lib`` and its number: ``realsense2`` is of ``librealsense``."""
+    return plain(name).removeprefix("lib").rstrip("0123456789")
+
+
+def _by_ubuntu(name: str) -> bool:
+    found = library("cmake", name, None)
     return bool(found and found.apt)

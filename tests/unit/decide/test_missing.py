@@ -283,7 +283,7 @@ add_executable(track track.cpp)
     ("value", "package", "page", "options"),
     [
         ("ON", "acme_camera_sdk", "", ("-DUSE_CAMERA=OFF",)),
-        ("ON", "realsense2", "", ("-DUSE_CAMERA=OFF",)),  # ROS has it, and this is an Ubuntu without
+        ("ON", "crocoddyl", "", ("-DUSE_CAMERA=OFF",)),  # ROS has it, and this is an Ubuntu without
         ("ON", "Eigen3", "", ()),
         ("ON", "OpenMP", "", ()),  # the compiler's own
         ("OFF", "acme_camera_sdk", "", ()),

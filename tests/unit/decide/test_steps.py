@@ -275,3 +275,16 @@ def test_a_clone_of_an_authors_dockerfile_that_is_not_built_is_told(
     files = {path: f"FROM ros:noetic\nWORKDIR /ws/src\n{clones}{copies}\n{build}\n", "docker/start.sh": "ls\n"}
     message = "not cloned: https://github.com/them/odd_sdk.git, for nothing that is built asks for it by name"
     assert told(tree, "", **files) == ([(message, path, 4)] if told_of else [])
+
+
+def test_a_clone_that_may_be_what_cmake_requires_is_told_with_that(tree: Tree) -> None:
+    docker = "FROM ubuntu:22.04\nRUN git clone https://github.com/them/libodd.git /opt/odd && /opt/odd/setup.run\n"
+    cmake = "project(demo)\nfind_package({} REQUIRED)\nadd_executable(demo demo.cpp)\n"
+    for name, why in (
+        ("odd2", "though CMakeLists.txt:2 requires odd2, which it may be"),
+        ("even2", "for nothing that"),
+    ):
+        files = {"docker/Dockerfile": docker, "CMakeLists.txt": cmake.format(name), "demo.cpp": "int main() {}\n"}
+        said = [each.message for each in tree(files).warnings if each.file == "docker/Dockerfile"]
+        assert len(said) == 1
+        assert said[0].startswith(f"not cloned: https://github.com/them/libodd.git, {why}")
