@@ -13,7 +13,6 @@ from roslab.decide.ros.source_names import address, itself_in, plain
 from roslab.decide.ros.vcs_files import spelling
 from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence import places
-from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.libraries import library
 from roslab.values.pattern import pattern

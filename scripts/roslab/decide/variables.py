@@ -12,7 +12,7 @@ from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_n
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.own_places import OPT, PYTHON
 from roslab.knowledge.distros import python_of_ubuntu
-from roslab.knowledge.machine_variables import of_one_machine
+from roslab.knowledge.machine_variables import of_every_image, of_one_machine
 from roslab.knowledge.offscreen import offscreen, onscreen
 from roslab.knowledge.search_paths import search_paths
 from roslab.values.pattern import pattern
@@ -83,11 +83,13 @@ def decide_variables(
             why = f"{place.key} stops without it where it opens a window" if gui else without
             reasons.append(because("workspace", f"{name}={value}", why, place, weight=SET))
     demanded = [m for m in evidence.mentions if m.topic == "demanded" and m.value not in {*pairs, *given}]
+    demanded = [m for m in demanded if not of_every_image(m.value)]
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons), warnings=tuple(map(_demanded, demanded)))
 
 
 def _demanded(mention: Mention) -> Warning_:
-    message = f"a program stops without the variable {mention.value} (it says: {mention.text.strip()})"
+    what = "CMake" if mention.file.endswith("CMakeLists.txt") else "a program"
+    message = f"{what} stops without the variable {mention.value} (it says: {mention.text.strip()})"
     return warn(f"{message}: set it under `env` in roslab.yaml", mention)
 
 

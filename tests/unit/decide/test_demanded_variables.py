@@ -34,3 +34,21 @@ def test_a_variable_that_a_program_demands(tree: Tree, name: str, said: str, val
 def test_what_an_example_demands_is_not_set(tree: Tree) -> None:
     code = CODE.format(name="DEMO", said="Please set DEMO to the root of demo")
     assert tree({"CMakeLists.txt": CMAKE, "examples/demo.cpp": code}).variables == ()
+
+
+@pytest.mark.parametrize(
+    ("condition", "call", "told"),
+    [
+        ("NOT DEFINED ENV{SDK_DIR}", "FATAL_ERROR", True),
+        ("NOT DEFINED ENV{SDK_DIR}", "STATUS", False),
+        ("NOT DEFINED ENV{ROS_DISTRO}", "FATAL_ERROR", False),
+        ("NOT DEFINED ENV{SDK_DIR} AND WITH_SDK", "FATAL_ERROR", False),
+        ("NOT DEFINED SDK_DIR", "FATAL_ERROR", False),
+    ],
+)
+def test_a_variable_that_cmake_demands(tree: Tree, condition: str, call: str, *, told: bool) -> None:
+    cmake = f'if({condition})\n  message({call} "SDK_DIR is empty")\nendif()\n'
+    found = tree({"CMakeLists.txt": CMAKE + cmake, "demo.cpp": "int main() {}\n"})
+    said = [each for each in found.warnings if "CMake stops without the variable SDK_DIR" in each.message]
+    assert bool(said) == told
+    assert not [each for each in found.warnings if "ROS_DISTRO" in each.message]
