@@ -10,14 +10,16 @@ from roslab.decide.author_command import started
 from roslab.decide.command import decide_command
 from roslab.decide.python.manifests import with_includes
 from roslab.evidence.facts import AuthorDockerfile, Evidence
-from roslab.knowledge.distros import codename_of
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import same_module
 from roslab.knowledge.often_brought import often_brought
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 
-_PLAIN = ("python:", "debian:", "ubuntu:", "nvidia/cuda:", "pytorch/pytorch:", "tensorflow/tensorflow:")
+_PLAIN = (
+    *("python:", "debian:", "ubuntu:", "nvidia/cuda:", "nvidia/cudagl:"),
+    *("pytorch/pytorch:", "tensorflow/tensorflow:"),
+)
 """Images whose Python has what their names say, and what that brings."""
 
 
@@ -27,8 +29,8 @@ def unbrought(authored: AuthorDockerfile, evidence: Evidence, config: Config, ki
     ``None`` where the Dockerfile's base or its steps may have what nobody reads, where anything that it installs is
     known to bring the package, and where so many others bring it that one of them may.
     """
-    base = authored.base or ""
-    if authored.hides or not (base.startswith(_PLAIN) or codename_of(base)):
+    bases = [name for name, _ in authored.bases] or [authored.base or ""]
+    if authored.hides or authored.taken or not all(each.startswith(_PLAIN) for each in bases):
         return None
     if kind not in {"python", "cuda"} or started(authored) or config.command is not None:
         return None
@@ -39,8 +41,9 @@ def unbrought(authored: AuthorDockerfile, evidence: Evidence, config: Config, ki
     names = {each.key for each in asked} | {canonicalize_name(p.name) for p in evidence.python if p.name}
     names |= {canonicalize_name(git.name.rpartition("/")[2]) for git in (*authored.clones, *evidence.sources)}
     system = {each.name.rpartition("python3-")[2] for each in authored.dependencies}
+    outside = {each.name for each in evidence.code if each.namespace == "import"} & imports().keys()
     for said in evidence.mentions:
-        if said.topic != "at_top" or said.file not in command.argv or said.value not in imports():
+        if said.topic != "at_top" or said.file not in command.argv or said.value not in outside:
             continue
         package, apt = imports()[said.value]
         name = canonicalize_name(package)

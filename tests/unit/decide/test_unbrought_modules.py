@@ -46,7 +46,7 @@ def test_a_package_that_nothing_in_it_installs(tree: Tree, steps: str, *, believ
         assert "open3d, which show.py:2 imports" in said.reason
 
 
-@pytest.mark.parametrize("base", ["lab/robot:latest", "nvcr.io/nvidia/pytorch:23.01-py3"])
+@pytest.mark.parametrize("base", ["lab/robot:latest", "lab/open3d:focal", "nvcr.io/nvidia/pytorch:23.01-py3"])
 def test_of_another_base_nobody_knows_what_it_has(tree: Tree, base: str) -> None:
     files = {"show.py": SHOW, "README.md": PAGE, "requirements.txt": "numpy\n"}
     docker = DOCKER.format(base=base, steps="RUN pip install tqdm")
@@ -63,4 +63,16 @@ def test_what_others_bring_and_what_may_fail(tree: Tree, top: str) -> None:
         "requirements.txt": "torch\n",
     }
     docker = DOCKER.format(base="python:3.10", steps="RUN pip install -r requirements.txt")
+    assert tree({**files, "Dockerfile": docker}).dockerfile == "Dockerfile"
+
+
+def test_a_module_of_the_tree_is_there(tree: Tree) -> None:
+    files = {"show.py": SHOW, "open3d/__init__.py": "", "README.md": PAGE, "requirements.txt": "numpy\n"}
+    docker = DOCKER.format(base="python:3.10", steps="RUN pip install numpy")
+    assert tree({**files, "Dockerfile": docker}).dockerfile == "Dockerfile"
+
+
+def test_files_of_another_image_may_have_it(tree: Tree) -> None:
+    files = {"show.py": SHOW, "README.md": PAGE, "requirements.txt": "numpy\n"}
+    docker = DOCKER.format(base="python:3.10", steps="COPY --from=lab/open3d:1 /usr/local /usr/local")
     assert tree({**files, "Dockerfile": docker}).dockerfile == "Dockerfile"
