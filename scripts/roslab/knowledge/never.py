@@ -10,6 +10,7 @@ from roslab.values.pattern import one_of
 
 
 @cache
-def never() -> re.Pattern[str]:
-    """Return one pattern that matches the full name of each of them."""
-    return one_of(row["pattern"] for row in rows("never"))
+def never(*, cuda: bool = False) -> re.Pattern[str]:
+    """Return one pattern that matches the full name of each of them; ``cuda``: the image has CUDA's compiler."""
+    beside = {"", "cuda"} if cuda else {""}
+    return one_of(row["pattern"] for row in rows("never") if row["beside"] in beside)

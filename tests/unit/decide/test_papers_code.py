@@ -178,6 +178,7 @@ def test_no_image_holds_the_hosts_driver(name: str) -> None:
     assert not never().match("libnvidia-container-tools")
     assert not never().match("nvidia-cuda-toolkit")
     assert not never().match("cuda-toolkit-11-8")
+    assert never(cuda=True).match("cuda-toolkit-11-8")  # the base has one
 
 
 @pytest.mark.parametrize(

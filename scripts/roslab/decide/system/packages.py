@@ -152,7 +152,7 @@ def decide_system(
         _add(dependency, target, found, known, trusted=True, by_hand=by_hand)
     for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):
         found.guessed.setdefault(apt, asked)
-    refused = never()
+    refused = never(cuda=target.cuda)
     other = of_another_qt(found.guessed, found.declared, (each for each, _ in needed))
     kept = {n: d for n, d in found.guessed.items() if n not in {*found.declared, *other} and not refused.match(n)}
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
