@@ -19,13 +19,14 @@ FILES = {
 }
 
 
-def test_the_authors_ref_and_options_win_but_for_examples(tree: Tree) -> None:
+def test_the_authors_ref_and_options_win(tree: Tree) -> None:
     (built,) = (
         source for source in tree({**FILES, "docker/Dockerfile": DOCKER}).source if source.name == "librealsense"
     )
     assert built.ref == "v2.53.1"
     options = built.cmake_options.split()
-    assert {"-DFORCE_RSUSB_BACKEND=OFF", "-DBUILD_WITH_CUDA=OFF", "-DBUILD_GRAPHICAL_EXAMPLES=OFF"} <= {*options}
+    assert {"-DFORCE_RSUSB_BACKEND=OFF", "-DBUILD_WITH_CUDA=OFF", "-DBUILD_GRAPHICAL_EXAMPLES=ON"} <= {*options}
+    assert "-DBUILD_EXAMPLES=OFF" in options
     assert len(options) == len({each.partition("=")[0] for each in options})
 
 

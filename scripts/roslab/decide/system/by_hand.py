@@ -24,8 +24,6 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 _LIB = pattern(r"^lib(?=[a-z])")
-_ASIDE = pattern(r"-D\w*(?:EXAMPLES?|TESTS?|TESTING|DOCS?|BENCHMARKS?)(?:_\w+)?=OFF\b")
-"""An option of the table that leaves out what nothing links: what it needs is not in its stage."""
 
 SHORTEST = 3
 """Fewest letters of a name by which a link is taken for a library."""
@@ -60,14 +58,12 @@ def _authored(evidence: Evidence, purpose: Literal["project", "ci"]) -> Iterator
 def _like(source: Source, git: GitSource, day: str) -> Source:
     if not (ref := fixed(git.ref)):
         return source
-    kept = {word.partition("=")[0] for word in source.cmake_options.split() if _ASIDE.match(word)}
-    theirs = [word for word in git.options.split() if word.partition("=")[0] not in kept]
-    said = {word.partition("=")[0] for word in theirs}
+    said = {word.partition("=")[0] for word in git.options.split()}
     ours = (word for word in source.cmake_options.split() if word.partition("=")[0] not in said)
     place = Place(file=git.file, line=git.line)
     ref = source.ref if moves(ref) and source.ref else ref
     before = day if drifts(ref) else source.before
-    return replace(source, ref=ref, before=before, cmake_options=" ".join((*ours, *theirs)), place=place)
+    return replace(source, ref=ref, before=before, cmake_options=" ".join((*ours, git.options)).strip(), place=place)
 
 
 def _bare(name: str) -> str:
