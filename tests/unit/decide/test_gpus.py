@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.evidence.native import gpus
 from roslab.knowledge.cuda_gpus import cuda_of_gpu
+from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
 
@@ -37,6 +40,26 @@ def test_the_cuda_of_the_image_knows_the_gpus_of_the_code(tree: Tree, line: str,
     assert decision.kind == "cuda"
     assert decision.cuda == cuda
     assert f":{cuda}" in decision.base_image
+
+
+FLAGS = "set(FLAGS -gencode arch=compute_35,code=sm_35)"
+
+
+@pytest.mark.parametrize(
+    ("lines", "found"),
+    [
+        ((FLAGS, "if(USE_CUDA)", "set(CUDA_NVCC_FLAGS ${FLAGS})", "endif()"), False),
+        ((FLAGS, "set(CUDA_NVCC_FLAGS ${FLAGS})", "if(USE_CUDA)", "find_package(CUDA REQUIRED)", "endif()"), False),
+        (("option(USE_CUDA a OFF)", FLAGS, "if(USE_CUDA)", "set(CUDA_NVCC_FLAGS ${FLAGS})", "endif()"), False),
+        (("option(USE_CUDA a ON)", FLAGS, "if(USE_CUDA)", "set(CUDA_NVCC_FLAGS ${FLAGS})", "endif()"), True),
+        (("find_package(CUDA)", FLAGS, "set(CUDA_NVCC_FLAGS ${FLAGS})"), True),
+        (("find_package(CUDA)", FLAGS, "if(CUDA_FOUND)", "set(CUDA_NVCC_FLAGS ${FLAGS})", "endif()"), True),
+        ((FLAGS,), True),
+    ],
+)
+def test_the_gpus_of_an_option_that_is_off_tell_nothing(tmp_path: Path, lines: tuple[str, ...], found: bool) -> None:
+    (tmp_path / "CMakeLists.txt").write_text("\n".join(["project(demo CXX)", *lines, ""]))
+    assert [limit.what for limit in gpus.read(Repository(tmp_path))] == (["sm_35"] if found else [])
 
 
 def test_the_reason_names_the_line_of_the_gpu(tree: Tree) -> None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
-from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.knowledge.cuda_gpus import NAME, cuda_of_gpu
@@ -22,12 +22,16 @@ _NUMBER = pattern(r"(?<![\w.])(\d{2,3})(?:-real|-virtual|a)?(?![\w.])")
 _OPTIONS = ("compute_", "sm_")
 _LISTS = frozenset({"CMAKE_CUDA_ARCHITECTURES", "CUDA_ARCHITECTURES"})
 _CALLS = frozenset({"set", "list", "set_property", "set_target_properties", "target_compile_options", "string"})
+_ALL = frozenset({"*"})
+_BRINGS = frozenset({"enable_language", "find_package", "project"})
+_TOOLKITS = frozenset({"CUDA", "CUDAToolkit"})
 
 
 def read(repository: Repository) -> tuple[CodeLimit, ...]:
     """Return, for each GPU that is compiled for on every machine, the CUDA versions that know it, at its first place.
 
-    Nothing of copied code, examples and tests, and nothing below a condition that may not hold.
+    Nothing of copied code, examples and tests, and nothing below a condition that may not hold: around the flags,
+    around every use of their variable, or around all that brings CUDA.
     """
     found: dict[int, CodeLimit] = {}
     for file in _files(repository):
@@ -59,8 +63,10 @@ def _in(file: File, text: str) -> Iterator[tuple[int, int]]:
 
 
 def _in_cmake(text: str) -> Iterator[tuple[int, int]]:
+    if _left_out(call for call in calls(text, _BRINGS) if _TOOLKITS & set(call.written)):
+        return
     for call in calls(text, _CALLS):
-        if call.in_function or not all(cmake_holds(condition, lambda _: False) for condition in call.conditions):
+        if call.in_function or not _taken(call) or _unused(call, text):
             continue
         for index, word in enumerate(call.written):
             yield from ((int(match[1]), call.line) for match in _GPU.finditer(word))
@@ -68,3 +74,23 @@ def _in_cmake(text: str) -> Iterator[tuple[int, int]]:
                 yield from (
                     (int(m[1]), call.line) for each in call.written[index + 1 :] for m in _NUMBER.finditer(each)
                 )
+
+
+def _taken(call: Call) -> bool:
+    return all(cmake_holds(condition, lambda _: False) for condition in call.conditions)
+
+
+def _left_out(found: Iterable[Call]) -> bool:
+    """Tell whether there are calls, and all of them wait for a condition that may not hold."""
+    taken = [_taken(call) for call in found]
+    return bool(taken) and not any(taken)
+
+
+def _unused(call: Call, text: str) -> bool:
+    """Tell whether a variable of the file's own is set that only an option which may be off uses."""
+    if call.name != "set" or not call.written or not any(_GPU.search(word) for word in call.written[1:]):
+        return False
+    use = f"${{{call.written[0]}}}"
+    return text.count(use) > 0 and _left_out(
+        each for each in calls(text, _ALL) if each.line != call.line and any(use in word for word in each.written)
+    )
