@@ -14,9 +14,10 @@ from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
-Sign = Literal["include", "name", "standard", "cpp11", "line", "python", "launch", "module"]
+Sign = Literal["include", "name", "standard", "cpp11", "line", "python", "launch", "module", "cmake"]
 """A header, a name in C++, a C++ standard that CMake asks for, a header in what is compiled as C++11, what stands on
-one line of Python code, or on several, what a launch file in Python has, what pkg-config is asked for."""
+one line of Python code, or on several, what a launch file in Python has, what pkg-config is asked for, a command of
+CMake."""
 _OWN = frozenset({"library", "same_major", "source", "date"})
 
 

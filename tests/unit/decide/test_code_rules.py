@@ -154,6 +154,21 @@ def test_headers_that_rule_a_distribution_of_ros_2_out(tree: Tree, line: str, pa
     assert tree({**files, "src/a.cpp": f"{line}\n", "README.md": page}).ros_distro == distro
 
 
+@pytest.mark.parametrize(
+    ("lines", "distro"),
+    [
+        ("ament_target_dependencies(a rclcpp)", "jazzy"),
+        ("# ament_target_dependencies(a rclcpp)", "rolling"),
+        ('if($ENV{ROS_DISTRO} STREQUAL "humble")\nament_target_dependencies(a rclcpp)\nendif()', "rolling"),
+        ("macro(ament_target_dependencies)\nendmacro()\nament_target_dependencies(a rclcpp)", "rolling"),
+    ],
+)
+def test_a_command_that_rolling_dropped_rules_it_out(tree: Tree, lines: str, distro: str) -> None:
+    cmake = CMAKE.format("ament_cmake", "") + f"add_executable(a src/a.cpp)\n{lines}\n"
+    files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": cmake, "src/a.cpp": ""}
+    assert tree({**files, "README.md": "The branch for ROS 2 Rolling\n"}).ros_distro == distro
+
+
 def test_a_header_does_not_outweigh_what_the_authors_image_starts_from(tree: Tree) -> None:
     files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}
     files["src/a.cpp"] = "#include <cv_bridge/cv_bridge.h>\n"

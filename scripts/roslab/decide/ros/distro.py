@@ -52,7 +52,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     ros = 1 if kind == "ros1" else 2
     unknown = _unknown_keys(evidence, ros)
     lacking = misfits(evidence)
-    unlaunched, headers = unlaunchable(evidence), unincluded(evidence)
+    unlaunched, headers = unlaunchable(evidence), _headers(evidence)
     other = without_library(evidence)
     unknown = {n: m | unlaunched.get(n, frozenset()) | other.get(n, frozenset()) for n, m in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
@@ -123,7 +123,7 @@ def _became(evidence: Evidence, best: Reason, unknown: dict[str, frozenset[str]]
     date = dated(evidence)
     if date is None or not distros()[best.answer].never_ends:
         return None
-    later = [found for found in distros().values() if found.ros == 2 and found.eol and found.released > date.value]
+    later = _after(date)
     if not later:
         return None
     became = min(later, key=lambda found: found.released).name
@@ -132,11 +132,24 @@ def _became(evidence: Evidence, best: Reason, unknown: dict[str, frozenset[str]]
     if evidence.day and past:
         became = max(past, key=lambda found: found.released).name
         why = f"{best.reason}; nothing keeps the rolling of {evidence.day}, when {became} was the newest release"
-    if unknown.get(became) and (fitting := [each for each, missing in unknown.items() if not missing]):
+    lacking = unincluded(evidence)
+    fitting = [each for each, missing in unknown.items() if not missing and each not in lacking]
+    if unknown.get(became) and fitting:
         lacks = min(unknown[became])
         became = max(fitting, key=_preference)
         why += f", which has no {lacks}; {became} has"
     return because("ros_distro", became, why, date, weight=best.weight + 1)
+
+
+def _after(date: Mention | None) -> list[Distro]:
+    """Return the distributions that were released after a day, which rolling then became."""
+    return [d for d in distros().values() if date and d.ros == 2 and d.eol and d.released > date.value]
+
+
+def _headers(evidence: Evidence) -> dict[str, frozenset[str]]:
+    """Return what the code includes and a distribution does not have; of rolling, where today's is meant."""
+    past = bool(_after(dated(evidence)))
+    return {n: m for n, m in unincluded(evidence).items() if not (past and distros()[n].never_ends)}
 
 
 def _order(reason: Reason) -> tuple[int, int]:

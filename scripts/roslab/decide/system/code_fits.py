@@ -115,7 +115,7 @@ def unlaunchable(evidence: Evidence) -> dict[str, frozenset[str]]:
 
 
 def unincluded(evidence: Evidence) -> dict[str, frozenset[str]]:
-    """Return, for each distribution of ROS 2, the headers of ROS that the code includes and that it does not have."""
+    """Return, for each distribution of ROS 2, what the code includes or calls of ROS and that it does not have."""
     of_ros2 = (limit for limit in evidence.limits if limit.library.startswith(_OF_ROS2))
     return _unknown_to(limit for limit in of_ros2 if _of_apt(limit, evidence))
 
@@ -126,7 +126,8 @@ def _unknown_to(limits: Iterable[CodeLimit]) -> dict[str, frozenset[str]]:
         oldest, first_without = distro(limit.at_least or ""), distro(limit.below or "")
         for name, release in distros().items():
             old = oldest is not None and not release.never_ends and release.released < oldest.released
-            new = first_without is not None and release.released >= first_without.released
+            newer = first_without is not None and release.released >= first_without.released
+            new = newer or (first_without is not None and release.never_ends)
             if release.ros == 2 and (old or new):
                 found[name] = found.get(name, frozenset()) | {limit.what}
     return found

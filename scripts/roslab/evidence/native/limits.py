@@ -9,7 +9,9 @@ from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
+from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.lex.truth import cmake_holds
 from roslab.evidence.native import old_standard
 from roslab.evidence.native.unlisted import Unlisted
 from roslab.knowledge.code_limits import Limit, Sign, limits
@@ -23,11 +25,12 @@ _STANDARD = pattern(
     r"^[^#\n]*?(?:\bCMAKE_CXX_STANDARD[ \t]+|-std=(?:c|gnu)\+\+|\bcxx_std_|\bCXX_STANDARD[ \t]+)(\d\w)\b", re.MULTILINE
 )
 _DIRECTIVE = pattern(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)", re.MULTILINE)
+_ANY = "any"
 _GUARDS = {
-    "__has_include": ("__has_include",),
-    "_VERSION": ("CV_VERSION", "CV_MAJOR_VERSION", "CERES_VERSION"),
+    "__has_include": {"__has_include": _ANY},
+    "_VERSION": {"CV_VERSION": "OpenCV", "CV_MAJOR_VERSION": "OpenCV", "CERES_VERSION": "Ceres"},
 }
-"""The file chooses by what is there; by what the words share, which is looked for first."""
+"""The file chooses by what is there, of a library or of any; by what the words share, which is looked for first."""
 _OLD_NAMES = ("imgproc/types_c.h", "constants_c.h")
 """Headers with the dropped names, as a file includes them that chooses by what is there."""
 CUDA = (".cu", ".cuh")
@@ -69,12 +72,12 @@ class Signs:
     """The last parts of the headers that files of CUDA include."""
     newer: list[tuple[Limit, str, int]] = field(default_factory=list)
     """The headers that newer libraries refuse to C++11, each with its place."""
-    guarded: bool = False
-    """A file of the tree asks for the version of a library: its names tell nothing."""
+    guarded: set[str] = field(default_factory=set)
+    """The libraries for whose version a file of the tree asks: their names tell nothing."""
 
     def source(self, path: str, text: str) -> None:
         """Read a C++ file."""
-        self.guarded = self.guarded or _guarded(text)
+        self.guarded.update(_guarded(text))
         for limit in _search("name").possible(text):
             names: dict[str, int] = {}
             for match in limit.pattern.finditer(text):
@@ -89,7 +92,7 @@ class Signs:
 
     def header(self, name: str, path: str, text: str, position: int) -> None:
         """Read an include at a position of a file."""
-        self.guarded = self.guarded or name.endswith(_OLD_NAMES)
+        self.guarded.update(("OpenCV",) if name.endswith(_OLD_NAMES) else ())
         (self.by_cuda if path.endswith(CUDA) else self.included).add(name.rpartition("/")[2])
         self.includes.setdefault(path, set()).add(name if name in kept_names() else name.rpartition("/")[2])
         found = _signs("include", name)
@@ -105,14 +108,16 @@ class Signs:
         A header that nothing includes is not compiled: a library that was copied whole has many. Nor is a source that
         no list has. What CUDA's compiler alone sees comes after what C++ has.
         """
-        if self.guarded:
-            self.found = {key: limit for key, limit in self.found.items() if key[0] == "GCC"}
+        for key in [key for key in self.found if key[0] in self.guarded or (_ANY in self.guarded and key[0] != "GCC")]:
+            del self.found[key]
         for file in repository.named("CMakeLists.txt"):
             if not places.aside(file.path):
                 text = repository.read(file)
                 for match in matching_lines(_STANDARD, text, "CXX_STANDARD", "-std=", "cxx_std_"):
                     for sign in _signs("standard", match[1]):
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
+                for sign in _search("cmake").possible(text):
+                    self._command(sign, file.path, text)
         self._as_cpp11(repository)
         kept = {header: self._including(header) for header in kept_names()}
         unlisted = Unlisted(repository)
@@ -120,6 +125,16 @@ class Signs:
         places_of = (sorted(each, key=lambda p: not p[1].file.startswith(packages)) for each in self.found.values())
         first = (next((limit for limit in self._meant(each, kept, unlisted)), None) for each in places_of)
         return tuple(limit for limit in first if limit)
+
+    def _command(self, sign: Limit, path: str, text: str) -> None:
+        """Read the calls of a command of CMake that are made on every machine; the file defines no such command."""
+        asked = frozenset({*sign.hints.each, "function", "macro"})
+        found = tuple(calls(text, asked))
+        if any(call.written[:1] == (name,) for name in sign.hints.each for call in found):
+            return
+        for call in found:
+            if sign.pattern.search(call.name) and not call.in_function and all(map(_always, call.conditions)):
+                self._add(sign, path, call.line)
 
     def _as_cpp11(self, repository: Repository) -> None:
         """Add the headers that a newer library refuses to the standard of their files."""
@@ -175,11 +190,10 @@ class Signs:
             known.append((name, found))
 
 
-def _guarded(text: str) -> bool:
-    for shared, words in _GUARDS.items():  # noqa: SIM110 - of each source: `any` takes longer
-        if shared in text and any(word in text for word in words):
-            return True
-    return False
+def _guarded(text: str) -> Iterator[str]:
+    for shared, words in _GUARDS.items():
+        if shared in text:
+            yield from (library for word, library in words.items() if word in text)
 
 
 def conditional(text: str, position: int) -> bool:
@@ -193,6 +207,10 @@ def conditional(text: str, position: int) -> bool:
             guard = kind == "ifndef" and text[match.end() :].lstrip().startswith(f"#define {name}")
             open_.append(not guard and name != "__cplusplus")
     return any(open_)
+
+
+def _always(condition: str) -> bool:
+    return bool(cmake_holds(condition, lambda _: False))
 
 
 def _comment(before: str) -> bool:
