@@ -45,7 +45,7 @@ def ros1(cmake: str = "", code: str = "", page: str = "Tested with ROS Kinetic")
         ("", "#if GAZEBO_MAJOR_VERSION < 9\ngazebo::math::Pose p;\n#endif\n", "ROS Kinetic or Melodic", "melodic"),
         ("", "void f() { now = robot->GetSimTime(); }\n", "ROS Kinetic or Melodic", "melodic"),
         ("", "boost::shared_ptr<const urdf::Link> l = m.getLink(a);\n", "ROS Kinetic or Melodic", "kinetic"),
-        ("", "boost::shared_ptr<urdf::Link> l(m.getLink(a));\nint v = CV_VERSION;\n", "ROS Kinetic, Melodic", "kinetic"),
+        ("", "boost::shared_ptr<urdf::Link> l(m.getLink(a));\nint v=CV_VERSION;\n", "ROS Kinetic, Melodic", "kinetic"),
         ("", "urdf::LinkConstSharedPtr l = m.getLink(a);\n", "ROS Kinetic or Melodic", "melodic"),
         (f"find_package(CUDA REQUIRED)\n{GPU}", "", "Tested with ROS Kinetic", "melodic"),
         (f"find_package(CUDA QUIET)\n{GPU}", "", "Tested with ROS Kinetic", "kinetic"),

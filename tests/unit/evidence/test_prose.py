@@ -98,9 +98,31 @@ def test_other_pages_and_formats(tmp_path: Path) -> None:
     assert {name for name, _ in named(read(readme, tmp_path, files))} == {"liba", "libb", "libe"}
 
 
+@pytest.mark.parametrize(
+    ("page", "found"),
+    [
+        ("# Arm\n\n## Install\n### Ubuntu\nKinetic:\n```\ngit clone https://a/b\n```\n", {"kinetic"}),
+        ("# Arm\n\n## Build\n**For kinetic**:\n\n```\ngit clone https://a/b\n```\n", {"kinetic"}),
+        ("# Arm\n\n## Installation\n\n### Kinetic\n\nRun this.\n", {"kinetic"}),
+        ("# Arm\n\n## Energies\nKinetic:\n```\ne = m * v**2 / 2\n```\n", set()),
+        ("# Arm\n\n## Install\nKinetic:\nwhat moves.\n", set()),
+        ("# Arm\n\n## Install\nKinetic energy:\n```\npip install energy\n```\n", set()),
+    ],
+)
+def test_a_distribution_as_a_label_of_what_is_installed(tmp_path: Path, page: str, found: set[str]) -> None:
+    prose = read(readme, tmp_path, {"README.md": "# Arms\n", "arm/README.md": page})
+    assert {m.value for m in prose.mentions if m.topic == "distro"} == found
+
+
 @pytest.mark.parametrize("line", ["a rolling stone", "the iron rod", "kinetic energy"])
 def test_words_that_only_look_like_distros(tmp_path: Path, line: str) -> None:
     assert not [m for m in read(readme, tmp_path, {"README.md": line}).mentions if m.topic == "distro"]
+
+
+@pytest.mark.parametrize(("name", "found"), [(".travis.yaml", {"kinetic"}), ("arm/.travis.yaml", set())])
+def test_a_ci_file_with_the_other_ending(tmp_path: Path, name: str, found: set[str]) -> None:
+    prose = read(ci, tmp_path, {name: "env:\n  global:\n    - ROS_DISTRO=kinetic\n"})
+    assert {m.value for m in prose.mentions if m.topic == "distro"} == found
 
 
 @pytest.mark.parametrize(

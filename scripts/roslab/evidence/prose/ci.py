@@ -104,7 +104,8 @@ def _is_ci(file: File) -> bool:
     if places.vendored(file.path):
         return False
     # CI services only read files at the root: one in a vendored library never runs
-    return ((file.name in _NAMES and "/" not in file.path) or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
+    name = f"{file.name.removesuffix('.yaml')}.yml" if file.name.endswith(".yaml") else file.name
+    return ((name in _NAMES and "/" not in file.path) or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
         file.path.lower().rpartition("/")[2]
     )
 

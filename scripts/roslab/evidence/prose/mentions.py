@@ -11,6 +11,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matches_at
 from roslab.evidence.prose import gazebo
 from roslab.evidence.prose.denied import denied
+from roslab.evidence.prose.labels import is_label
 from roslab.knowledge.distros import english_words, ever, ubuntus
 from roslab.values.pattern import pattern
 
@@ -107,8 +108,8 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
             end = text.find("\n", match.end(), match.end() + 90)
             context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
             value = next(group for group in match.groups() if group).lower()
-            if topic == "distro" and value in english_words() and not _CONTEXT.search(context):
-                continue  # it only counts with ROS, a branch or an Ubuntu near it
+            if topic == "distro" and value in english_words() and not _means_ros(match, context, source):
+                continue
             if topic == "ubuntu" and source == "readme" and not _a_release(value, context, match):
                 continue
             if topic == "python" and _of_no_use(text, max(0, start), match.start()):
@@ -126,6 +127,12 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
             found += 1
             if found >= MAX_MENTIONS:
                 break
+
+
+def _means_ros(match: re.Match[str], context: str, source: str) -> bool:
+    """Tell whether an ordinary word is a distribution: ROS, a branch or an Ubuntu is near it, or it labels a block."""
+    labels = source == "readme" and is_label(match.string, match.start(), match.end())
+    return bool(_CONTEXT.search(context)) or labels
 
 
 def _a_release(value: str, context: str, match: re.Match[str]) -> bool:
