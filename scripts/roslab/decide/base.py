@@ -16,6 +16,7 @@ from roslab.decide.ros.distro_dates import ADOPTED, dated
 from roslab.decide.ros.lower_bounds import bounds
 from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
+from roslab.decide.system.old_packages import with_old_packages
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.distros import Distro, codename_of, python_of_ubuntu, ubuntu_released, ubuntus, variants
@@ -161,7 +162,7 @@ def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
 def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
     from roslab.decide.listed_releases import of_listed_releases  # noqa: PLC0415 - few trees list releases
 
-    reasons = [_by_date(evidence)]
+    reasons = [_by_packages(evidence, _by_date(evidence))]
     if config.base.ubuntu:
         reasons.append(configured(config, "ubuntu", config.base.ubuntu, "base.ubuntu"))
     for authored in evidence.dockerfiles:
@@ -244,6 +245,15 @@ def _by_date(evidence: Evidence) -> Reason:
     return because(
         "ubuntu", answer, f"no Ubuntu is named; the last commit is of {date.value}", date, weight=Weight.DATE
     )
+
+
+def _by_packages(evidence: Evidence, dated_: Reason) -> Reason:
+    """Return an older Ubuntu than that of the last commit's time, if pages and scripts install what only it has."""
+    if (found := with_old_packages(evidence, dated_.answer)) is None:
+        return dated_
+    older, package = found
+    why = f"no Ubuntu is named; it has {package.name}, which {dated_.answer} does not have"
+    return because("ubuntu", older, why, package, weight=Weight.DATE)
 
 
 def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
