@@ -31,6 +31,10 @@ COPY --chmod=755 <<'EOF' /install-rosdep-keys
 @@ _constant/install-rosdep-keys @@
 EOF
 
+COPY --chmod=755 <<'EOF' /headers-first
+@@ _constant/headers-first @@
+EOF
+
 COPY --chmod=755 <<'EOF' /compile-jobs
 @@ _constant/compile-jobs @@
 EOF
@@ -147,9 +151,10 @@ RUN find "/home/${NB_USER}" ! -user "${NB_UID}" -exec chown --no-dereference "${
 # The workspace
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/ws
+COPY --from=scripts /headers-first /usr/local/bin/
 COPY --from=scripts /compile-jobs /usr/local/bin/
 RUN source "/opt/ros/${ROS_DISTRO}/setup.bash" \
- && catkin_make -j"$(compile-jobs)" \
+ && headers-first catkin_make -j"$(compile-jobs)" \
  && find build \( -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete \
  && rm -rf log logs
 

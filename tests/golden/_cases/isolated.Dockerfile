@@ -39,6 +39,10 @@ COPY --chmod=755 <<'EOF' /reuse-build
 @@ _constant/reuse-build @@
 EOF
 
+COPY --chmod=755 <<'EOF' /headers-first
+@@ _constant/headers-first @@
+EOF
+
 
 # The source without what no build file names: an edit of that compiles nothing again
 FROM scratch AS source
@@ -86,13 +90,13 @@ EOF
 
 
 FROM dependencies AS compiled
-COPY --from=scripts /compile-jobs /reuse-build /usr/local/bin/
+COPY --from=scripts /compile-jobs /reuse-build /headers-first /usr/local/bin/
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/ws
 COPY --from=source --chown=${NB_UID}:${NB_UID} / /home/${NB_USER}/ws/
 RUN --mount=type=cache,id=build-isolated-${TARGETARCH},target=/var/cache/roslab-build,uid=${NB_UID},sharing=locked \
     . "/opt/ros/${ROS_DISTRO}/setup.bash" \
- && reuse-build catkin_make_isolated -j"$(compile-jobs)" \
+ && reuse-build headers-first catkin_make_isolated -j"$(compile-jobs)" \
       --cmake-args -DCMAKE_BUILD_TYPE=Release
 
 

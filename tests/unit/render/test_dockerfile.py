@@ -145,7 +145,7 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
         "pip-cache",
         "install-wheel-libraries",
     ]
-    assert carried.findall(text) == [*names, "roslab-entrypoint", "reuse-build"]
+    assert carried.findall(text) == [*names, "roslab-entrypoint", "reuse-build", "headers-first"]
     library, image = text.split("\nFROM base AS library-1-ceres\n")[1].split("\nFROM base AS dependencies\n")
     image = image.partition("\nFROM dependencies AS compiled\n")[0]
     for stage in (library, image):
@@ -242,6 +242,7 @@ def test_what_needs_the_source_in_the_image_is_compiled_there() -> None:
     text = dockerfile(plan(Config(custom=custom)))
     assert "AS compiled" not in text
     assert "reuse-build" not in text
+    assert "headers-first catkin_make -j" in text
 
 
 @pytest.mark.parametrize(("place", "apart"), [("source/bin", False), ("source/", False), ("build/bin", True)])

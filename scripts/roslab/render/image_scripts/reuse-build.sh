@@ -69,36 +69,8 @@ if [ -d "${cache}/tree" ] && cmp --silent "${cache}/fingerprint" <(cat "${seen}"
     xargs --delimiter='\n' --no-run-if-empty touch --date='1 second ago'
 fi
 
-# Much code of ROS 1 includes what is generated from messages or parameters without waiting for it, and compiles by chance,
-# as the order of the targets has it. Where such a header was not there yet, all of them are generated first: by
-# catkin_make of the workspace, by other tools of the package whose header it is, and once for each package.
-generated() {
-  make --directory="$1" help 2>/dev/null | sed --quiet --regexp-extended 's/^\.\.\. (.*_(generate_messages|gencfg))$/\1/p'
-}
-compile() {
-  local said header package folder targets tried=' '
-  said="$(mktemp)"
-  until "$@" 2>&1 | tee "${said}"; do
-    header="$(sed --quiet 's#.*fatal error: \([A-Za-z0-9_]*/[A-Za-z0-9_]*\.h\): No such file.*#\1#p' "${said}" | head -n 1)"
-    package="${header%%/*}"
-    case "$1" in
-      catkin_make) folder=build ;;
-      catkin_make_isolated) folder="build_isolated/${package}" ;;
-      catkin) folder="build/${package}" ;;
-      *) return 1 ;;
-    esac
-    if [ -z "${header}" ] || [[ "${tried}" = *" ${package} "* ]]; then return 1; fi
-    mapfile -t targets < <(generated "${folder}")
-    if [[ ! " ${targets[*]}" =~ \ "${package}"_(generate_messages|gencfg) ]]; then return 1; fi
-    tried+="${package} "
-    echo "roslab: what includes ${header} does not wait until it is generated: once more, with all that is generated first"
-    make --directory="${folder}" --jobs="$(nproc)" "${targets[@]}"
-  done
-  rm "${said}"
-}
-
 rm --force "${cache}/fingerprint" # what fails is not used again
-compile "$@"
+"$@"
 
 if [ -d "${cache}" ]; then
   mapfile -t found < <(present)

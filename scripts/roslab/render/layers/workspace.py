@@ -23,6 +23,8 @@ DECLARED = "declare-needs"
 """The script that completes package.xml files by what CMake requires of the workspace."""
 HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
+HEADERS_FIRST = "headers-first"
+"""The script that compiles once more where a header was not generated in time."""
 UNKNOWN = "clone-unknown"
 """The script that clones what cloned repositories need in turn."""
 _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
@@ -219,7 +221,7 @@ def compile_workspace(plan: Plan) -> str:
 def _scripts(run: str) -> tuple[str, ...]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
     names = (WITHOUT_DOUBLES, WITHOUT_LACKING, DECLARED, WITHOUT_TESTS, attempts.WITHOUT_FAILED, attempts.NEEDED)
-    return with_called(name for name in names if name in run)
+    return with_called(name for name in (*names, HEADERS_FIRST) if name in run)
 
 
 def _without_logs(build: RosBuild) -> tuple[str, ...]:
@@ -266,13 +268,14 @@ def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
     options, arguments = words(build.cmake_options), words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
     jobs = shell.jobs(build.jobs)
+    first = f"{again}{HEADERS_FIRST} "
     match build.tool:
         case "catkin_make":
-            return [f"{again}catkin_make -j{jobs}{options}{arguments}"]
+            return [f"{first}catkin_make -j{jobs}{options}{arguments}"]
         case "catkin_make_isolated":
-            return [f"{again}catkin_make_isolated -j{jobs}{arguments}{cmake}"]
+            return [f"{first}catkin_make_isolated -j{jobs}{arguments}{cmake}"]
         case "catkin_tools":
-            catkin = f'{again}catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"'
+            catkin = f'{first}catkin build --no-status --jobs "${{jobs}}" --parallel-packages "${{jobs}}"'
             return [f"jobs={jobs}", f"{catkin}{words(build.named)}{cmake}{arguments}"]
         case "rosmake":
             return [f"{ROSMAKE}{arguments}"]
