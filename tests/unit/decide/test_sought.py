@@ -356,3 +356,16 @@ def test_a_clone_that_begins_with_the_same_word_may_hold_it(
     decision = tree(_package("mpc", needed) | {"README.md": page})
     assert [*_sought(decision)] == found
     assert any("not cloned" in each.message for each in decision.warnings) is not bool(found)
+
+
+@pytest.mark.parametrize(
+    ("where", "tried"),
+    [("mpc/README.md", True), ("other/README.md", False)],
+)
+def test_what_no_clone_is_called_like_is_tried_in_the_clones_of_the_page(tree: Tree, where: str, tried: bool) -> None:
+    clones = [f"https://github.com/third/{name}-pkgs.git" for name in ("convenience", "general")]
+    lines = "\n".join(f"git clone {each}" for each in clones)
+    page = f"# Install\nOn ROS Noetic.\n```\nmkdir -p ~/catkin_ws/src\ncd ~/catkin_ws/src\n{lines}\n```\n"
+    files = _git(f"{LAB}/mpc.git") | _package("mpc", "convenience_functions", "quad_x")
+    found = _sought(tree(files | _package("other") | {"README.md": "# Robots\n", where: page}))
+    assert (found.get("https://github.com/third/general-pkgs") == ("quad_x",)) is tried

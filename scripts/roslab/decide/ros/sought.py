@@ -18,6 +18,7 @@ from roslab.decide.ros.slips import meant
 from roslab.decide.ros.source_names import address, akin, plain
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
@@ -134,22 +135,34 @@ def _lacking(needed: Iterable[Dependency], known: AbstractSet[str], own: set[str
     return found
 
 
-def _cloned(cloned: Iterable[GitSource], names: Iterable[str], evidence: Evidence) -> dict[str, tuple[str, ...]]:
+def _cloned(
+    cloned: Iterable[GitSource], lacking: Mapping[str, Dependency], evidence: Evidence
+) -> dict[str, tuple[str, ...]]:
     """Return the addresses of what pages clone, each with the packages that it may hold though it is not called so.
 
     Those are all where it is of the repository's owner, else those that share a word with it, or begin with the same
-    one. Not what Ubuntu has.
+    one; then those that no clone is called like, where the package that asks for them has the page. Not what Ubuntu
+    has.
     """
-    names = tuple(names)
+    cloned = [git for git in cloned if not ((known := library("cmake", git.name, None)) and known.apt)]
+    names = tuple(lacking)
     owner = address(evidence.origin).rpartition("/")[0] if evidence.origin else ""
     found: dict[str, tuple[str, ...]] = {}
     for git in cloned:
-        in_ubuntu = library("cmake", git.name, None)
         of_owner = address(git.url).rpartition("/")[0] == owner
-        held = tuple(name for name in names if of_owner or akin(name, git.name))
-        if held and not (in_ubuntu and in_ubuntu.apt):
+        if held := tuple(name for name in names if of_owner or akin(name, git.name)):
+            found.setdefault(https(git.url).removesuffix(".git"), held)
+    left = [asked for name, asked in lacking.items() if not any(akin(name, git.name) for git in cloned)]
+    for git in cloned:
+        if held := tuple(asked.name for asked in left if _of_page(asked, git)):
             found.setdefault(https(git.url).removesuffix(".git"), held)
     return found
+
+
+def _of_page(asked: Dependency, git: GitSource) -> bool:
+    """Tell whether the page in the folder of the package that asks clones a repository; of the first page all are."""
+    folder = git.file.rpartition("/")[0]
+    return bool(folder) and git.file.endswith(PAGES) and folder == asked.file.rpartition("/")[0]
 
 
 def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]) -> list[tuple[str, tuple[str, ...]]]:
