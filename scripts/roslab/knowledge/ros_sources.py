@@ -47,3 +47,9 @@ def ros_sources(package: str, ros: int, distro: str = "") -> tuple[RosSource, ..
 def alone() -> frozenset[str]:
     """Return the repositories whose root is the package, so that they hold no other."""
     return frozenset(row["repo"] for row in rows("ros_sources") if row["alone"])
+
+
+@cache
+def collections() -> frozenset[str]:
+    """Return the repositories that may hold others beside the packages that the table knows of them."""
+    return frozenset(row["repo"] for row in rows("ros_sources")) - alone()

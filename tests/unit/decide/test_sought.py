@@ -369,3 +369,17 @@ def test_what_no_clone_is_called_like_is_tried_in_the_clones_of_the_page(tree: T
     files = _git(f"{LAB}/mpc.git") | _package("mpc", "convenience_functions", "quad_x")
     found = _sought(tree(files | _package("other") | {"README.md": "# Robots\n", where: page}))
     assert (found.get("https://github.com/third/general-pkgs") == ("quad_x",)) is tried
+
+
+def test_a_collection_of_the_table_holds_no_package_of_another_family(tree: Tree) -> None:
+    files = _git(f"{LAB}/scan.git") | _package("scan", "moveit_calibration_plugins", "quad_x")
+    decision = tree(files | {"README.md": "ROS Noetic.\n"})
+    assert [source.name for source in decision.source if not source.holding] == ["moveit_calibration"]
+    assert _sought(decision) == {f"{LAB}/quad_x": ("quad_x",)}
+
+
+def test_a_package_that_only_a_launch_file_starts_comes_from_the_table(tree: Tree) -> None:
+    launch = '<launch><include file="$(find rm_bringup)/launch/rm_robot.launch"/></launch>'
+    files = _git(f"{LAB}/pick.git") | _package("pick") | {"pick/launch/start.launch": launch}
+    decision = tree(files | {"README.md": "ROS Noetic.\n```\nroslaunch pick start.launch\n```\n"})
+    assert [source.repo for source in decision.source] == ["https://github.com/RealManRobot/rm_robot.git"]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslab.config.model import Source
 from roslab.decide.ros.source_names import address, plain, telling_words
 from roslab.evidence.dependency import Dependency
-from roslab.knowledge.ros_sources import alone
+from roslab.knowledge.ros_sources import alone, collections
 from roslab.values.dataclass import dataclass
 
 
@@ -40,9 +40,15 @@ class Sources:
         return any(self._unknown())
 
     def may_hold(self, wanted: str) -> bool:
-        """Tell whether a clone may hold a package: one that the tree asks for by its name only what is named alike."""
+        """Tell whether a clone may hold a package.
+
+        One that the tree asks for by its name, or that only a table of this program names, holds what is named alike.
+        """
         words = telling_words(wanted) | {plain(wanted)}
-        return any(name not in self.asked or words & (telling_words(name) | {name}) for name in self._unknown())
+        known = {address(url) for url in collections()}
+        tabled = (each for each in self.sources if not each.listed and address(each.repo or "") in known)
+        others = self.asked | {plain(source.name) for source in tabled}
+        return any(name not in others or words & (telling_words(name) | {name}) for name in self._unknown())
 
     def _unknown(self) -> Iterator[str]:
         """Yield the names of the clones whose packages are not known."""

@@ -101,7 +101,7 @@ def decide_sources(
         for git, why in for_unknown(evidence, ros_distro, itself, own | known, unknown):
             chosen.add(git, why)
     used = tuple(used_by_build(evidence, needed))
-    chosen.known(used, known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
+    chosen.known((*used, *launched), known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys() | by_page(used, evidence)
     choice = chosen.choice(files)
