@@ -61,3 +61,13 @@ def test_messages_that_nothing_brings(tmp_path: Path) -> None:
     found, text = planned(tmp_path, files)
     assert found == ("arm",)
     assert f"leave-out-failed --keep mine src/{tmp_path.name}/arm -- " in text
+
+
+@pytest.mark.parametrize(("url", "found"), [("git@gitlab.com:lab/grasp_net.git", ("eye",)), ("", ())])
+def test_what_requires_a_submodule_that_is_not_there_may_be_missing_too(
+    tmp_path: Path, url: str, found: tuple[str, ...]
+) -> None:
+    files = {**_package("mine", "roscpp"), **_package("eye", "grasp_net")}
+    module = f'[submodule "grasp_net"]\n\tpath = grasp_net\n\turl = {url}\n'
+    files |= {".gitmodules": module} if url else _package("grasp_net")
+    assert planned(tmp_path, files)[0] == found

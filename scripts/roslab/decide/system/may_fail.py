@@ -38,9 +38,15 @@ def may_fail(
 
 
 def _known(packages: Packages, target: Target, sources: Sources) -> Callable[[str], bool]:
-    """Return whether something is known to bring a name, or is called like it."""
+    """Return whether something is known to bring a name, or is called like it.
+
+    That is no submodule that is not there, nor a clone that only some page names: the image goes without what cannot be
+    cloned.
+    """
     names = released(target.ros_distro or "") | rosdep_keys() | packages.names | sources.names
-    clones = [source.name for source in (*sources.sources, *sources.submodules)]
+    unsure = {each for source in sources.sources if source.unasked for each in (source.name, plain(source.name))}
+    names -= unsure
+    clones = [source.name for source in sources.sources if not source.unasked]
     words = {word for name in clones for word in telling_words(name)} | {plain(name) for name in clones}
     return lambda name: name in names or bool(words & (telling_words(name) | {plain(name)}))
 
