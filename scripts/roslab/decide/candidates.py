@@ -90,7 +90,7 @@ def _launched(evidence: Evidence, kind: Kind, calls: Mapping[str, tuple[str, ...
     """Yield the launch files of the repository's packages that are for its version of ROS."""
     tests = {test.file for test in evidence.tests} | {launch.file for launch in evidence.launch if launch.tests}
     for launch in evidence.launch:
-        aside = launch.file in tests or places.test(launch.file)
+        aside = launch.file in tests or places.test(launch.file) or not launch.installed
         if launch.package and not aside and kind == f"ros{launch.ros}":
             start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
             argv = (*start, *calls[launch.file])

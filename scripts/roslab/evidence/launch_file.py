@@ -36,3 +36,5 @@ class LaunchFile:
     """Variables of the environment without which it does not start, each with its line."""
     foreign: tuple[tuple[str, str], ...] = ()
     """Files that it starts whose first line names an interpreter of the author's machine, each with that."""
+    installed: bool = True
+    """Not, if it lies in a folder that the build of its package does not name."""

@@ -16,6 +16,7 @@ from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
 from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
+from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.worlds import opens_window
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
@@ -92,9 +93,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
     for file in _candidates(repository):
         text = repository.read(file)
         python, xml = file.name.endswith(".py"), _XML.search(file.name) or file.name.endswith(".xml")
-        if python and not better_launch.is_launch_file(file.name, text):
-            continue
-        if not python and xml and "<launch" not in text:
+        if not (better_launch.is_launch_file(file.name, text) if python else not xml or "<launch" in text):
             continue
         text = _uncommented(text, "xml" if xml else "hash")
         old = bool(xml) and not _new(text) and not file.name.endswith(".launch.xml")
@@ -112,7 +111,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 **_tested(text, repository if old else None),
             )
         )
-    return reached.with_reached(repository, tuple(found), packages, _conditional)
+    return marked(reached.with_reached(repository, tuple(found), packages, _conditional), repository, packages)
 
 
 def plugins(repository: Repository) -> tuple[Dependency, ...]:

@@ -1,0 +1,45 @@
+"""Launch files that no build of their package installs, so that ``ros2 launch`` does not find them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from roslab.evidence.launch_file import LaunchFile
+from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
+
+_ANY = pattern(r"\bos\.walk\b|\brglob\b|\*\*|\bGLOB\b|DIRECTORY\s+\.|\$\{CMAKE_CURRENT_SOURCE_DIR\}/?\s")
+"""What takes files of any folder."""
+_SHARES = pattern(r"\bDIRECTORY\b|\bFILES\b|\bINSTALL_TO_SHARE\b|\bdata_files\b")
+"""What installs files that are no code; one of a package whose build has none tells nothing."""
+
+
+def marked(
+    launches: Iterable[LaunchFile], repository: Repository, packages: Mapping[str, str]
+) -> tuple[LaunchFile, ...]:
+    """Return the launch files, with those marked that lie in a folder which their package's build does not name.
+
+    ``packages`` are the names of the packages by their folders. Of ROS 1 none is: its workspace finds the source.
+    """
+    return tuple(
+        replace(each, installed=False) if each.ros == 2 and _left(each.file, repository, packages) else each
+        for each in launches
+    )
+
+
+def _left(path: str, repository: Repository, packages: Mapping[str, str]) -> bool:
+    above = [folder for folder in packages if not folder or path.startswith(f"{folder}/")]
+    if not above:
+        return False
+    folder = max(above, key=len)
+    inside = f"{folder}/" if folder else ""
+    place, _, name = path[len(inside) :].rpartition("/")
+    first = place.partition("/")[0]
+    cmake, setup = (repository.read(f"{inside}{each}") for each in ("CMakeLists.txt", "setup.py"))
+    text = cmake or setup
+    if not place or name in text or not _SHARES.search(text) or _ANY.search(text):
+        return False
+    # A package of Python is named for its modules, which lie elsewhere than what launch finds
+    module = not cmake and repository.has(f"{inside}{first}/__init__.py") and first == packages[folder]
+    return f"{first}/" not in text and f"{first}', '" not in text if module else first not in text

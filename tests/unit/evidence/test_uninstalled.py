@@ -1,0 +1,43 @@
+"""Launch files that no build of their package installs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.evidence.ros import launch
+from roslab.repository.checkout import Repository
+
+LAUNCH = (
+    "from launch import LaunchDescription\n\ndef generate_launch_description():\n    return LaunchDescription([])\n"
+)
+SETUP = "from setuptools import setup\nname = 'eye'\nsetup(name=name, packages=[name], data_files=[{}])\n"
+GLOB = "(os.path.join('share', name, 'launch'), glob('launch/*.launch.py'))"
+
+
+@pytest.mark.parametrize(
+    ("place", "build", "text", "installed"),
+    [
+        ("launch/a.launch.py", "setup.py", SETUP.format(GLOB), True),
+        ("eye/a.launch.py", "setup.py", SETUP.format(GLOB), False),
+        ("eye/a.launch.py", "setup.py", SETUP.format("('share/eye', glob('eye/*.launch.py'))"), True),
+        ("eye/a.launch.py", "setup.py", SETUP.format("('share/eye', ['eye/a.launch.py'])"), True),
+        ("more/a.launch.py", "setup.py", SETUP.format(GLOB), False),
+        ("more/a.launch.py", "setup.py", "import os\nfor each in os.walk('.'): pass\n", True),
+        ("launch/a.launch.py", "CMakeLists.txt", "install(DIRECTORY launch DESTINATION share)\n", True),
+        ("more/a.launch.py", "CMakeLists.txt", "install(DIRECTORY launch DESTINATION share)\n", False),
+        ("more/a.launch.py", "CMakeLists.txt", "install(DIRECTORY . DESTINATION share)\n", True),
+        ("more/a.launch.py", "CMakeLists.txt", "project(eye)\n", True),
+        ("a.launch.py", "CMakeLists.txt", "install(DIRECTORY launch DESTINATION share)\n", True),
+    ],
+)
+@pytest.mark.parametrize("folder", ["", "src/eye/"])
+def test_what_a_build_names(tmp_path: Path, folder: str, place: str, build: str, *, text: str, installed: bool) -> None:
+    files = {"package.xml": "<package><name>eye</name></package>", "eye/__init__.py": ""}
+    files |= {build: text, place: LAUNCH}
+    for path, written in files.items():
+        (tmp_path / folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / folder / path).write_text(written)
+    (found,) = launch.read(Repository(tmp_path))
+    assert found.installed is installed
