@@ -92,6 +92,7 @@ from roslab.evidence.python import (
 from roslab.evidence.python.modules import modules
 from roslab.evidence.ros import (
     commit_date,
+    controllers,
     distro_names,
     gazebo_plugins,
     image_transports,
@@ -106,6 +107,8 @@ from roslab.evidence.ros import (
 )
 from roslab.repository.checkout import Repository
 
+LOADED = (gazebo_plugins.read, controllers.read, image_transports.read)
+"""What robots, worlds, launch files and parameters load, which few package.xml name."""
 PROSE = (
     author_dockerfile.prose,  # the author's own image: the most reliable
     containers.read,  # what the author's containers run
@@ -172,7 +175,7 @@ def gather(repository: Repository) -> Evidence:
             *loggers.read(own),
             *launch.plugins(repository),
             *(links.packages(lost) if manifests else ()),
-            *((*gazebo_plugins.read(repository), *image_transports.read(repository)) if manifests else ()),
+            *((each for reader in LOADED for each in reader(repository)) if manifests else ()),
             *fetched.programs,
             *configured.read(own),
             *shared_objects.read(own),

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
+from roslab.evidence.ros import controllers
 from roslab.evidence.ros.gazebo_plugins import read
 from roslab.repository.checkout import Repository
 
@@ -32,3 +35,24 @@ def test_every_package_is_named_once_where_its_plugin_is_loaded(tmp_path: Path) 
         ("gazebo_ros_control", "urdf/robot.xacro", 3),
         ("gazebo_plugins", "urdf/wheels.gazebo", 1),
     ]
+
+
+def test_a_plugin_without_the_beginning_and_the_end_of_its_library(tmp_path: Path) -> None:
+    plugin = '<plugin\n  filename="gz_ros2_control-system"\n  name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+    files = {"urdf/robot.xacro": f"<robot>\n{plugin}\n</plugin>\n</robot>\n", "urdf/b.xacro": '<mesh filename="gz"/>'}
+    assert [(each.name, each.line) for each in read(_write(tmp_path, files))] == [("gz_ros2_control", 3)]
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("controller_manager:\n  ros__parameters:\n    hand:\n      type: {}\n", "gripper_controllers"),
+        ("hand:\n  type: {}\n", "gripper_action_controller"),
+        ("hand: {{type: '{}'}}\n", "gripper_action_controller"),
+        ("# type: {}\n", None),
+    ],
+)
+def test_a_controller_that_is_called_after_another_package(tmp_path: Path, text: str, found: str | None) -> None:
+    files = {"config/a.yaml": text.format("position_controllers/GripperActionController")}
+    files["config/b.yaml"] = "type: position_controllers/JointPositionController\n"
+    assert [each.name for each in controllers.read(_write(tmp_path, files))] == ([found] if found else [])

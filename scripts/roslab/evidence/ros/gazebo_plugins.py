@@ -15,6 +15,8 @@ MAX_SIZE = 256 * 1024
 MAX_FILES = 800
 """Most files that are opened, those nearest to the root first."""
 _LIBRARY = pattern(r"lib[\w-]{1,80}\.so\b(?!\.)")
+_BARE = pattern(r"filename\s{0,9}=\s{0,9}[\"']([\w-]{1,80})[\"']")
+"""As today's Gazebo finds it: ``gz_ros2_control-system`` is libgz_ros2_control-system.so."""
 _COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
 
 
@@ -26,10 +28,13 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     found: dict[str, Dependency] = {}
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
-        text = _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text) if ".so" in text else ""
-        for match in matches_at(_LIBRARY, text, "lib"):
-            if (name := gazebo_plugins().get(match[0])) and name not in found:
-                line = text.count("\n", 0, match.start()) + 1
+        loads = ".so" in text or "filename" in text
+        text = _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text) if loads else ""
+        named = [(match.start(), match[0]) for match in matches_at(_LIBRARY, text, "lib")]
+        named += [(match.start(), f"lib{match[1]}.so") for match in matches_at(_BARE, text, "filename")]
+        for start, library in sorted(named):
+            if (name := gazebo_plugins().get(library)) and name not in found:
+                line = text.count("\n", 0, start) + 1
                 found[name] = Dependency(
                     namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec"
                 )
