@@ -854,6 +854,18 @@ def test_an_unknown_key_that_an_install_line_of_apt_has_is_left_to_apt(tree: Tre
     assert not any("libgmp-dev" in each.message for each in decision.warnings)
 
 
+def test_an_unknown_key_that_cmake_needs_as_a_package_of_apt_is_left_to_it(tree: Tree) -> None:
+    manifest = (
+        "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>libpcl-dev</depend></package>"
+    )
+    files = {"package.xml": manifest, "CMakeLists.txt": "find_package(catkin REQUIRED)\n", "README.md": "ROS Noetic"}
+    assert any("libpcl-dev" in each.message for each in tree(files).warnings)
+    decision = tree({**files, "CMakeLists.txt": f"{files['CMakeLists.txt']}find_package(PCL REQUIRED)\n"})
+    assert "libpcl-dev" in decision.apt
+    assert "libpcl-dev" in decision.skip_keys
+    assert not any("libpcl-dev" in each.message for each in decision.warnings)
+
+
 @pytest.mark.parametrize(("branch", "refs"), [("humble", "humble"), ("jazzy", "jazzy"), ("foxy", None)])
 def test_an_unreleased_family_is_cloned_at_the_branch_of_its_distribution(
     tmp_path: Path, branch: str, refs: str | None

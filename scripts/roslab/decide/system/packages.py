@@ -134,7 +134,7 @@ def decide_system(
             _keep(key, meant, found)
     defined = ((each, False) for listed in own.values() for each in listed)
     needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))
-    in_apt = _named_in_apt(found, needed)
+    in_apt = _left_to_apt(found, {d.name for d, _ in needed if d.namespace == "apt" and d.strength == "prose"})
     if instead := of_an_apt_source(tuple(found.unknown), target, evidence):
         found.warnings = [*(each for each in found.warnings if each not in found.unknown.values()), instead]
     by_hand = frozenset(address(git.url) for git in evidence.sources if git.installed)
@@ -155,6 +155,7 @@ def decide_system(
     refused = never(cuda=target.cuda)
     other = of_another_qt(found.guessed, found.declared, (each for each, _ in needed))
     kept = {n: d for n, d in found.guessed.items() if n not in {*found.declared, *other} and not refused.match(n)}
+    _left_to_apt(found, {*found.declared, *kept})
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
     dropped = _drop(found, kept, target, [key.name for key in keys if key.name not in found.skip], variant)
     wanted = [name for name in _requested(config, target.ubuntu) if name not in found.declared]
@@ -232,14 +233,13 @@ def _keep(key: Dependency, meant: Translated, found: _Found) -> None:
         found.unknown |= {key.name: meant.warning} if meant.unknown else {}
 
 
-def _named_in_apt(found: _Found, needed: tuple[tuple[Dependency, bool], ...]) -> frozenset[str]:
-    """Leave the unknown keys that an install line of apt has, too, to apt; return them: ``libgmp-dev`` is no key."""
-    lines = {asked.name for asked, _ in needed if asked.namespace == "apt" and asked.strength == "prose"}
-    names = frozenset(lines & found.unknown.keys())
-    for name in sorted(names):
+def _left_to_apt(found: _Found, names: set[str]) -> frozenset[str]:
+    """Leave the unknown keys that apt installs under the same name to it; return them: ``libgmp-dev`` is no key."""
+    for name in sorted(left := frozenset(names & found.unknown.keys())):
         found.skip[name] = None
-        found.warnings.remove(found.unknown.pop(name))
-    return names
+        warning = found.unknown.pop(name)
+        found.warnings = [each for each in found.warnings if each != warning]
+    return left
 
 
 def _add(
