@@ -235,6 +235,8 @@ class Evidence:
     origin: str = ""
     """Where the checkout was cloned from, as git's configuration has it."""
     own_keys: tuple[OwnKey, ...] = ()
+    commented: tuple[GitSource, ...] = ()
+    """The repositories whose addresses the code of packages of ROS names."""
     """Keys that the repository defines for rosdep, each once."""
     apt_sources: tuple[AptSource, ...] = ()
     mentions: tuple[Mention, ...] = ()

@@ -98,6 +98,7 @@ from roslab.evidence.ros import (
     image_transports,
     launch,
     marked,
+    named_in_code,
     on_machines,
     own_setup,
     package_xml,
@@ -187,6 +188,7 @@ def gather(repository: Repository) -> Evidence:
         sources=sources,
         origin=repository.origin or "",
         own_keys=rosdep_lists.read(repository) if manifests else (),
+        commented=named_in_code.read(repository) if manifests else (),
         apt_sources=apt_sources.read(own),
         mentions=(
             *distro_names.read(repository, ci.of_others(repository)),

@@ -383,3 +383,19 @@ def test_a_package_that_only_a_launch_file_starts_comes_from_the_table(tree: Tre
     files = _git(f"{LAB}/pick.git") | _package("pick") | {"pick/launch/start.launch": launch}
     decision = tree(files | {"README.md": "ROS Noetic.\n```\nroslaunch pick start.launch\n```\n"})
     assert [source.repo for source in decision.source] == ["https://github.com/RealManRobot/rm_robot.git"]
+
+
+@pytest.mark.parametrize(
+    ("comment", "found"),
+    [
+        ("// BUG : https://github.com/other/quad/issues/136", ["https://github.com/other/quad"]),
+        ("// from https://github.com/other/quad_x/blob/main/a.cpp", ["https://github.com/other/quad_x"]),
+        ("// from https://github.com/other/squad", []),
+        ("// from https://github.com/lab/mpc", []),
+    ],
+)
+def test_an_address_in_the_code_that_is_called_like_what_is_unknown(tree: Tree, comment: str, found: list[str]) -> None:
+    files = _git(f"{LAB}/mpc.git") | _package("mpc", "quad_x", "roscpp") | {"mpc/src/a.cpp": f"{comment}\n"}
+    assert _sought(tree(files | {"README.md": "ROS Noetic.\n"})) == dict.fromkeys(
+        [*found, f"{LAB}/quad_x"], ("quad_x",)
+    )

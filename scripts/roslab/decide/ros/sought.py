@@ -168,8 +168,9 @@ def _of_page(asked: Dependency, git: GitSource) -> bool:
 def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]) -> list[tuple[str, tuple[str, ...]]]:
     """Return the addresses of repositories that may hold packages, most likely first, each with those packages.
 
-    First those that pages at the root link to; then one of the same owner with the name of the package, unless others
-    are known to publish it. Not what is ``known``.
+    First those that pages at the root link to; then those that the code names which are called like the package, or
+    with whose name it begins; then one of the same owner with the name of the package, unless others are known to
+    publish it. Not what is ``known``.
     """
     names = tuple(names)
     if not names:
@@ -177,6 +178,10 @@ def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]
     here = address(evidence.origin) if evidence.origin else ""
     match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
     found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, known)}
+    for git in evidence.commented:
+        held = tuple(name for name in names if f"{plain(name)}_".startswith(f"{plain(git.name)}_"))
+        if held and address(git.url) != here and known.isdisjoint((git.name, plain(git.name))):
+            found.setdefault(git.url, held)
     owner = match[1] if match and match[2] in public_hosts() else ""
     for name in names if owner else ():
         url = f"{owner}/{name}"
