@@ -129,11 +129,18 @@ def test_what_a_cloned_repository_may_hold(tree: Tree) -> None:
     assert "one of the cloned repositories may hold it" in told[0].message
 
 
-@pytest.mark.parametrize(("known", "left_out"), [("kindr", ("driver",)), ("vikit_common", ())])
-def test_what_a_repository_of_the_table_that_is_a_single_package_cannot_hold(
-    tree: Tree, known: str, left_out: tuple[str, ...]
+@pytest.mark.parametrize(
+    ("known", "asked", "left_out"),
+    [
+        ("kindr", "kindr_msgs", ("driver",)),  # it is the only one in its repository
+        ("vikit_common", "vikit_msgs", ()),
+        ("vikit_common", "acme_msgs", ("driver",)),  # of another family
+    ],
+)
+def test_what_a_repository_of_the_table_cannot_hold(
+    tree: Tree, known: str, asked: str, left_out: tuple[str, ...]
 ) -> None:
-    decision = tree(catkin("driver", "acme_msgs") | catkin("planner", known, known))
+    decision = tree(catkin("driver", asked) | catkin("planner", known, known))
     assert decision.left_out == left_out
     assert any(each.build == "catkin_make" for each in decision.source)
     may_hold = any("one of the cloned repositories may hold it" in each.message for each in decision.warnings)

@@ -376,6 +376,7 @@ def test_a_collection_of_the_table_holds_no_package_of_another_family(tree: Tree
     decision = tree(files | {"README.md": "ROS Noetic.\n"})
     assert [source.name for source in decision.source if not source.holding] == ["moveit_calibration"]
     assert _sought(decision) == {f"{LAB}/quad_x": ("quad_x",)}
+    assert any("nothing is known that brings quad_x" in each.message for each in decision.warnings)
 
 
 def test_a_package_that_only_a_launch_file_starts_comes_from_the_table(tree: Tree) -> None:

@@ -112,7 +112,8 @@ def decide_missing(
     ended = ended_in(packages, target.ros_distro, provided)
     names = {plain(name) for name in provided}
     named = known | packages.names
-    unsure = {m.name for m in packages.built if any(_of_a_clone(d, named) and may_hold(d.name) for d in m.dependencies)}
+    sure = named | {*provided}
+    unsure = {m.name for m in packages.built if any(_of_a_clone(d, sure) and may_hold(d.name) for d in m.dependencies)}
     unmet = [
         (package, asked)
         for package, asked in (of_program if kind == "cpp" else required)(evidence, packages)
@@ -194,7 +195,7 @@ def provided(
     said = {each.name for each in evidence.prose}
     guessed = (*system.apt, *system.apt_guessed, *system.brought)
     yield from (name for name in guessed if name in said or _there(name, target))
-    yield from (source.name for source in (*sources.sources, *sources.submodules))
+    yield from (*sources.names, *(source.name for source in (*sources.sources, *sources.submodules)))
     yield from (git.name for git in evidence.sources if git.kind != "link")
     yield from (name for name in said if written_for(name) == target.ros_distro or _there(name, target))
     yield from (each.key for each in installed if each.name)
