@@ -88,7 +88,7 @@ def _library(naming: libraries.Naming, captured: str) -> Callable[[Names, Image]
                 found = next((library for library in known if library is not None), None)
             if found is not None:
                 packages.update(dict.fromkeys(_packages(found, where)))
-            elif naming == "include":
+            if naming == "include" and not packages:
                 packages.update(dict.fromkeys(row["apt"] for row in rows("headers") if row["header"] == name))
         low = {"low": names.get(captured, "").lower()}
         return {"package": " ".join(packages), **low} if packages else low

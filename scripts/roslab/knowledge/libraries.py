@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Literal
 
-from roslab.knowledge.table import cells
+from roslab.knowledge.table import cells, rows
 from roslab.values.dataclass import dataclass
 
 Naming = Literal["cmake", "pkg-config", "link", "include"]
@@ -74,13 +74,22 @@ def _of_ubuntu(entries: list[dict[str, str]], ubuntu: str | None) -> dict[str, s
 
 
 def header(path: str, ubuntu: str | None) -> Library | None:
-    """Return where an included header comes from: by its whole path, or by its first folder."""
+    """Return where an included header comes from: by its whole path, or by its first folder.
+
+    Else by what a compiler without it says.
+    """
     parts = path.split("/")
     for length in range(len(parts), 0, -1):
         stem = "/".join(parts[:length]) + ("/" if length < len(parts) else "")
         if (found := library("include", stem, ubuntu)) is not None:
             return found
-    return None
+    return Library(apt=(_missed()[path],)) if path in _missed() else None
+
+
+@cache
+def _missed() -> dict[str, str]:
+    """Return the packages of the headers that failed builds were without."""
+    return {row["header"]: row["apt"] for row in rows("headers")}
 
 
 @cache

@@ -53,3 +53,37 @@ def test_what_a_table_has_is_built_or_installed(tree: Tree) -> None:
     assert not told(decision)
     assert [source.name for source in decision.source] == ["osqp"]
     assert "libnlopt-dev" in decision.apt_guessed
+
+
+SDK = {"a.cpp": "#include <acme/acme.h>\nint main() {}\n"}
+
+
+@pytest.mark.parametrize(
+    ("files", "lines"),
+    [
+        (project("target_link_libraries(a acme)\n", **SDK), [2]),
+        (project("target_link_libraries(a acme)\n"), []),  # it may be a target of a package
+        (project("if(WITH)\ntarget_link_libraries(a acme)\nendif()\n", **SDK), []),
+        (project("target_link_libraries(a acme)\n", **SDK, **{"lib/libacme.so": "binary"}), []),
+        (project("add_library(acme b.cpp)\ntarget_link_libraries(a acme)\n", **SDK), []),
+        (project("target_link_libraries(a acme)\n", **SDK, **{"README.md": "```\napt install libacme-dev\n```\n"}), []),
+    ],
+)  # fmt: skip
+def test_what_is_linked_and_included_and_nothing_brings_is_told(
+    tree: Tree, files: dict[str, str], lines: list[int]
+) -> None:
+    said = [w.line for w in tree(files).warnings if "of which the code includes acme/acme.h" in w.message]
+    assert said == lines
+
+
+def test_what_is_linked_and_included_must_be_there(tree: Tree) -> None:
+    links = "target_link_libraries(a glpk)\nif(WITH)\ntarget_link_libraries(a udev)\nendif()\n"
+    code = "#include <glpk.h>\n#include <libudev.h>\nint main() {}\n"
+    decision = tree(project(links, **{"a.cpp": code}))
+    assert "libglpk-dev" in decision.apt
+    assert "libudev-dev" in decision.apt_guessed
+
+
+def test_a_library_that_is_linked_alone_is_only_tried(tree: Tree) -> None:
+    decision = tree(project("target_link_libraries(a glpk)\n"))
+    assert "libglpk-dev" in decision.apt_guessed

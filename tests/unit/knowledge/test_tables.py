@@ -55,6 +55,11 @@ def test_libraries_name_packages_releases_and_recipes_that_exist(table: str) -> 
         assert not row.get("recipe") or row["recipe"] in RECIPES, row
 
 
+@pytest.mark.parametrize("row", rows("headers"), ids=lambda row: row["header"])
+def test_what_a_failed_build_is_told_is_known_before(row: dict[str, str]) -> None:
+    assert libraries.header(row["header"], "jammy") is not None
+
+
 @pytest.mark.parametrize("table", LIBRARY_TABLES)
 def test_no_name_has_two_rows_for_one_ubuntu(table: str) -> None:
     seen: set[tuple[str, str]] = set()

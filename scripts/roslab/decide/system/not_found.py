@@ -1,4 +1,4 @@
-"""Libraries that CMake looks for by their names and stops without, where nothing in the image brings them."""
+"""Libraries that CMake looks for, or links, by their names and stops without, where nothing in the image has them."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.decide.system.required import similar
 from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.searched import SEARCHED
 from roslab.knowledge.shared_objects import given
@@ -30,15 +31,28 @@ def not_found(
     told: set[str] = set()
     for asked in code_needs(evidence, packages):
         built = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
-        if asked.role != SEARCHED or asked.name in {*told, *made} or not built or given(f"lib{asked.name}.so"):
+        looked = asked.role == SEARCHED
+        shown = _included(asked, evidence) if not looked else ""
+        if not (looked or shown) or asked.name in {*told, *made} or not built or given(f"lib{asked.name}.so"):
             continue
         word = re.split(r"[^a-z]", asked.name.lower(), maxsplit=1)[0]
         alike = len(word) >= SHORTEST and similar(word, names)
         if not (alike or similar(asked.name.lower(), names) or resolve(asked, target).known):
             told.add(asked.name)
-            what = f"CMake links {asked.name}, which find_library looks for and nothing is known to bring"
+            why = "which find_library looks for and" if looked else f"of which the code includes {shown}, and which"
+            what = f"CMake links {asked.name}, {why} nothing is known to bring"
             then = "install it under `custom` or give its repository under `source` in roslab.yaml"
             yield warn(f"{what}: {_tool(build_tool)} will stop there; {then}", asked)
+
+
+def _included(asked: Dependency, evidence: Evidence) -> str:
+    """Return a header that has the name of a library which is always linked: ``Box2D/Box2D.h`` of ``Box2D``."""
+    if asked.namespace != "link" or asked.strength != "used" or asked.role == "test":
+        return ""
+    names = {asked.name.lower(), f"lib{asked.name.lower()}"}
+    code = (each for each in evidence.code if each.namespace == "include" and each.strength == "used")
+    said = (each.name for each in code if not places.aside(each.file))
+    return next((name for name in said if re.split(r"[/.]", name.lower(), maxsplit=1)[0] in names), "")
 
 
 def _tool(build_tool: BuildTool) -> str:

@@ -22,16 +22,17 @@ from roslab.decide.ros.keys import (
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.carried import brought, held
+from roslab.decide.system.compiled_with import compiled_with
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import compiler_of_cuda, needs
 from roslab.decide.system.one_qt import of_another_qt
 from roslab.decide.system.recipes import lies_elsewhere, linked
+from roslab.decide.system.requested import requested
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.never import never
-from roslab.knowledge.on_request import packages as on_request
 from roslab.knowledge.recipes import beside, recipe
 from roslab.knowledge.released import rosdep_keys
 from roslab.values.dataclass import dataclass, field, replace
@@ -144,6 +145,7 @@ def decide_system(
             continue
         if dependency.name not in known:
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
+    found.declared = compiled_with(needed, evidence, target) | found.declared
     for library, dependency in linked(needed, evidence, target.ubuntu):
         found.recipes.setdefault(library, dependency)
     of_extensions = ((each, True) for each in evidence.code if each.namespace == "link")
@@ -158,7 +160,7 @@ def decide_system(
     _left_to_apt(found, {*found.declared, *kept})
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
     dropped = _drop(found, kept, target, [key.name for key in keys if key.name not in found.skip], variant)
-    wanted = [name for name in _requested(config, target.ubuntu) if name not in found.declared]
+    wanted = [name for name in requested(config, target.ubuntu) if name not in found.declared]
     said = (configured(config, "dependencies", name, f"apt.{index}") for index, name in enumerate(config.apt))
     return Choice(
         answer=SystemPackages(
@@ -208,15 +210,6 @@ def with_libraries(choice: Choice[SystemPackages], built: frozenset[str], eviden
     skip = [name for name in answer.rosdep if key and key.fullmatch(name) and name not in components]
     rosdep = tuple(name for name in answer.rosdep if name not in skip)
     return replace(choice, answer=replace(answer, rosdep=rosdep, skip_keys=(*answer.skip_keys, *skip)))
-
-
-def _requested(config: Config, ubuntu: str | None) -> Iterator[str]:
-    """Yield the packages that ``base.opengl`` and ``matlab`` stand for on this Ubuntu."""
-    keys = ["opengl-runtime"] if config.base.opengl else []
-    keys += ["opengl-devel"] if config.base.opengl == "devel" else []
-    keys += ["matlab"] if config.matlab else []
-    for key in keys:
-        yield from on_request(key, ubuntu)
 
 
 def _keep(key: Dependency, meant: Translated, found: _Found) -> None:

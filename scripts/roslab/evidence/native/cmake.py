@@ -13,7 +13,7 @@ from roslab.evidence.native.macros import macros
 from roslab.evidence.native.made_targets import TARGET, target
 from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
 from roslab.evidence.native.program_folders import VARIABLES, ProgramFolders
-from roslab.evidence.native.searched import searched
+from roslab.evidence.native.searched import held, searched
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -191,7 +191,11 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
         executables=tuple((reading.written.file(name), line) for name, line in reading.executables.items()),
         dependencies=tuple(
-            dict.fromkeys(d for d in reading.dependencies if d.namespace != "link" or d.name not in own)
+            dict.fromkeys(
+                d
+                for d in reading.dependencies
+                if d.namespace != "link" or not (d.name in own or held(d.name, repository))
+            )
         ),
         sources=tuple(reading.sources),
         minimum=reading.minimum,

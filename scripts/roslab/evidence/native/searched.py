@@ -41,7 +41,7 @@ def searched(text: str, path: str, repository: Repository) -> Iterator[Dependenc
         sure = not any(call.conditions or call.in_function for call in looking)
         used = variable in linked or any("REQUIRED" in call.words for call in looking)
         names = [_plain(name) for call in looking for name in wanted(call)]
-        if sure and used and names and not (_asked(text, variable) or any(_held(name, repository) for name in names)):
+        if sure and used and names and not (_asked(text, variable) or any(held(name, repository) for name in names)):
             name = next((name for name in names if _known(name)), names[0])
             role = "test" if places.test(path) else SEARCHED
             yield Dependency(namespace="link", name=name, strength="used", file=path, line=looking[0].line, role=role)
@@ -59,7 +59,8 @@ def _asked(text: str, variable: str) -> bool:
     return any(_CONDITION.match(text, start) for start in starts)
 
 
-def _held(name: str, repository: Repository) -> bool:
+def held(name: str, repository: Repository) -> bool:
+    """Tell whether the tree has the file of a library, or its name is not known."""
     return bool(repository.named(f"lib{name}.so", f"lib{name}.a")) or "$" in name
 
 
