@@ -9,6 +9,8 @@ from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
+from roslab.decide.system.header_folders import compiler_variables
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.own_places import OPT, PYTHON
 from roslab.knowledge.distros import python_of_ubuntu
@@ -76,12 +78,12 @@ def decide_variables(
         pairs[POLICY] = str(KEPT_BY_NEW)
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
-    for name, value, place in _drawing(asked, _windows(command, evidence)) if gui else _offscreen(asked):
+    windows = _windows(command, evidence)
+    further: list[tuple[str, str, str, Requirement | Dependency]] = [*compiler_variables(evidence)]
+    for name, value, why, asks in (*(_drawing(asked, windows) if gui else _offscreen(asked)), *further):
         if name not in {*pairs, *given}:
             pairs[name] = value
-            without = f"{place.key} draws without a display then, and the image has none"
-            why = f"{place.key} stops without it where it opens a window" if gui else without
-            reasons.append(because("workspace", f"{name}={value}", why, place, weight=SET))
+            reasons.append(because("workspace", f"{name}={value}", why, asks, weight=SET))
     demanded = [m for m in evidence.mentions if m.topic == "demanded" and m.value not in {*pairs, *given}]
     demanded = [m for m in demanded if not of_every_image(m.value)]
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons), warnings=tuple(map(_demanded, demanded)))
@@ -93,17 +95,18 @@ def _demanded(mention: Mention) -> Warning_:
     return warn(f"{message}: set it under `env` in roslab.yaml", mention)
 
 
-def _offscreen(asked: Iterable[Requirement]) -> Iterator[tuple[str, str, Requirement]]:
+def _offscreen(asked: Iterable[Requirement]) -> Iterator[tuple[str, str, str, Requirement]]:
     for each in asked:
         if each.key in offscreen():
-            yield (*offscreen()[each.key], each)
+            why = f"{each.key} draws without a display then, and the image has none"
+            yield (*offscreen()[each.key], why, each)
 
 
-def _drawing(asked: Iterable[Requirement], windows: frozenset[str]) -> Iterator[tuple[str, str, Requirement]]:
+def _drawing(asked: Iterable[Requirement], windows: frozenset[str]) -> Iterator[tuple[str, str, str, Requirement]]:
     for each in asked if windows else ():
         by, name, value = onscreen().get(each.key, (frozenset(), "", ""))
         if by & windows:
-            yield name, value, each
+            yield name, value, f"{each.key} stops without it where it opens a window", each
 
 
 def _windows(command: Candidate | None, evidence: Evidence) -> frozenset[str]:
