@@ -28,6 +28,8 @@ class Library:
     """Packages that code using it usually needs too: headers that it exposes, libraries that its build looks for."""
     recipe: str = ""
     """A row of ``recipes.toml`` that builds it, if no package contains it."""
+    elsewhere: bool = False
+    """Only other Ubuntus are known to have it."""
 
 
 @cache
@@ -60,7 +62,7 @@ def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
         return None
     row = _of_ubuntu(entries, ubuntu)
     if row is None:
-        return Library()
+        return Library(elsewhere=ubuntu is not None)
     return Library(
         apt=tuple(row["apt"].split()),
         ros=row.get("ros", ""),

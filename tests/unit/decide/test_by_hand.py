@@ -693,3 +693,50 @@ def test_a_library_that_is_required_stops_the_build(tree: Tree) -> None:
     outer = "project(demo)\nfind_package(acme_solver REQUIRED)\nadd_executable(demo main.cpp)\n"
     (source,) = tree({"CMakeLists.txt": outer, "README.md": LINKED, "main.cpp": "int main() {}\n"}).source
     assert not source.unasked
+
+
+PACKED = """\
+FROM ubuntu:18.04
+RUN git clone --branch v5.8.5 git://github.com/acme/bus.git /opt/bus && \\
+    cd /opt/bus && mkdir build && cd build && \\
+    cmake .. -DHAS_QT5=OFF && make && \\
+    cpack -G DEB && dpkg -i _deploy/bus-*
+"""
+LOCAL = """\
+git clone --branch v5.9.0 git://github.com/acme/bus.git ~/bus
+cd ~/bus
+mkdir build
+cd build
+cmake .. -D HAS_QT5=ON
+cpack -G DEB
+sudo dpkg -i _deploy/bus-*
+"""
+TOP = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(bus REQUIRED)\nadd_executable(a a.cpp)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "built"),
+    [
+        ({"docker/base/Dockerfile": PACKED, "docker/base/local.sh": LOCAL}, ("v5.8.5", "-DHAS_QT5=OFF")),
+        ({"install_bus.sh": LOCAL}, ("v5.9.0", "-DHAS_QT5=ON")),
+        ({"install_bus.sh": LOCAL.replace("cmake .. -D HAS_QT5=ON\n", "")}, (None, "")),
+    ],
+)
+def test_what_cpack_makes_and_dpkg_installs_is_built_as_it_is_there(
+    tree: Tree, files: dict[str, str], built: tuple[str | None, str]
+) -> None:
+    page = {"README.md": "It talks over [bus](https://github.com/acme/bus).\n", "CMakeLists.txt": TOP, "a.cpp": ""}
+    (library,) = tree(page | files).source
+    assert (library.ref, library.cmake_options) == built
+
+
+def test_the_sdk_of_a_camera_is_built_as_the_dockerfile_builds_it(tree: Tree) -> None:
+    recipe = (
+        "FROM ubuntu:18.04\nRUN git clone -b v2.35.2 https://github.com/IntelRealSense/librealsense.git /opt/r && "
+        "cd /opt/r && mkdir build && cd build && cmake .. -DBUILD_GRAPHICAL_EXAMPLES=true && make install\n"
+    )
+    cmake = TOP.replace("bus", "realsense2")
+    (library,) = tree({"docker/base/Dockerfile": recipe, "CMakeLists.txt": cmake, "a.cpp": ""}).source
+    assert (library.name, library.ref) == ("librealsense", "v2.35.2")
+    assert library.cmake_options.split()[-1] == "-DBUILD_GRAPHICAL_EXAMPLES=true"
+    assert "-DBUILD_GRAPHICAL_EXAMPLES=OFF" not in library.cmake_options

@@ -291,6 +291,7 @@ add_executable(track track.cpp)
     [
         ("ON", "acme_camera_sdk", "", ("-DUSE_CAMERA=OFF",)),
         ("ON", "crocoddyl", "", ("-DUSE_CAMERA=OFF",)),  # ROS has it, and this is an Ubuntu without
+        ("ON", "zmqpp", "", ("-DUSE_CAMERA=OFF",)),  # only older Ubuntus have it
         ("ON", "Eigen3", "", ()),
         ("ON", "OpenMP", "", ()),  # the compiler's own
         ("OFF", "acme_camera_sdk", "", ()),

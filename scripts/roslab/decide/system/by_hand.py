@@ -25,6 +25,7 @@ from roslab.values.pattern import pattern
 
 _LIB = pattern(r"^lib(?=[a-z])")
 
+_SCRIPTS = (".sh", ".bash", ".zsh")
 SHORTEST = 3
 """Fewest letters of a name by which a link is taken for a library."""
 
@@ -45,10 +46,17 @@ def as_written(
 
 
 def _installed(evidence: Evidence) -> Iterator[GitSource]:
-    """Yield what Dockerfiles for CI or an editor build, then the project's own, then pages, whose refs win."""
-    for git in (*_authored(evidence, "ci"), *_authored(evidence, "project"), *evidence.sources):
+    """Yield what Dockerfiles for CI or an editor build, then scripts, the project's own, and pages, whose refs win."""
+    for git in (git for group in reversed(_written(evidence)) for git in group):
         if git.installed and not places.vendored(git.file):
             yield git
+
+
+def _written(evidence: Evidence) -> tuple[tuple[GitSource, ...], ...]:
+    """Return what is cloned or named, by where: of a library in several, the first builds it as an image needs it."""
+    pages = tuple(git for git in evidence.sources if not git.file.endswith(_SCRIPTS))
+    scripts = tuple(git for git in evidence.sources if git.file.endswith(_SCRIPTS))
+    return pages, tuple(_authored(evidence, "project")), scripts, tuple(_authored(evidence, "ci"))
 
 
 def _authored(evidence: Evidence, purpose: Literal["project", "ci"]) -> Iterator[GitSource]:
@@ -118,7 +126,7 @@ def by_hand(
 def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
     """Return what pages, lists and Dockerfiles name, by its bare name, the best of each name."""
     offered: dict[str, GitSource] = {}
-    written = (*evidence.sources, *_authored(evidence, "project"), *_authored(evidence, "ci"))
+    written = (git for group in _written(evidence) for git in group)
     for git in sorted(written, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
         if ((git.installed and git.configured) or listed or git.kind == "link") and not places.vendored(git.file):

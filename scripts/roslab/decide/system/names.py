@@ -48,7 +48,7 @@ class Resolved:
     """Packages that are only guessed, even if the name itself is certain."""
     recipe: str = ""
     known: bool = True
-    """False for a name that no table has, and for one that only a ROS has, which is not the image's."""
+    """False for a name that no table has, and for one that only another ROS or Ubuntu has."""
 
 
 def resolve(dependency: Dependency, target: Target) -> Resolved:
@@ -88,7 +88,7 @@ def _library(found: Library, target: Target) -> Resolved:
         and not (found.ros in target.unfound and _in_default_folders(found, target))
     ):
         return Resolved(apt=(target.ros(found.ros),), beside=found.beside)
-    known = bool(found.apt or found.recipe or not found.ros)
+    known = bool(found.apt or found.recipe or not (found.ros or found.elsewhere))
     return Resolved(apt=found.apt, beside=found.beside, recipe=found.recipe if not found.apt else "", known=known)
 
 

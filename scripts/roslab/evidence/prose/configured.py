@@ -40,6 +40,13 @@ def options_of(words: Sequence[str]) -> str:
     return " ".join(word for word in joined if _OPTION.fullmatch(word))
 
 
+def installs(program: str, words: Sequence[str], *, configured: bool) -> bool:
+    """Tell whether a command installs what is compiled, ``dpkg -i`` where CMake was called: what CPack made."""
+    if program == "dpkg":
+        return configured and bool({"-i", "--install"} & {*words})
+    return bool({"install", "--install"} & {*words})
+
+
 def source_of(folder: str, words: Sequence[str]) -> str:
     """Return the folder that is configured from this one, ``.`` where the text begins.
 

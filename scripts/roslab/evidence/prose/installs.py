@@ -13,7 +13,7 @@ from roslab.evidence.prose import blanks, workspaces
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at, titled
-from roslab.evidence.prose.configured import options_of, source_of
+from roslab.evidence.prose.configured import installs, options_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.runners import by_ros, started
@@ -260,10 +260,10 @@ class Collector:
             if not {"--build", "--install"} & {*words}:
                 self.options, self.configured = options_of(words), True
                 self._compiled(command)
-        if not {"install", "--install"} & {*words}:
+        if not installs(program, words, configured=self.configured):
             return
         clone = clone_at(self.folder.split("/"), self.sources)
-        clone = titled(self.heading, self.sources) if clone is None else clone
+        clone = titled(self.heading, self.sources) if clone is None and program != "dpkg" else clone
         if clone is not None:
             said = self.sources[clone]
             by_cmake = said.configured or self.configured
@@ -279,7 +279,7 @@ class Collector:
             self._mention("build_tool", program, command)
         elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:
             self._mention("build_tool", "catkin_tools", command)
-        elif program in {"cmake", "make", "ninja", "wget", "curl"}:
+        elif program in {"cmake", "make", "ninja", "dpkg", "wget", "curl"}:
             self._by_hand(program, command)
         elif by_ros(program, words):
             self._run(command)
