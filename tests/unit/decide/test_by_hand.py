@@ -728,6 +728,7 @@ def test_what_cpack_makes_and_dpkg_installs_is_built_as_it_is_there(
     page = {"README.md": "It talks over [bus](https://github.com/acme/bus).\n", "CMakeLists.txt": TOP, "a.cpp": ""}
     (library,) = tree(page | files).source
     assert (library.ref, library.cmake_options) == built
+    assert (library.repo or "").startswith("https://github.com/acme/bus")
 
 
 def test_the_sdk_of_a_camera_is_built_as_the_dockerfile_builds_it(tree: Tree) -> None:

@@ -76,6 +76,28 @@ def test_a_program_that_cmake_misses_is_installed(tmp_path: Path, said: str) -> 
     assert (tmp_path / "calls").read_text(encoding="utf-8").splitlines() == ["../", "../"]
 
 
+def test_a_cmake_that_is_too_old_is_not_used(tmp_path: Path) -> None:
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    for name, body in (
+        ("cmake", "echo old >>calls; echo 'CMake 3.13 or higher is required.  You are running 3.10.2' >&2; exit 1"),
+        ("apt-get", 'echo "apt-get $*" >>calls'),
+        ("id", "echo 0"),
+        ("python3", 'mkdir -p newer/bin; printf "#!/bin/bash\\necho \\$* >>calls\\n" | tee newer/bin/python >newer/bin/cmake; chmod +x newer/bin/*'),  # noqa: E501
+    ):  # fmt: skip
+        (programs / name).write_text(f"#!/bin/bash\n{body}\n", encoding="utf-8")
+        (programs / name).chmod(0o755)
+    script = tmp_path / "configure.sh"
+    text = SCRIPT.read_text(encoding="utf-8")
+    script.write_text(text.replace("/opt/newer-cmake", f"{tmp_path}/newer"), encoding="utf-8")
+    environment = {"PATH": f"{programs}:{os.environ['PATH']}"}
+    command = ["bash", str(script), "-DA=1", "../"]
+    subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True)
+    calls = (tmp_path / "calls").read_text(encoding="utf-8").splitlines()
+    assert calls[0] == "old"
+    assert calls[-2:] == ["-m pip install --quiet --no-cache-dir cmake>=3.13,<4", "-DA=1 ../"]
+
+
 PAGE = "Needs [acme_lidar](https://github.com/lab/acme_lidar)"
 
 

@@ -20,7 +20,7 @@ from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
 from roslab.evidence.python.manager_lines import manager_asks
-from roslab.evidence.ros.vcs import of_user
+from roslab.evidence.ros.vcs import of_user, served
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -228,7 +228,7 @@ class Collector:
             return
         apart = [part for word in words for part in (word.split("=", 1) if word.startswith("--branch=") else (word,))]
         branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
-        into, url = workspaces.folder_after(url, words, self.folder), url.rstrip(".,;)")
+        into, url = workspaces.folder_after(url, words, self.folder), served(url.rstrip(".,;)"))
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
         self.cloned, self.options, self.configured = len(self.sources), "", False
         self.fresh.add(self.cloned)

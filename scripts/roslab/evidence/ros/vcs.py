@@ -31,6 +31,7 @@ _SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
 _BEHIND = pattern(r"^https?://([\w.-]+)/(?:https?:/{1,2})?([\w.-]+)/(.+)$")
 _LOGIN = pattern(r"^(https?://)[^/@:]+@([\w.-]+)(?=/)")
 """An address with a user name and no password, which asks for that one's password."""
+_SWITCHED_OFF = pattern(r"^git://(?=(?:github|gitlab|bitbucket)\.(?:com|org)/)")
 _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 _GITMAN = frozenset({".gitman.yml", "gitman.yml"})
 """Its list, at the root: https://gitman.readthedocs.io/"""
@@ -139,6 +140,14 @@ def https(url: str, origin: str | None = None) -> str:
         return "https://" + url[6:]
     match = None if url.startswith(("http://", "https://")) else _SSH.match(url)
     return f"https://{match[1]}/{match[2]}" if match else url
+
+
+def served(url: str) -> str:
+    """Return an address under which a public host still answers: GitHub's ``git://`` is switched off.
+
+    https://github.blog/2021-09-01-improving-git-protocol-security-github/, read 2026-11-26.
+    """
+    return _SWITCHED_OFF.sub("https://", url)
 
 
 def of_user(url: str) -> bool:

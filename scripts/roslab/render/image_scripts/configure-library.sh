@@ -1,6 +1,7 @@
 #!/bin/bash
 # usage: configure-library [OPTION...] FOLDER
 # Configures a library of which nothing could be read when the image was planned, in the current folder.
+# Where CMake says that it is too old, pip brings a newer one for the library alone, and it is configured again.
 # Where CMake fails for programs that it names, those that are packages of apt under that name are installed and it is
 # configured again. Where it still fails, it is configured once more without what its own options leave out and nothing
 # links: bindings for other languages, tests, examples, benchmarks, documentation. Options that are given stay as they are.
@@ -24,6 +25,24 @@ missing() {
 status=0
 configure "$@" || status=$?
 if [ "${status}" -eq 0 ]; then exit; fi
+
+# "CMake 3.13 or higher is required.  You are running version 3.10.2"
+newer="$(
+  sed --quiet --regexp-extended 's/.*CMake ([0-9]+(\.[0-9]+)+) or higher is required.*/\1/p' "${log}" |
+    sort --version-sort | tail --lines=1
+)"
+if [ -n "${newer}" ] && [ "$(id --user)" -eq 0 ] && apt-get update --quiet=2 &&
+  apt-get install --yes --quiet=2 --no-install-recommends python3-venv; then
+  echo "roslab: CMake ${newer} is required, and pip brings one: once more"
+  python3 -m venv /opt/newer-cmake
+  /opt/newer-cmake/bin/python -m pip install --quiet --no-cache-dir --upgrade pip
+  /opt/newer-cmake/bin/python -m pip install --quiet --no-cache-dir "cmake>=${newer},<$((${newer%%.*} + 1))"
+  PATH="/opt/newer-cmake/bin:${PATH}"
+  rm -rf CMakeCache.txt CMakeFiles /var/lib/apt/lists/*
+  status=0
+  configure "$@" || status=$?
+  if [ "${status}" -eq 0 ]; then exit; fi
+fi
 
 installed=()
 mapfile -t programs < <(missing)
