@@ -11,12 +11,15 @@ from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
+from roslab.evidence.native.output_folder import PROCESSOR
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 Owner = TypeVar("Owner")
 _NAME = pattern(r"[A-Za-z0-9_.+-]+")
-_FOLDER = pattern(r"[A-Za-z0-9_.+/-]+")
+_FOLDER = pattern(r"(?:[A-Za-z0-9_.+/-]|\{processor\})+")
+_MACHINES = ("x86_64", "aarch64")
+"""What CMake calls the processors of linux/amd64 and linux/arm64."""
 _ASIDE = (places.vendored, places.test, places.example, places.documentation)
 MOST_BESIDE = 16
 """Most projects beside the first that are compiled."""
@@ -98,6 +101,12 @@ def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
                 folder = _whole(placed[name], top) if name in placed else usual
                 found.setdefault(name, Compiled(name=name, folder=folder, file=project.file, line=line))
     return tuple(found.values())
+
+
+def folders_of(programs: Iterable[Compiled]) -> tuple[str, ...]:
+    """Return the folders of programs, each once; where the processor's name is a part of one, for each platform."""
+    found = (each.folder.replace(PROCESSOR, machine) for each in programs for machine in _MACHINES)
+    return tuple(dict.fromkeys(found))
 
 
 def _named_like_tests(projects: Iterable[CMakeProject]) -> bool:

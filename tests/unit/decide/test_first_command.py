@@ -237,6 +237,11 @@ def test_a_project_whose_code_is_elsewhere_is_not_the_one_that_is_built(tree: Tr
     [
         ("", ("build", "build/apps")),
         ("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_SOURCE_DIR}/bin)\n", ("source/bin",)),
+        (
+            "set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_SOURCE_DIR}/bin/${CMAKE_HOST_SYSTEM_PROCESSOR})\n",
+            ("source/bin/x86_64", "source/bin/aarch64"),
+        ),
+        ("set(EXECUTABLE_OUTPUT_PATH ${PROJECT_SOURCE_DIR}/${CMAKE_SYSTEM_NAME})\n", ("source/Linux",)),
         ("set(EXECUTABLE_OUTPUT_PATH ${PROJECT_BINARY_DIR}/bin)\n", ("build/bin",)),
         ("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${SOMEWHERE}/bin)\n", ("build", "build/apps")),
         ("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ../../bin)\n", ("build", "build/apps")),

@@ -6,7 +6,7 @@ from typing import Literal
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice, Warning_
-from roslab.decide.programs import beside_top, compiled, top_of
+from roslab.decide.programs import beside_top, compiled, folders_of, top_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.other_workspaces import warn_of_others
 from roslab.decide.ros.source_names import address, plain
@@ -47,7 +47,7 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
     """
     if kind not in {"ros1", "ros2"}:
         top = top_of(evidence)
-        folders = tuple(dict.fromkeys(program.folder for program in compiled(evidence)))
+        folders = folders_of(compiled(evidence))
         folder = top.file.rpartition("/")[0] if top else ""
         warnings = _alone(evidence, top) if top and kind == "cpp" else ()
         installed = kind == "cpp" and _installed(evidence)

@@ -7,8 +7,11 @@ import posixpath
 from roslab.values.pattern import pattern
 
 _OUTPUT = pattern(
-    r"^(?:\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_(?:SOURCE|BINARY)_DIR)\})?((?:/|(?<!\})(?=[\w.]))[\w./-]*|)$"
+    r"^(?:\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_(?:SOURCE|BINARY)_DIR)\})?((?:/|(?<!\})(?=[\w.{]))[\w./{}-]*|)$"
 )
+_PROCESSOR = pattern(r"\$\{CMAKE_(?:HOST_)?SYSTEM_PROCESSOR\}")
+PROCESSOR = "{processor}"
+"""Stands in a folder for the name that CMake gives the processor, as ``uname -m`` does."""
 
 
 def output_folder(written: str, folder: str) -> str | None:
@@ -17,7 +20,8 @@ def output_folder(written: str, folder: str) -> str | None:
     ``source/…`` is relative to the root of the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, and
     ``build/…`` to the build folder's part for the root of the repository.
     """
-    match = _OUTPUT.match(written.replace("${CMAKE_INSTALL_BINDIR}", "bin").rstrip("/"))
+    known = written.replace("${CMAKE_INSTALL_BINDIR}", "bin").replace("${CMAKE_SYSTEM_NAME}", "Linux")
+    match = _OUTPUT.match(_PROCESSOR.sub(PROCESSOR, known).rstrip("/"))
     if match is None:
         return None
     variable, rest = match[1] or "", match[2].strip("/")
