@@ -57,6 +57,8 @@ class GitSource:
     options: str = ""
     configured: bool = False
     """CMake is called there before it is installed."""
+    below: str = ""
+    """The folder of it that CMake is called for, where that is not its own."""
     heading: str = ""
     """The titles of the page that a clone line stands under."""
     aside: bool = False

@@ -87,3 +87,20 @@ def test_what_is_linked_and_included_must_be_there(tree: Tree) -> None:
 def test_a_library_that_is_linked_alone_is_only_tried(tree: Tree) -> None:
     decision = tree(project("target_link_libraries(a glpk)\n"))
     assert "libglpk-dev" in decision.apt_guessed
+
+
+SCRIPT = "git clone https://github.com/lab/acme.git acme\ncd acme\ngit checkout tags/v1\ncd ..\nmkdir made\ncd made\n"
+BUILDS = "cmake -DACME_SHARED=ON -DCMAKE_INSTALL_PREFIX=${BASE}/there ${BASE}/acme/acme\nmake\nmake install\n"
+
+
+def test_a_clone_that_nothing_builds_brings_no_library(tree: Tree) -> None:
+    files = project("target_link_libraries(a acme)\n", **SDK, **{"install.bash": SCRIPT})
+    assert any("CMake links acme, of which" in w.message for w in tree(files).warnings)
+
+
+def test_a_script_compiles_a_folder_of_a_clone_outside_of_it(tree: Tree) -> None:
+    script = f"BASE=`pwd`\n{SCRIPT}{BUILDS}"
+    decision = tree(project("target_link_libraries(a acme)\n", **SDK, **{"install.bash": script}))
+    (library,) = decision.source
+    assert (library.ref, library.cmake_folder, library.cmake_options) == ("v1", "../acme", "-DACME_SHARED=ON")
+    assert not any("CMake links acme" in w.message for w in decision.warnings)

@@ -180,6 +180,7 @@ def _source(git: GitSource, day: str) -> Source:
         before="" if ref and not drifts(ref) else day,
         build="cmake",
         cmake_options=git.options,
+        cmake_folder=f"../{git.below}" if git.below else None,
         unread=True,
         place=Place(file=git.file, line=git.line),
     )

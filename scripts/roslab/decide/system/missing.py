@@ -110,7 +110,7 @@ def decide_missing(
     known = released(target.ros_distro or "") | rosdep_keys()
     provided = (*provided, *(key for key in keys if key in known or kind == "cpp"))
     ended = ended_in(packages, target.ros_distro, provided)
-    names = {plain(name) for name in provided}
+    names, made = {plain(name) for name in provided}, {plain(name) for name in built}
     named = known | packages.names
     sure = named | {*provided}
     unsure = {m.name for m in packages.built if any(_of_a_clone(d, sure) and may_hold(d.name) for d in m.dependencies)}
@@ -149,11 +149,11 @@ def decide_missing(
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
-    warnings += not_found(evidence, packages, target, names, build_tool)
+    warnings += not_found(evidence, packages, target, names, build_tool, built=made)
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
     asks = of_program_and_below if kind == "cpp" else required
-    names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - {plain(name) for name in built}
+    names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - made
     warnings += _too_old(asks(evidence, packages), target, found.packages, names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
     switches = tuple(f"-D{name}=OFF" for name in (*off, *tests))

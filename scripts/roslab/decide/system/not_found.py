@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
+from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
@@ -23,21 +24,35 @@ SHORTEST = 4
 
 
 def not_found(
-    evidence: Evidence, packages: Packages, target: Target, names: Collection[str], build_tool: BuildTool
+    evidence: Evidence,
+    packages: Packages,
+    target: Target,
+    names: Collection[str],
+    build_tool: BuildTool,
+    *,
+    built: Collection[str],
 ) -> Iterator[Warning_]:
-    """Yield a warning for each such library; ``names``: those of all that is installed, built or cloned."""
+    """Yield a warning for each such library; ``names``: those of all that is installed, built or cloned.
+
+    A clone that is not ``built`` has no library to link.
+    """
+    cloned = {plain(git.name) for git in evidence.sources if git.kind in {"clone", "inside"}}
+    compiled = {name for name in names if name not in cloned or name in built}
     folders = [manifest.file.rpartition("/")[0] for manifest in packages.built]
     made = {name for project in evidence.cmake for name in project.made}
     told: set[str] = set()
     for asked in code_needs(evidence, packages):
-        built = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
+        of_build = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
         looked = asked.role == SEARCHED
         shown = _included(asked, evidence) if not looked else ""
-        if not (looked or shown) or asked.name in {*told, *made} or not built or given(f"lib{asked.name}.so"):
+        if not (looked or shown) or asked.name in {*told, *made} or not of_build:
+            continue
+        if given(f"lib{asked.name}.so") and not (shown and plain(asked.name) in cloned):
             continue
         word = re.split(r"[^a-z]", asked.name.lower(), maxsplit=1)[0]
-        alike = len(word) >= SHORTEST and similar(word, names)
-        if not (alike or similar(asked.name.lower(), names) or resolve(asked, target).known):
+        there = names if looked else compiled
+        alike = len(word) >= SHORTEST and similar(word, there)
+        if not (alike or similar(asked.name.lower(), there) or resolve(asked, target).known):
             told.add(asked.name)
             why = "which find_library looks for and" if looked else f"of which the code includes {shown}, and which"
             what = f"CMake links {asked.name}, {why} nothing is known to bring"

@@ -7,6 +7,7 @@ import re
 from collections.abc import Sequence
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.shell import UNKNOWN
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -38,6 +39,18 @@ def options_of(words: Sequence[str]) -> str:
     """Return the options of a call, ``-D GUI=ON`` written as one word."""
     joined = _SEPARATE.sub(" -D", " ".join(words)).split()
     return " ".join(word for word in joined if _OPTION.fullmatch(word))
+
+
+def folder_of(words: Sequence[str]) -> str:
+    """Return the folder that a call of CMake names by a path, ``""`` for ``..`` and for none."""
+    last = words[-1].replace(UNKNOWN, "").strip("/")
+    return "" if words[-1].startswith(("-", "..")) or len(words) == 1 else last
+
+
+def below(folder: str, path: str) -> str:
+    """Return what stands in a path behind a folder of that name, ``""`` without one."""
+    parts = path.split("/")
+    return "/".join(parts[parts.index(folder) + 1 :]) if folder in parts else ""
 
 
 def installs(program: str, words: Sequence[str], *, configured: bool) -> bool:

@@ -13,7 +13,7 @@ from roslab.evidence.prose import blanks, workspaces
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at, titled
-from roslab.evidence.prose.configured import installs, options_of, source_of
+from roslab.evidence.prose.configured import below, folder_of, installs, options_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.runners import by_ros, started
@@ -69,6 +69,8 @@ class Collector:
     """The options of the last ``cmake``."""
     configured: bool = False
     """``cmake`` was called since the last clone."""
+    below: str = ""
+    """The folder that it named by a path."""
     cloned: int | None = None
     """Index of the last clone."""
     fresh: set[int] = field(default_factory=set)
@@ -230,7 +232,7 @@ class Collector:
         branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
         into, url = workspaces.folder_after(url, words, self.folder), served(url.rstrip(".,;)"))
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
-        self.cloned, self.options, self.configured = len(self.sources), "", False
+        self.cloned, self.options, self.configured, self.below = len(self.sources), "", False, ""
         self.fresh.add(self.cloned)
         branch = None if branch is None or UNKNOWN in branch else branch
         self.sources.append(
@@ -258,20 +260,18 @@ class Collector:
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
             if not {"--build", "--install"} & {*words}:
-                self.options, self.configured = options_of(words), True
-                self._compiled(command)
+                self.options, self.configured, self.below = options_of(words), True, folder_of(words)
+                # A folder in which CMake is run, ``.`` where the text begins, with its options, may be a library's
+                self._mention("compiled", source_of(self.folder, words), command, text=self.options)
         if not installs(program, words, configured=self.configured):
             return
-        clone = clone_at(self.folder.split("/"), self.sources)
+        clone = clone_at([*self.folder.split("/"), *self.below.split("/")], self.sources)
         clone = titled(self.heading, self.sources) if clone is None and program != "dpkg" else clone
         if clone is not None:
             said = self.sources[clone]
             by_cmake = said.configured or self.configured
+            said = replace(said, below=below(said.folder, self.below))
             self.sources[clone] = replace(said, installed=True, options=self.options, configured=by_cmake)
-
-    def _compiled(self, command: Command) -> None:
-        """Note a folder in which CMake is run, ``.`` where the text begins, with its options: it may be a library's."""
-        self._mention("compiled", source_of(self.folder, command.words), command, text=self.options)
 
     def _program(self, program: str, command: Command) -> None:
         words = command.words
