@@ -99,3 +99,21 @@ def test_what_is_unpacked_is_installed_where_cmake_finds_it(tmp_path: Path, tree
     )
     prefix = f"-DCMAKE_SYSTEM_PREFIX_PATH={installed}/usr/local"
     subprocess.run(["cmake", prefix, "."], cwd=tmp_path / "used", check=True)
+
+
+LUA = "project(demo)\nfind_package(Torch REQUIRED)\ninstall(DIRECTORY ./ DESTINATION ${Torch_INSTALL_LUA_PATH_SUBDIR}/x)\n"
+PACKAGE = "<package><name>nav</name><buildtool_depend>catkin</buildtool_depend></package>"
+NAV = {"nav/package.xml": PACKAGE, "nav/CMakeLists.txt": "project(nav)\nfind_package(catkin REQUIRED)\n"}
+
+
+def test_torch_of_lua_is_another_library(tree: Tree) -> None:
+    decision = tree({"CMakeLists.txt": f"{LUA}add_executable(a a.cpp)\n", "a.cpp": "int main() {}\n"})
+    assert not decision.source
+    assert any("Torch7" in warning.message for warning in decision.warnings)
+
+
+def test_a_file_that_the_workspace_never_comes_to_asks_for_nothing(tree: Tree) -> None:
+    assert not tree(NAV | CODE).source
+    inside = {f"nav/{name}": text for name, text in CODE.items()}
+    both = NAV["nav/CMakeLists.txt"] + "find_package(Torch REQUIRED)\n"
+    assert [each.name for each in tree(NAV | inside | {"nav/CMakeLists.txt": both}).source] == ["libtorch"]

@@ -169,3 +169,29 @@ def test_the_repository_is_not_cloned_into_itself(tree: Tree, start: str) -> Non
     page = f"# Install\n{start}```\ngit clone https://github.com/lab/Net\n```\n"
     files = {"main.py": f"import sys\nsys.path.append('Net/src')\n{MAIN}", "requirements.txt": "numpy\n"}
     assert tree({**files, **origin, "README.md": page}).submodules == ()
+
+
+CARRIES = '[submodule "a"]\n\tpath = deps/yaml-cpp\n\turl = https://github.com/lab/yaml-cpp.git\n'
+TOP = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\n{}add_executable(a a.cpp)\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "more", "told"),
+    [
+        ("find_package(PkgConfig REQUIRED)\npkg_check_modules(YAML REQUIRED yaml-cpp)\n", {}, True),
+        ("find_package(yaml-cpp REQUIRED)\n", {}, True),
+        ("find_package(yaml-cpp)\n", {}, False),
+        ("find_package(Eigen3 REQUIRED)\n", {}, False),
+        (
+            "add_subdirectory(deps/yaml-cpp)\nfind_package(yaml-cpp REQUIRED)\n",
+            {"deps/yaml-cpp/CMakeLists.txt": "project(YAML_CPP)\nadd_library(yaml-cpp y.cpp)\n"},
+            False,
+        ),
+    ],
+)
+def test_the_distributions_library_in_place_of_a_submodule_is_told(
+    tree: Tree, cmake: str, more: dict[str, str], *, told: bool
+) -> None:
+    files = {".gitmodules": CARRIES, "CMakeLists.txt": TOP.format(cmake), "a.cpp": "int main() {}\n"}
+    warnings = [w.message for w in tree(files | more).warnings if "as the submodule deps/yaml-cpp" in w.message]
+    assert bool(warnings) == told

@@ -40,7 +40,8 @@ def libtorch(
     """
     if config.compatible or kind == "python":
         return ()
-    asked = next((each for each in code_needs(evidence, packages) if _asks(each)), None)
+    folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built if kind in {"ros1", "ros2"})
+    asked = next((each for each in code_needs(evidence, packages) if _asks(each) and _entered(each, folders)), None)
     if asked is None or (release := _release(evidence)) is None:
         return ()
     source = Source(
@@ -55,6 +56,11 @@ def libtorch(
 def _asks(each: Dependency) -> bool:
     aside = places.sample(each.file)
     return each.namespace == "cmake" and each.name.lower() == "torch" and each.strength != "optional" and not aside
+
+
+def _entered(each: Dependency, folders: tuple[str, ...]) -> bool:
+    """Tell whether the build tool of a workspace comes to a file: to those of its packages, in these folders."""
+    return not folders or any(not folder or each.file.startswith(f"{folder}/") for folder in folders)
 
 
 def _release(evidence: Evidence) -> str | None:

@@ -17,6 +17,7 @@ from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.not_found import not_found
+from roslab.decide.system.other_than_carried import other_than_carried
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.required import (
     by_pip,
@@ -148,6 +149,7 @@ def decide_missing(
         told = {asked.name for _, asked in unmet}
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
+    warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
     warnings += not_found(evidence, packages, target, names, build_tool, built=made)
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}

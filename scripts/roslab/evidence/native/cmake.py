@@ -171,6 +171,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
                 _note(needing, path, reading)
         else:
             _note(call, file.path, reading)
+    reading.dependencies = [cmake_needs.of_lua(asked, text) for asked in reading.dependencies]
     reading.dependencies += searched(text, file.path, repository)
     own = reading.libraries | reading.executables.keys() | {reading.name}
     return CMakeProject(

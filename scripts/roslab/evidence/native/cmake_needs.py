@@ -118,6 +118,14 @@ def needs(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
         yield from files(call, path)
 
 
+def of_lua(asked: Dependency, text: str) -> Dependency:
+    """Return what a file of CMake asks for: Lua's Torch has the name of PyTorch's library, and sets folders for Lua.
+
+    https://github.com/torch/torch7/blob/master/cmake/TorchConfig.cmake.in, read 2026-11-26.
+    """
+    return replace(asked, name="Torch7") if asked.name == "Torch" and "Torch_INSTALL_LUA" in text else asked
+
+
 def files(call: Call, path: str) -> Iterator[Dependency]:
     """Yield the libraries that a call names by their files below /usr/local: only what is built by hand lies there."""
     for word in call.words[:MAX_LINKED]:
