@@ -37,6 +37,8 @@ _ARGUMENT = pattern(
     r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|(?:^|\s)(?:--?help|-h|--?usage|--?version)\b|--show-args\b|\s(?:-s|--ros-args)$"
 )
 """An argument that names a file or asks for help: such a command is no default."""
+_WINDOW = pattern(r"(?:^|[/_-])(?:gui|viewer|visualizer)$")
+"""What a program is called that opens a window, whatever library it does that with."""
 
 
 class Weight:
@@ -250,7 +252,7 @@ def _as_module(file: str) -> str:
 
 def _gui(evidence: Evidence, command: str) -> bool:
     """Tell whether a launch file starts a viewer, the code uses a library of windows, or the command's file has one."""
-    if command.partition(" ")[0] in SIMULATORS:
+    if command.partition(" ")[0] in SIMULATORS or _WINDOW.search(command.partition(" ")[0]):
         return True
     calls = (d for d in evidence.code if d.namespace == "call")
     words = command.split()

@@ -315,6 +315,13 @@ def test_libraries_that_open_windows(tree: Tree, cmake: str, code: str, gui: boo
     assert tree(files).gui is gui
 
 
+@pytest.mark.parametrize(("name", "gui"), [("scan_gui", True), ("viewer", True), ("guide", False), ("reviewer", False)])
+def test_a_program_that_is_called_a_window_opens_one(tree: Tree, name: str, *, gui: bool) -> None:
+    made = f"cmake_minimum_required(VERSION 3.5)\nproject(x CXX)\nadd_executable({name} a.cpp)\n"
+    decision = tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n"})
+    assert (decision.command, decision.gui) == ((name,), gui)
+
+
 @pytest.mark.parametrize(
     ("page", "command"),
     [

@@ -101,7 +101,7 @@ def test_what_is_unpacked_is_installed_where_cmake_finds_it(tmp_path: Path, tree
     subprocess.run(["cmake", prefix, "."], cwd=tmp_path / "used", check=True)
 
 
-LUA = "project(demo)\nfind_package(Torch REQUIRED)\ninstall(DIRECTORY ./ DESTINATION ${Torch_INSTALL_LUA_PATH_SUBDIR}/x)\n"
+LUA = "project(x)\nfind_package(Torch REQUIRED)\ninstall(FILES a.lua DESTINATION ${Torch_INSTALL_LUA_PATH_SUBDIR})\n"
 PACKAGE = "<package><name>nav</name><buildtool_depend>catkin</buildtool_depend></package>"
 NAV = {"nav/package.xml": PACKAGE, "nav/CMakeLists.txt": "project(nav)\nfind_package(catkin REQUIRED)\n"}
 

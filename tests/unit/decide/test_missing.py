@@ -421,3 +421,12 @@ def test_a_key_that_is_a_library_of_its_own_package(tree: Tree, made: str, skipp
     assert ("acme_input" not in decision.rosdep) is skipped
     assert (not any("acme_input" in warning.message for warning in decision.warnings)) is skipped
     assert (not decision.source) is skipped
+
+
+def test_the_library_of_a_robot_is_built_where_no_ros_brings_it(tree: Tree) -> None:
+    made = (
+        "cmake_minimum_required(VERSION 3.5)\nproject(x CXX)\nfind_package(Franka REQUIRED)\nadd_executable(a a.cpp)\n"
+    )
+    decision = tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": "Ubuntu 22.04\n"})
+    assert [(each.name, each.ref) for each in decision.source] == [("libfranka", "0.9.2")]
+    assert "libpoco-dev" in (*decision.apt, *decision.apt_guessed)
