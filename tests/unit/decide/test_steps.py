@@ -30,6 +30,7 @@ def told(tree: Tree, page: str, **files: str) -> list[tuple[str, str | None, int
         ("sudo add-apt-repository ppa:somebody/things", "add-apt-repository ppa:somebody/things"),
         ("sudo dpkg -i driver_1.0_amd64.deb", "dpkg -i driver_1.0_amd64.deb"),
         ("wget https://example.org/sdk-2.tar.gz", "wget https://example.org/sdk-2.tar.gz"),
+        ("git apply ../driver.patch", "git apply ../driver.patch"),
     ],
 )
 def test_a_step_by_other_means_is_told_once_with_its_line(tree: Tree, line: str, said: str) -> None:

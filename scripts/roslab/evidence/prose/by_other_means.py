@@ -58,7 +58,7 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
         yield from _left_there(words, folder)
     elif program in {"add-apt-repository", "apt-add-repository"}:
         yield from (("step", " ".join(words)) for word in words if word.startswith("ppa:"))
-    elif (program == "dpkg" and {"-i", "--install"} & {*words}) or program == "gdebi" or _of_webots(words):
+    elif (program == "dpkg" and {"-i", "--install"} & {*words}) or program == "gdebi" or _told(words):
         yield "step", " ".join(words)
     elif program in {"wget", "curl"} and (not heading or _INSTALLATION.search(heading)):
         urls = (word for word in words if "://" in word and _PACKAGES.search(word) and not is_release(word))
@@ -89,6 +89,11 @@ def _left_there(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, st
         yield from (("skipped", path) for path in marked(words, folder))
     elif words[0] == "mkdir":
         yield from (("made", word) for word in words[1:] if _FOLDER.fullmatch(word))
+
+
+def _told(words: tuple[str, ...]) -> bool:
+    """Tell whether a command applies a patch to what was cloned, or starts a simulator that nobody packages."""
+    return words[:2] == ("git", "apply") or words[0] == "patch" or _of_webots(words)
 
 
 def _of_webots(words: tuple[str, ...]) -> bool:
