@@ -88,6 +88,13 @@ def header(path: str, ubuntu: str | None) -> Library | None:
     return Library(apt=(_missed()[path],)) if path in _missed() else None
 
 
+def only_missed(path: str) -> bool:
+    """Tell whether a header is known by failed builds alone: code may include it for another system, or an option."""
+    return path in _missed() and not any(
+        library("include", each, None) for each in (path, f"{path.partition('/')[0]}/")
+    )
+
+
 @cache
 def _missed() -> dict[str, str]:
     """Return the packages of the headers that failed builds were without."""

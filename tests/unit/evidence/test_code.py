@@ -45,6 +45,14 @@ def test_a_header_that_is_included_where_it_is_there_is_no_need(tmp_path: Path) 
     assert "mkl/mkl.h" in [d.name for d in cpp.read(tree(tmp_path, files))]
 
 
+def test_a_header_of_another_systems_or_an_options_code_is_no_need(tmp_path: Path) -> None:
+    code = (
+        "#ifndef A_H\n#define A_H\n#include <sndfile.h>\n"
+        "#ifdef USE_GNUTLS\n#include <gnutls/gnutls.h>\n#include <fftw3.h>\n#endif\n#endif\n"
+    )
+    assert [d.name for d in cpp.read(tree(tmp_path, {"a.h": code}))] == ["sndfile.h", "fftw3.h"]
+
+
 @pytest.mark.parametrize("row", rows("includes"), ids=lambda row: row["header"])
 def test_every_header_of_the_table_is_read(row: dict[str, str], tmp_path: Path) -> None:
     """``<armadillo>`` looks like the standard library's, ``linux/videodev2.h`` like the kernel's."""

@@ -10,7 +10,7 @@ from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.native import x86
 from roslab.evidence.native.generated import package_of
 from roslab.evidence.native.limits import Signs, conditional, tells
-from roslab.knowledge.libraries import library
+from roslab.knowledge.libraries import library, only_missed
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
@@ -66,6 +66,8 @@ def read(
             if not (inside[name] or perhaps) and (told or not outside[name]) and _is_settled(name, signs):
                 settled.add(name)
             if told or not outside[name] or _where_it_is(text, match.start()):
+                continue
+            if only_missed(name) and conditional(text, match.start()):
                 continue
             line += text.count("\n", position, match.start(1))
             position = match.start(1)
