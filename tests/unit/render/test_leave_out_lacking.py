@@ -43,4 +43,4 @@ def test_the_image_calls_it_with_all_that_it_calls(tmp_path: Path) -> None:
     text = dockerfile(plan_repository(tmp_path).plan)
     assert " && leave-out-lacking quad_x /home/${NB_USER}/ws/src/mpc/extra \\\n" in text
     called = "/read-manifest /workspace-packages /required-by-cmake"
-    assert f"/leave-out-lacking /declare-needs /leave-out-failed /build-needed {called} " in text
+    assert f"/leave-out-lacking /declare-needs /leave-out-failed /build-needed /headers-first {called} " in text
