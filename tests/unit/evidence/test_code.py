@@ -91,8 +91,10 @@ def test_a_launch_file_with_rviz_has_windows(tmp_path: Path) -> None:
 
 def test_plugins_of_parameter_files(tmp_path: Path) -> None:
     text = "base_local_planner: teb_local_planner/TebLocalPlannerROS\nplugins:\n  - {name: s, type: 'costmap_2d::StaticLayer'}\nx: a/B\n"  # noqa: E501
-    found = launch.plugins(tree(tmp_path, {"params/move_base.yaml": text, "a.rviz": "Class: rviz/Grid"}))
-    assert {d.name for d in found} == {"teb_local_planner", "costmap_2d", "rviz"}
+    solver = "#  kinematics_solver: own_ik/Plugin\narm:\n  kinematics_solver: trac_ik_kinematics_plugin/TRAC_IK\n"
+    files = {"params/move_base.yaml": text, "config/kinematics.yaml": solver, "a.rviz": "Class: rviz/Grid"}
+    found = launch.plugins(tree(tmp_path, files))
+    assert {d.name for d in found} == {"teb_local_planner", "costmap_2d", "rviz", "trac_ik_kinematics_plugin"}
 
 
 @pytest.mark.parametrize(

@@ -39,7 +39,7 @@ _PYTHON_PACKAGE = pattern(
 _NODELET = pattern(rf"\bload\s+({_PACKAGE})/[A-Za-z]")
 _PLUGIN = pattern(
     rf"^[ \t]{{0,99}}(?:-[ \t]{{0,99}})?(?:\{{[ \t]{{0,99}})?(?:name[ \t]*:[ \t]*\S+[ \t]*,[ \t]*)?"
-    rf"(?:plugin|type|base_(?:local|global)_planner|planner_plugin|class)[ \t]*:[ \t]*"
+    rf"(?:plugin|type|base_(?:local|global)_planner|planner_plugin|class|kinematics_solver)[ \t]*:[ \t]*"
     rf"[\"']?({_PACKAGE})(?:/|::)[A-Z]\w+",
     re.MULTILINE,
 )
@@ -52,7 +52,7 @@ _WORDS: dict[re.Pattern[str], tuple[str, ...]] = {
     _PARAM_PLUGIN: ('name="base_',),
 }
 """What every match of a pattern begins with, one of them."""
-_PLUGINS = ("plugin", "type", "planner", "class")
+_PLUGINS = ("plugin", "type", "planner", "class", "kinematics_solver")
 """What stands on every line that ``_PLUGIN`` matches."""
 _INCLUDED = pattern(r"(?<![\w.-])\w[\w.-]{0,80}(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.(?:py|xml|ya?ml))(?![\w.])")
 _NEW = pattern(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
