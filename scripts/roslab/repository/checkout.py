@@ -5,6 +5,7 @@ from __future__ import annotations
 import datetime as dt
 import os
 import re
+from codecs import BOM_UTF8
 from collections.abc import Callable, Collection, Iterable
 from functools import cached_property
 from pathlib import Path
@@ -86,7 +87,7 @@ class Repository:
         """Return the same folder without some of its files: no reader sees them."""
         if not paths:
             return self
-        other = Repository(self.root, self.branch_hint, self.top)
+        other = Repository(self.root, self.branch_hint, self.top, self._texts)
         kept = tuple(file for file in self.listing.files if file.path not in paths)
         other.__dict__["listing"] = replace(self.listing, files=kept)  # fills the cached property
         return other
@@ -174,6 +175,8 @@ class Repository:
         At most ``limit`` bytes are read, invalid UTF-8 becomes U+FFFD. Texts of ordinary size are kept.
         """
         path = file.path if isinstance(file, File) else file
+        if path not in self._paths:
+            return ""
         if path in self._texts:
             return self._texts[path]
         data = self.read_bytes(path, limit=limit)
@@ -273,7 +276,7 @@ def _decode(data: bytes) -> str:
         if data[:2] in (b"\xff\xfe", b"\xfe\xff"):  # Windows editors write requirements.txt in UTF-16
             return data.decode("utf-16", errors="replace")
         return ""
-    text = data.decode("utf-8-sig", errors="replace")
+    text = data.removeprefix(BOM_UTF8).decode(errors="replace")  # "utf-8-sig" does so too, in Python
     return text.replace("\r\n", "\n").replace("\r", "\n") if b"\r" in data else text
 
 

@@ -46,7 +46,7 @@ def read(
     settled: set[str] = set()
     """Headers of which another include tells nothing more: most are included by many files."""
     for file in _sources(repository):
-        text = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
+        text = repository.read(file, limit=MAX_READ)
         if signs:
             signs.source(file.path, text)
         _note_windows(file, text, opened)
@@ -103,6 +103,8 @@ def _includes(text: str, settled: Collection[str]) -> Iterator[re.Match[str]]:
 
 def _where_it_is(text: str, position: int) -> bool:
     """Tell whether an include is compiled only where its header, or another one, is there; ``#else`` is for others."""
+    if text.find(_ASKS, 0, position) < 0:
+        return False
     open_: list[bool] = []
     for match in _DIRECTIVE.finditer(text, 0, position):
         if match[1].startswith("if"):
