@@ -46,6 +46,9 @@ def marked(sources: Iterable[GitSource], text: str) -> list[GitSource]:
     Its section tells that, the comments right above it in its block, the line itself outside of one, or the sentence
     above; the title of the page tells what the code is for. What such a section clones is none of the workspace's.
     """
+    sources = tuple(sources)
+    if not sources:
+        return []
     lines = text.split("\n")
     title = title_of(lines)
     named = heading_of(lines[title - 1], "") if title else None

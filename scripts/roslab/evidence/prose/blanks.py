@@ -22,6 +22,8 @@ _DASH = pattern(r"(?<=\s)[\u2013\u2014](?=([A-Za-z][\w-]?))")
 _NAME = r"`+(?P<name>[A-Z][A-Z0-9_]{2,}|<[A-Za-z][\w -]{1,40}>|\$\{?[A-Za-z]\w+\}?)`+"
 _ONE_OF = r"(?:(?:just |simply )?(?:one|any|either) (?:of|from)(?: the following)?:?|e\.g\.,?|for example,?)"
 _VALUE = r"\s*[\[({]?\s*[`'\"]+(?P<value>[\w][\w./:-]*)[`'\"]+"
+_NAMED = pattern(r"`(?:[A-Z][A-Z0-9_]{2}|<[A-Za-z]|\$\{?[A-Za-z])")
+"""What each such name has: it begins with the backquote, which is found much faster than the words around it."""
 _CHOSEN = tuple(
     pattern(form, re.IGNORECASE)
     for form in (
@@ -40,6 +42,8 @@ _EXAMPLE = pattern(
     re.MULTILINE | re.IGNORECASE,
 )
 """A remark that fills in the command above it or beside it: ``# for example: python run.py a.yaml``."""
+_REMARK = pattern(r"#[ \t]*(?:for|e\.?g|example)", re.IGNORECASE)
+"""How each such remark begins: with a sign that is found much faster than the beginning of a line."""
 _OWN = pattern(r"(?:[\s=]|\A)(?:/|~)")
 _BLANK = pattern(r"[\[{<\u2026]|\.{3}|path/to|your|(?-i:\b(?:X+|[A-Z][A-Z_]{2,})\b)", re.IGNORECASE)
 
@@ -90,7 +94,7 @@ def chosen(text: str) -> str:
 
     The name stays in backquotes, where the page speaks of it.
     """
-    lowered = text.lower()
+    lowered = text.lower() if _NAMED.search(text) else ""
     for form in _CHOSEN if any(said in lowered for said in _SAID) else ():
         for match in form.finditer(text):
             if _RELEASE.search(match["name"]):
@@ -108,7 +112,7 @@ def _said(left: re.Match[str], text: str) -> str:
 
 def with_examples(text: str) -> str:
     """Return a page with the command of a remark in the place of the one with blanks that it is an example of."""
-    return _EXAMPLE.sub(_as_example, text) if "#" in text else text
+    return _EXAMPLE.sub(_as_example, text) if _REMARK.search(text) else text
 
 
 def _as_example(match: re.Match[str]) -> str:

@@ -55,7 +55,15 @@ def text_of(repository: Repository, file: File) -> str:
 
     That is not what it comments out, nor what it says of another branch.
     """
-    return without(repository, _shown(repository.read(file)))
+    texts = repository.once(_texts)
+    if file.path not in texts:
+        texts[file.path] = without(repository, _shown(repository.read(file)))
+    return texts[file.path]
+
+
+def _texts(_: Repository) -> dict[str, str]:
+    """Return what keeps the text of each page, by its path, for the many readers of them."""
+    return {}
 
 
 @cache

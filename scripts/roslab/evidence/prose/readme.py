@@ -45,7 +45,7 @@ from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.script_folders import elsewhere
 from roslab.evidence.prose.shells import leads_elsewhere
-from roslab.evidence.prose.telling import Signs, signs_in, telling
+from roslab.evidence.prose.telling import Signs, lines_with, signs_in, telling
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -213,8 +213,10 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     That is the lines of fenced and indented blocks, lines that begin with a command, and inline code; with ``also``,
     only the lines of fenced blocks in which it is found.
     """
-    lines = with_examples(with_first_choice(without_remarks(text))).split("\n")
-    signs = signs_in(text) if not also else ()
+    shown = with_examples(with_first_choice(without_remarks(text)))
+    lines = shown.split("\n")
+    signs = signs_in(shown) if not also else ()
+    signed = lines_with(shown, (*signs, *_IN_SENTENCES)) if not also else frozenset()
     titles: dict[int, str] = {}
     elsewhere = index = 0
     fenced = False
@@ -233,7 +235,10 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             elsewhere = section_of(heading, elsewhere) if index != title else 0
             titles = under(titles, heading)
         drawn = fenced and index < len(lines) and _BRANCH.match(lines[index][:MAX_LINE])
-        tells = (fenced and not drawn and also.search(line)) if also else _tells(line, signs, fenced=fenced)
+        if also:
+            tells = bool(fenced and not drawn and also.search(line))
+        else:
+            tells = index in signed and _tells(line, signs, fenced=fenced)
         if elsewhere or len(line) > MAX_LINE or not tells or index in commented:
             continue
         first, marked = index, _MARKED.match(line)
@@ -264,7 +269,8 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
         yield from (f"({span})" if _THERE.match(span) else span for span in told)  # a shell of its own
         yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
         yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
-        yield from (f"cd {named[1]}" for named in _GO_INTO.finditer(line))
-        yield from (f"./{named[1]}" for named in _NAMED.finditer(line))
+        quoted = "`" in line
+        yield from (f"cd {named[1]}" for named in (_GO_INTO.finditer(line) if quoted else ()))
+        yield from (f"./{named[1]}" for named in (_NAMED.finditer(line) if quoted else ()))
         yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
         yield from (f"./{named[1]}" for named in (_NAMED_SHELL.finditer(line) if ".sh" in line else ()))

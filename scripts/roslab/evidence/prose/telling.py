@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from roslab.evidence.lex import lines
 from roslab.values.pattern import pattern
 
 Signs = tuple[tuple[str, re.Pattern[str]], ...]
@@ -62,6 +63,18 @@ SIGNS: Signs = tuple(
 def signs_in(page: str) -> Signs:
     """Return the signs whose word stands in a page: no line of it has another one."""
     return tuple(each for each in SIGNS if each[0] in page)
+
+
+def lines_with(page: str, signs: Signs) -> frozenset[int]:
+    """Return the numbers, from 1, of the lines of a page on which the word of a sign stands."""
+    starts = sorted({start for word, _ in signs for start in lines.lines_with(page, word)})
+    numbers: list[int] = []
+    number, position = 1, 0
+    for start in starts:
+        number += page.count("\n", position, start)
+        position = start
+        numbers.append(number)
+    return frozenset(numbers)
 
 
 def telling(text: str, signs: Signs = SIGNS) -> bool:
