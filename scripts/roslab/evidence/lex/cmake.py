@@ -23,8 +23,11 @@ _TOKEN = pattern(
     r"((?:[^\s()#\"\\]|\\.)[^\s()#\"\\]*(?:\\.[^\s()#\"\\]*)*)",
     re.DOTALL,
 )
+_UNPLAIN = pattern(r"[\"#(\\\[]")
+"""What the words of a call have that are more than words with blanks between them."""
 _VARIABLE = pattern(r"\$\{(\w+)\}")
 _OPENERS = frozenset({"if", "while", "function", "macro", "foreach", "block"})
+_FUNCTIONS = frozenset({"function", "macro"})
 _CONTROL = _OPENERS - {"while", "block"} | {
     *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option")
 }
@@ -33,6 +36,8 @@ _ON = frozenset({("ON",), ("TRUE",), ("1",), ("YES",)})
 _OFF = frozenset({("OFF",), ("FALSE",), ("0",), ("NO",)})
 MAX_WORDS = 400
 """Most words of one call; a longer one is a list of source files."""
+MAX_LENGTH = 64 * 1024
+"""Most characters of one call."""
 MAX_EXPANSION = 200
 """Most words of one variable."""
 MAX_VALUE = 2_000
@@ -89,7 +94,7 @@ def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = No
                 words=tuple(_filled(raw, scope.variables)),
                 line=line,
                 conditions=tuple(scope.conditions[:MAX_CONDITIONS]),
-                in_function=any(part in {"function", "macro"} for part in scope.stack[:MAX_CONDITIONS]),
+                in_function=not _FUNCTIONS.isdisjoint(scope.stack[:MAX_CONDITIONS]),
                 written=tuple(raw),
             )
 
@@ -205,9 +210,12 @@ def _looped(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator
 
 def _words(text: str, start: int) -> list[str]:
     """Split the words of a call, from after its parenthesis to the closing one."""
+    end = text.find(")", start, start + MAX_LENGTH)
+    if end >= 0 and not _UNPLAIN.search(text, start, end):  # as most are
+        return text[start:end].split()[:MAX_WORDS]
     words: list[str] = []
     depth = 1
-    for match in _TOKEN.finditer(text, start, start + 65536):
+    for match in _TOKEN.finditer(text, start, start + MAX_LENGTH):
         if match[4]:
             depth += 1 if match[4] == "(" else -1
             if not depth:
@@ -227,7 +235,10 @@ def _filled(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator
     """Fill in known variables; what is unknown or grows without end stays as written."""
     for word in words:
         if "${" not in word:
-            yield from word.split(";") if ";" in word and "/" not in word else (word,)
+            if ";" in word and "/" not in word:
+                yield from word.split(";")
+            else:
+                yield word
             continue
         whole = _VARIABLE.fullmatch(word)
         if whole:

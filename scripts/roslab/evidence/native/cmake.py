@@ -30,6 +30,7 @@ _EXECUTABLE = frozenset(
     ]
 )
 _LIBRARY = frozenset(["add_library", "cuda_add_library", "cs_add_library", "ament_auto_add_library"])
+_TARGETS = _EXECUTABLE | _LIBRARY
 _TESTS = frozenset({"add_test", "gtest_discover_tests", "catch_discover_tests"})
 _NAMES = (
     cmake_needs.CALLS
@@ -230,7 +231,7 @@ def _include(call: Call, repository: Repository, file: File, reading: _Reading) 
 def _note(call: Call, path: str, reading: _Reading) -> None:
     name, words = call.name, call.words
     told = replace(call, conditions=(*reading.switches, *call.conditions)) if reading.switches else call
-    reading.targets |= target(call) if name in _EXECUTABLE | _LIBRARY else {}
+    reading.targets |= target(call) if name in _TARGETS else {}
     reading.installed += installed(call, path.rpartition("/")[0])
     if name == "project" and words:
         reading.name = reading.name or words[0]

@@ -129,14 +129,14 @@ def of_lua(asked: Dependency, text: str) -> Dependency:
 def files(call: Call, path: str) -> Iterator[Dependency]:
     """Yield the libraries that a call names by their files below /usr/local: only what is built by hand lies there."""
     for word in call.words[:MAX_LINKED]:
-        if match := _LOCAL.match(word):
+        if word.startswith("/") and (match := _LOCAL.match(word)):
             yield _dependency("link", match[1], _strength(call, required=True), call, path)
 
 
 def inside(call: Call) -> Iterator[tuple[str, int]]:
     """Yield the files of libraries below the source that a call names, each with its line."""
     if call.name in {"set", "target_link_libraries", "link_libraries"} and not call.in_function:
-        found = (_INSIDE.match(word) for word in call.words[:MAX_LINKED])
+        found = (_INSIDE.match(word) for word in call.words[:MAX_LINKED] if word.startswith("$"))
         yield from ((match[1], call.line) for match in found if match)
 
 

@@ -53,15 +53,14 @@ def not_there(found: Iterable[InstalledPath], text: str, repository: Repository)
 
     It may where it names a file twice. Nothing is known of what lies in a submodule.
     """
-    if _WRITES.search(text):
-        return ()
     modules = repository.once(_submodules)
-    return tuple(
+    lacking = tuple(
         each
         for each in found
         if not (repository.may_have(each.path) or f"{each.path}/".startswith(modules))
         if each.folder or text.count(posixpath.basename(each.path)) == 1
     )
+    return () if lacking and _WRITES.search(text) else lacking
 
 
 def _submodules(repository: Repository) -> tuple[str, ...]:
