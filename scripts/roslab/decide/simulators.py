@@ -18,7 +18,7 @@ _BRINGS = {
 
 def simulators_of(evidence: Evidence) -> frozenset[str]:
     """Return the programs of Gazebo that what the packages ask for brings."""
-    asked = tuple(_asked(evidence))
+    asked = frozenset(_asked(evidence))
     return frozenset(name for name in SIMULATORS if any(map(_BRINGS[name].fullmatch, asked)))
 
 

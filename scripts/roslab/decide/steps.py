@@ -73,10 +73,10 @@ def _fetched(evidence: Evidence, names: set[str], added: set[str], *, ros: bool)
 def _data(evidence: Evidence, names: set[str], fetched: set[str]) -> Iterator[Warning_]:
     """Yield one warning for all the data that pages near the root fetch and the image does not."""
     told: dict[str, Mention] = {}
-    for mention in evidence.mentions:
+    for mention in (each for each in evidence.mentions if each.topic == "data"):
         near = mention.source == "readme" and mention.file.count("/") <= 1 and not places.aside(mention.file)
         there = mention.value.partition(" ")[2] in fetched or _answered(mention.value, names)
-        if mention.topic == "data" and near and not there:
+        if near and not there:
             told.setdefault(mention.value, mention)
     if told:
         first, *others = told.values()

@@ -17,7 +17,9 @@ def meant(name: str, known: Collection[str]) -> tuple[str, ...]:
     if len(name) < _SHORTEST:
         return ()
     here = set(_with_a_gap(name)) | set(_swapped(name))
-    near = (each for each in known if abs(len(each) - len(name)) <= 1 and each != name)
+    begins, ends = name[: (len(name) - 1) // 2], name[-((len(name) - 1) // 2) :]  # a slip leaves one of them whole
+    alike = (each for each in known if each.startswith(begins) or each.endswith(ends))
+    near = (each for each in alike if abs(len(each) - len(name)) <= 1 and each != name)
     return tuple(sorted(each for each in near if not here.isdisjoint((each, *_with_a_gap(each)))))
 
 

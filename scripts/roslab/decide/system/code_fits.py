@@ -37,6 +37,7 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     seen = on_gpu or not evidence.cmake  # a CMake project may leave its CUDA out
     limits = [limit for limit in evidence.limits if seen or not limit.cuda]
     limits = [limit for limit in limits if not _disproved(limit, compiled, evidence, ros=ros)]
+    linked = tuple(_linked(evidence))
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
         for limit in limits:
@@ -47,7 +48,7 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
             if not fits(limit.library, ubuntu, at_least=limit.at_least, below=limit.below, ros=ros):
                 wanted = f"{limit.at_least} or newer" if limit.at_least else f"older than {limit.below}"
                 lacks[f"{limit.library} {wanted} ({limit.what}, {limit.file}:{limit.line})"] = None
-        lacks.update(_unlinkable(evidence, ubuntu))
+        lacks.update(_unlinkable(linked, ubuntu))
         cmake = cmake_of_ubuntu()[ubuntu]
         if needs_newer_cmake(evidence, ubuntu, cmake):
             lacks[f"CMake {needs_newer_cmake(evidence, ubuntu, cmake)}"] = None
@@ -59,9 +60,9 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     return {ubuntu: lacks for ubuntu, lacks in left.items() if lacks}
 
 
-def _unlinkable(evidence: Evidence, ubuntu: str) -> dict[str, None]:
+def _unlinkable(linked: Iterable[tuple[str, str]], ubuntu: str) -> dict[str, None]:
     """Return what the libraries of the tree that CMake links need, and an Ubuntu does not have."""
-    needed = (each for each in _linked(evidence) if ubuntu not in ubuntus_with(each[0]))
+    needed = (each for each in linked if ubuntu not in ubuntus_with(each[0]))
     return {f"{package} ({file}, which is linked, needs it)": None for package, file in needed}
 
 

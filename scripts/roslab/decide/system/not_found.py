@@ -42,12 +42,14 @@ def not_found(
     made = {name for project in evidence.cmake for name in project.made}
     told: set[str] = set()
     for asked in code_needs(evidence, packages):
-        of_build = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
+        if asked.name in told or asked.name in made:
+            continue
         looked = asked.role == SEARCHED
         shown = _included(asked, evidence) if not looked else ""
-        if not (looked or shown) or asked.name in {*told, *made} or not of_build:
+        if not (looked or shown):
             continue
-        if given(f"lib{asked.name}.so") and not (shown and plain(asked.name) in cloned):
+        of_build = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
+        if not of_build or (given(f"lib{asked.name}.so") and not (shown and plain(asked.name) in cloned)):
             continue
         word = re.split(r"[^a-z]", asked.name.lower(), maxsplit=1)[0]
         there = names if looked else compiled

@@ -20,12 +20,17 @@ def given(evidence: Evidence) -> str:
 
 def waits(dependency: Dependency, options: str) -> bool:
     """Tell whether CMake looks for it only where an option is set which is off and is none of those given."""
-    return any(f"-D{name}" not in options for name in _OFF.findall(dependency.condition or ""))
+    return any(f"-D{name}" not in options for name in _off(dependency.condition or ""))
+
+
+def _off(condition: str) -> list[str]:
+    """Return the options that are off in a condition; most conditions have none."""
+    return _OFF.findall(condition) if "OFF " in condition else []
 
 
 def switched_off(dependency: Dependency, options: str) -> bool:
     """Tell whether CMake looks for it only where an option is set that is on, and one of those given turns it off."""
-    names = _ON.findall(dependency.condition or "")
+    names = _ON.findall(dependency.condition) if options and dependency.condition else ()
     return any(re.search(rf"-D{name}(?::\w+)?=(?:OFF|FALSE|NO|0)\b", options, re.IGNORECASE) for name in names)
 
 

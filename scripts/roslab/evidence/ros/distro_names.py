@@ -12,9 +12,7 @@ from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _WORD = pattern(r"[a-z]+[0-9]*|[0-9.]+")
-_FILES = pattern(
-    r"dockerfile|containerfile|\.repos$|\.rosinstall$|\.repos\.ya?ml$|docker-compose|\.ya?ml$|\.sh$", re.IGNORECASE
-)
+_FILES = pattern(r"dockerfile|containerfile|\.repos$|\.rosinstall$|\.repos\.ya?ml$|docker-compose|\.ya?ml$|\.sh$")
 
 
 def read(repository: Repository, others: Collection[str] = ()) -> tuple[Mention, ...]:
