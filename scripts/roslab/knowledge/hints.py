@@ -6,6 +6,7 @@ of them, one after the other; the rows that can match are then found by these wo
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import cache
 from typing import Generic, Protocol, TypeVar
@@ -13,6 +14,7 @@ from typing import Generic, Protocol, TypeVar
 from roslab.knowledge.standard_modules import of_python_2
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 _TABLES = ("code_limits", "removals", "window_calls")
 _ALSO = frozenset(
@@ -22,6 +24,8 @@ _ALSO = frozenset(
     )
 )
 """What readers look for that have no table."""
+_SHORT = 3
+"""Most letters of a part that a pattern finds in half the time that ``in`` takes."""
 _BLANK = bytes(byte if chr(byte).isascii() and (chr(byte).isalnum() or byte == ord("_")) else 32 for byte in range(256))
 """What stands for each byte of a text that is to be split into words."""
 
@@ -61,12 +65,17 @@ class Search(Generic[Row]):
             for hint in row.hints.each:
                 by = self._by_word if words and hint in row.hints.words else self._by_part
                 by.setdefault(hint, []).append(number)
+        short = [part for part in self._by_part if len(part) <= _SHORT]
+        self._by_pattern = [(pattern(re.escape(part)), self._by_part.pop(part)) for part in short]
 
     def possible(self, text: str, words: frozenset[str] = frozenset()) -> list[Row]:
         """Return the rows of which a hint stands in a text, or among its words, in their order."""
         found = {number for word in words for number in self._by_word.get(word, ())}
         for part, numbers in self._by_part.items():
             if not (found and found.issuperset(numbers)) and part in text:
+                found.update(numbers)
+        for each, numbers in self._by_pattern:
+            if not (found and found.issuperset(numbers)) and each.search(text):
                 found.update(numbers)
         return [self._rows[number] for number in sorted(found)]
 

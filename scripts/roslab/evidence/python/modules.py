@@ -8,12 +8,14 @@ from roslab.evidence import places
 from roslab.knowledge.hints import words_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 MAX_READ = 128 * 1024
 """Bytes of a module that are searched: imports are at its top."""
 MAX_MODULES = 6_000
 """Most modules opened, those nearest to the root first."""
 _SETUP = "setup.py"
+_ROS = pattern(r"py(?<=r(?:os|cl)py)")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +38,7 @@ class Module:
     @cached_property
     def names_ros(self) -> bool:
         """Whether the library of ROS's nodes stands anywhere in it."""
-        return "rospy" in self.text or "rclpy" in self.text
+        return bool(_ROS.search(self.text))
 
 
 def modules(repository: Repository) -> tuple[Module, ...]:

@@ -15,7 +15,7 @@ _CALL = pattern(
     r"\.render\(\s*(?:(?:mode\s*=\s*)?[\"']human[\"']\s*)?\)",
     re.MULTILINE,
 )
-_MADE = pattern(r"\bmake\([^()\n]*\brender_mode\s*=\s*[\"']human[\"']")
+_MADE = pattern(r"make\((?<=\bmake\()[^()\n]*\brender_mode\s*=\s*[\"']human[\"']")
 """Since gym 0.26 it is the environment that is told: https://gymnasium.farama.org/api/env/#gymnasium.Env.render."""
 _TOLD = pattern(r"\brender_mode\b|^[ \t]*(?:import|from)[ \t]+gymnasium\b", re.MULTILINE)
 _BRANCH = pattern(r"(?:if|elif|else|except|match|case)\b(?!\s+__name__)")
