@@ -44,20 +44,20 @@ class Interpreter:
         if requirement.marker is None:
             return (True,)
         said = str(requirement.marker)  # once: a marker writes itself anew for its hash and to be compared, too
+        _markers().setdefault(said, requirement.marker)
         return (_holds(said, python, on) for python in self.pythons for on in self.platforms)
 
 
 @cache
-def _marker(said: str) -> Marker:
-    from packaging.markers import Marker  # noqa: PLC0415 - the marker of a requirement has imported it
-
-    return Marker(said)
+def _markers() -> dict[str, Marker]:
+    """Return what keeps the markers by their texts, so that none is parsed again."""
+    return {}
 
 
 @cache
 def _holds(said: str, python: str, platform: str) -> bool | None:
     """Evaluate a marker; ``None`` if it depends on the machine that the image will run on."""
-    from packaging.markers import UndefinedComparison  # noqa: PLC0415 - as above
+    from packaging.markers import UndefinedComparison  # noqa: PLC0415 - the marker of a requirement has imported it
 
     if any(name in said for name in _UNKNOWN):
         return None
@@ -77,6 +77,6 @@ def _holds(said: str, python: str, platform: str) -> bool | None:
         "extra": "",
     }
     try:
-        return _marker(said).evaluate(environment)
+        return _markers()[said].evaluate(environment)
     except UndefinedComparison:
         return None

@@ -26,6 +26,10 @@ _INDEXES = frozenset({"registry", "legacy", "pypi"})
 _ELSEWHERE = frozenset({"git", "path", "url"})
 """Keys with which pdm tells that a package comes from elsewhere."""
 # Each begins with the end of the line before, which is found many times faster than the beginning of a line
+_UNREAD = pattern(
+    r"\n\[package\.(?:metadata|optional-dependencies|dev-dependencies|extras)[\].][^\n]*(?:\n(?!\[)[^\n]*)*"
+)
+"""A table of which nothing is taken: what the author wrote, and what is only installed with an extra."""
 _SOURCE = pattern(r"\nsdist = \{[^\n]*\}$", re.MULTILINE)
 _FILES = pattern(
     r"\n(wheels|files) = \[(\n(?:[ \t]*\{ ?(?:url|file) = \"[^\"'\\\n#]*\"[^\n]*\},?\n)+)\]$", re.MULTILINE
@@ -60,10 +64,13 @@ def read(repository: Repository) -> tuple[Locked, ...]:
 def _thinned(text: str) -> str:
     """Return a lock with one text in place of a list: most of it is addresses and hashes, which are slow to parse.
 
+    What nobody asks for is left out.
+
     A list that is written in another way than its tool does stays as it is. The text is a literal one of TOML: in
     others each letter is looked at, since it could begin an escape.
     """
-    text = _FILES.sub(lambda found: f"\n{found[1]} = {_literal(_FILE.findall(found[2]))}", _SOURCE.sub("\n", text))
+    text = _SOURCE.sub("\n", _UNREAD.sub("", text))
+    text = _FILES.sub(lambda found: f"\n{found[1]} = {_literal(_FILE.findall(found[2]))}", text)
     return _NEEDS.sub(lambda found: f"\ndependencies = {_literal(_NEED.findall(found[1]))}", text)
 
 
