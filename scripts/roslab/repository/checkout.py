@@ -137,7 +137,7 @@ class Repository:
 
     def has(self, path: str) -> bool:
         """Tell whether a regular file lies at a relative path."""
-        return path in self._paths
+        return path in self._sizes
 
     def may_have(self, path: str) -> bool:
         """Tell whether a file or a folder lies at a relative path, or it leads through what no walk looks into."""
@@ -155,8 +155,8 @@ class Repository:
             return ""
 
     @cached_property
-    def _paths(self) -> frozenset[str]:
-        return frozenset(file.path for file in self.files)
+    def _sizes(self) -> dict[str, int]:
+        return {file.path: file.size for file in self.files}
 
     @cached_property
     def folders(self) -> frozenset[str]:
@@ -175,7 +175,7 @@ class Repository:
         At most ``limit`` bytes are read, invalid UTF-8 becomes U+FFFD. Texts of ordinary size are kept.
         """
         path = file.path if isinstance(file, File) else file
-        if path not in self._paths:
+        if path not in self._sizes:
             return ""
         if path in self._texts:
             return self._texts[path]
@@ -188,7 +188,8 @@ class Repository:
     def read_bytes(self, file: File | str, *, limit: int = MAX_TEXT) -> bytes:
         """Return at most ``limit`` bytes of a file, ``b""`` where it is missing or outside the tree."""
         path = file.path if isinstance(file, File) else file
-        if path not in self._paths:
+        size = self._sizes.get(path, 0)
+        if not size:
             return b""
         try:
             # O_NOFOLLOW guards the last part; the listing never descended through a link.
@@ -199,7 +200,7 @@ class Repository:
             )
             try:
                 # Not the whole limit: allocating such a buffer for ten thousand files takes a second
-                return _read_up_to(descriptor, min(limit, os.fstat(descriptor).st_size))
+                return _read_up_to(descriptor, min(limit, size))
             finally:
                 os.close(descriptor)
         except (OSError, ValueError):

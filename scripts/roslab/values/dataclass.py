@@ -53,6 +53,7 @@ else:
 
         def decorate(cls: type) -> type:
             cls.__record_fields__ = found = _fields(cls)
+            cls.__record_given__ = tuple(name for name, each in found.items() if each.init)
             cls.__dataclass_fields__ = _Standard()
             cls.__init__ = _init(cls, found, by_position=not kw_only)
             _add(cls, "__repr__", _repr(cls, found))
@@ -73,8 +74,10 @@ else:
 
     def replace(value: Any, /, **changes: Any) -> Any:
         """Return a value of the same class with some fields changed."""
-        given = {name: getattr(value, name) for name, each in value.__record_fields__.items() if each.init}
-        return value.__class__(**{**given, **changes})
+        kept = value.__dict__
+        given = {name: kept[name] for name in value.__record_given__}
+        given.update(changes)
+        return value.__class__(**given)
 
     def asdict(value: Any) -> Any:
         """Return the fields by name, and so on within them, through tuples, lists and mappings."""
