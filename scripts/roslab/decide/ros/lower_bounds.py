@@ -22,8 +22,9 @@ _ON = (
 _LEAST = r"(?:>=|≥|\bat\s+least|\bminimum(?:\s+version)?(?:\s+is)?:?)\s{0,3}(?:ros\s*[12]?\s+)?[*_`\"'\[]{0,3}"
 
 
+@cache
 def bounds(mention: Mention) -> bool:
-    """Tell whether a page names a distribution, or an Ubuntu, as the oldest on which it works."""
+    """Tell whether a page names a distribution, or an Ubuntu, as the oldest on which it works; several ask it."""
     if mention.source != "readme" or mention.topic not in {"distro", "ubuntu"}:
         return False
     if mention.topic == "ubuntu":

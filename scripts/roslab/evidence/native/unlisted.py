@@ -56,11 +56,10 @@ class Unlisted:
         lists = [text for folder in above for name in _LISTS if (text := self._text(folder, name))]
         if any(map(_ANY.search, lists)):
             return False
-        by_name = any(_CODE.search(text) for folder in above if (text := self._text(folder, _LISTS[0])))
-        words = self._words
-        if by_name and len(self._repository.named(name)) > 1 and not self._leads_out:
-            words = _words_of(lists)
-        return by_name and not {name, name.rpartition(".")[0]} & words
+        if not any(_CODE.search(text) for folder in above if (text := self._text(folder, _LISTS[0]))):
+            return False
+        apart = len(self._repository.named(name)) > 1 and not self._leads_out
+        return not {name, name.rpartition(".")[0]} & (_words_of(lists) if apart else self._words)
 
     def _text(self, folder: str, name: str) -> str:
         path = f"{folder}/{name}" if folder else name

@@ -12,6 +12,8 @@ from roslab.values.pattern import pattern
 
 _FILE = pattern(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh|\.ipynb)(?![\w/-])")
 _EXAMPLE = pattern(r"(?<![\w./-])(?:[\w-]+/)*(?:[\w-]+_)?(?:examples?|demo)(?:_[\w-]+)?\.py(?![\w/-])")
+_WORDS = (".launch", ".sh", ".ipynb", "example", "demo")
+"""Of these each match of the two has one."""
 _SHOWS = pattern(r"\b(?:shows?|demonstrat(?:es?|ing)|illustrat(?:es?|ing)|explains?)\b", re.IGNORECASE)
 """A sentence on what an example is for: ``example.py shows how to use it``."""
 _COMMAND = pattern(r"\b(?:roslaunch|rosrun|rosbag\s+(?:play|record|info|filter|reindex)|ros2)\s")
@@ -25,7 +27,7 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     found: dict[str, Mention] = {}
     for page in pages(repository):
         text = text_of(repository, page) if "/" not in page.path else ""
-        for number, line, heading in _sentences(text) if _FILE.search(text) or _EXAMPLE.search(text) else ():
+        for number, line, heading in _sentences(text) if any(word in text for word in _WORDS) else ():
             for match in (*_FILE.finditer(line), *(_EXAMPLE.finditer(line) if _SHOWS.search(line) else ())):
                 if (path := _path(match[0], repository)) and len(found) < MOST:
                     said = Mention(
