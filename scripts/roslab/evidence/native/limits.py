@@ -24,7 +24,8 @@ from roslab.values.pattern import pattern
 _STANDARD = pattern(
     r"^[^#\n]*?(?:\bCMAKE_CXX_STANDARD[ \t]+|-std=(?:c|gnu)\+\+|\bcxx_std_|\bCXX_STANDARD[ \t]+)(\d\w)\b", re.MULTILINE
 )
-_DIRECTIVE = pattern(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)", re.MULTILINE)
+_DIRECTIVE = pattern(r"#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)")
+"""It begins with a letter of its own, which is found much faster than the beginning of a line."""
 _ANY = "any"
 _GUARDS = {
     "__has_include": {"__has_include": _ANY},
@@ -201,6 +202,8 @@ def conditional(text: str, position: int) -> bool:
     open_: list[bool] = []
     for match in _DIRECTIVE.finditer(text, 0, position):
         kind, name = match[1], match[2]
+        if text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip(" \t"):
+            continue
         if kind == "endif":
             del open_[-1:]
         elif kind.startswith("if"):

@@ -70,9 +70,9 @@ NEAR = 300
 _IF = pattern(r"(?<=\s)(?:if|unless)\s*=")
 _IFS = ("if", "unless")
 """What its matches begin with."""
-_ACTION = pattern(
-    r"\b(?:Node|IncludeLaunchDescription|ExecuteProcess|LaunchDescription|GroupAction|DeclareLaunchArgument)\("
-)
+_ACTIONS = "Node IncludeLaunchDescription ExecuteProcess LaunchDescription GroupAction DeclareLaunchArgument"
+_ACTION = pattern("|".join(rf"{name}\((?<!\w{name}\()" for name in _ACTIONS.split()))
+"""Each is a whole word; its letters are found much faster than the edge of a word."""
 _STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
 _QUOTED = pattern(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
 _ARGUMENT = pattern(r"<arg\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
