@@ -105,7 +105,7 @@ def decide_python(
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     bounds = decide_bounds(
-        evidence.bounds if manager != "system" else (),
+        (use for use in evidence.bounds if manager != "system" or use.bound.key != "numpy"),
         (
             *everything,
             *exact.answer,
