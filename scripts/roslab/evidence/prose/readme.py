@@ -27,6 +27,7 @@ from roslab.evidence.prose import (
     libtorch,
     links,
     mentions,
+    presets,
     python_path,
 )
 from roslab.evidence.prose.absent_launches import absent_launch
@@ -177,7 +178,9 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     elif mention.topic == "data":
         yield from () if repository.named(mention.value.partition("?")[0].rpartition("/")[2]) else (mention,)
     elif mention.topic != "command":
-        yield from () if mention.topic == "compiled" and of_another(mention, repository) else (mention,)
+        compiled = mention.topic == "compiled"
+        if not compiled or not of_another(mention, repository):
+            yield presets.with_variables(mention, repository) if compiled else mention
     elif started := in_container(told := with_files(mention, repository), repository):
         yield from (with_files(started, repository),) if started.value else ()
     elif not leads_elsewhere(told, repository):
