@@ -61,8 +61,11 @@ def problems(paths: tuple[str, ...]) -> Iterator[tuple[str, str | None, int | No
 
 
 def packages(paths: tuple[str, ...]) -> Iterator[Dependency]:
-    """Yield the packages that a distribution has under the names of lost folders."""
+    """Yield the packages that a distribution has under the names of lost folders.
+
+    Of names with one word alone (``perception``, ``robot``) many are an author's own, and ROS's are metapackages.
+    """
     for path in paths:
         name = path.rpartition("/")[2]
-        if ever_released(name):
+        if "_" in name and ever_released(name) and not places.aside(path):
             yield Dependency(namespace="ros", name=name, strength="used", file=path, line=1, role="exec")

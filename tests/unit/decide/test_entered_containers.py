@@ -66,6 +66,10 @@ def test_other_scripts_start_something(tree: Tree) -> None:
         "echo 'in singularity exec it'\npython3 run.py",
         'test -n "$SINGULARITY_NAME"\npython3 run.py',
         fetched,
+        "scp host@robot.local:model.pt .\nmpirun -n 4 python3 run.py\n",
+        "pip install -r requirements.txt\nPYTHONPATH=$(pwd) python3 run.py\n",
+        "pip install -r requirements.txt\nXLA_FLAGS=--a=true DATA=~/data SIZE=${SIZE:-1} python3 run.py\n",
+        'pip install -r requirements.txt\nPYTHONPATH="$(dirname $0)/..":$PYTHONPATH python3 run.py\n',
     ):
         assert tree({**PYTHON, "README.md": ALONE, "start.sh": script}).command == ("bash", "start.sh")
 

@@ -329,6 +329,9 @@ def test_what_only_writes_documentation_is_installed_where_cmake_requires_it(
     ci = "install:\n  - sudo apt-get install -y doxygen\n"
     decision = tree({"CMakeLists.txt": cmake, "track.cpp": "int main() {}\n", ".travis.yml": ci})
     assert ("doxygen" in {*decision.apt, *decision.apt_guessed}) == installed
+    page = "## Install\n```\nsudo apt-get install doxygen\n```\n"
+    by_page = tree({"CMakeLists.txt": cmake, "track.cpp": "int main() {}\n", "README.md": page})
+    assert "doxygen" in {*by_page.apt, *by_page.apt_guessed}, "its CMakeLists.txt may stop by a message without it"
     assert "libeigen3-dev" in {*decision.apt, *decision.apt_guessed}
 
 

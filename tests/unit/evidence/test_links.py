@@ -32,12 +32,12 @@ def tree(folder: Path, page: str, *paths: str) -> Repository:
 
 
 def test_a_folder_without_an_address_is_told(tmp_path: Path) -> None:
-    evidence = gather(tree(tmp_path, "ROS Noetic\n", "src/own_driver", "src/mav_msgs"))
+    evidence = gather(tree(tmp_path, "ROS Noetic\n", "src/own_driver", "src/mav_msgs", "src/perception"))
     (message,) = [message for message, _, _ in evidence.problems if message.startswith("empty in a clone")]
-    assert "src/mav_msgs, src/own_driver;" in message
+    assert "src/mav_msgs, src/own_driver, src/perception;" in message
     asked = {each.name for each in evidence.code if each.namespace == "ros"}
     assert "mav_msgs" in asked, "ROS has released a package of that name"
-    assert "own_driver" not in asked
+    assert not asked & {"own_driver", "perception"}
 
 
 def test_one_that_a_page_clones_is_not(tmp_path: Path) -> None:

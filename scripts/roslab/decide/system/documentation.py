@@ -14,7 +14,10 @@ Need = tuple[Dependency, bool]
 
 
 def without_documentation(needs: Iterable[Need]) -> Iterator[Need]:
-    """Yield the needs without those that CMake looks for and does not require, whoever else names them."""
+    """Yield the needs without those that CMake looks for and does not require.
+
+    Nor those of CI, which may publish what it writes. What a page installs by name is kept.
+    """
     needs = tuple(needs)
     found = [each for each, _ in needs if each.namespace == "cmake" and _module(each) in documenting()]
     required = {_module(each) for each in found if each.strength == "declared"}
@@ -23,7 +26,7 @@ def without_documentation(needs: Iterable[Need]) -> Iterator[Need]:
     for each, trusted in needs:
         if each.namespace == "cmake" and _module(each) in optional:
             continue
-        if each.namespace != "apt" or each.name not in packages:
+        if each.namespace != "apt" or each.name not in packages or not each.file.startswith("."):
             yield each, trusted
 
 

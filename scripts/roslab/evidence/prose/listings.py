@@ -11,8 +11,8 @@ import re
 
 from roslab.values.pattern import pattern
 
-MODE = r"[bcdlps-](?:[r-][w-][xsStT-]){3}[.+]?"
-"""Type and permissions of a file: ``drwxr-xr-x``."""
+MODE = r"(?!-{10})[bcdlps-](?:[r-][w-][xsStT-]){3}[.+]?"
+"""Type and permissions of a file: ``drwxr-xr-x``. Ten dashes underline a title or head a table."""
 _LISTED = pattern(
     rf"^(?:[^\n]{{0,300}}(?<!\S){MODE}(?!\S)|[ \t]*(?:<missing>|[0-9a-f]{{12}})[ \t]+(?:\d+|an?|about an?) \w+ ago\b)"
     r"[^\n]*$",

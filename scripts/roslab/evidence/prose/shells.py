@@ -33,15 +33,16 @@ _INSTALLS = pattern(
 )
 _SENDS = pattern(
     r"^[ \t]*(?:(?:if|then|else|do|exec|sudo|time|!)[ \t]+)*(?:sshpass[ \t]+(?:-\S+[ \t]+(?:[\w\"'$][^\s-]*[ \t]+)?)*)?"
-    r"(?:(?:rsync|scp|sftp)\b[^\n]*:|ssh[ \t]+[^\n]*@)",
+    r"(?:(?:rsync|scp)\b[^\n#]*[ \t][\"']?[\w.${}@-]+:[^\s;&|]*[ \t]*(?:$|[;&|>#])|sftp\b[^\n]*@|ssh[ \t]+[^\n]*@)",
     re.MULTILINE,
 )
-"""A copy to another machine, or a command there: ``rsync -az . pi@robot.local:/home/pi``."""
+"""A copy to another machine, which is in the last word, or a command there: ``rsync -az . pi@robot.local:/home/pi``."""
 _STARTS = pattern(
     r"^[ \t]*(?:(?:exec|eval|nohup|time|then|else|do)[ \t]+)*"
-    r"(?:\w+=(?:[\w./:,+-]|\$\{?\w+\}?|\"[^\"()\n]*\"|'[^'\n]*')*[ \t]+)*"
+    r"(?:\w+=(?:\$\([^()\n]*\)|\$\{[^}\n]*\}|\"[^\"\n]*\"|'[^'\n]*'|[^\s\"'$(]|\$(?![({]))*[ \t]+)*"
     r"(?:python[\d.]*[ \t]+(?!-m[ \t]+pip\b|setup\.py\b|-[cV])|torchrun\b|accelerate[ \t]+launch|roslaunch\b|rosrun\b|"
-    r"roscore\b|ros2[ \t]|jupyter\b|[\w.~-]*/|(?:ba)?sh[ \t]+\S|[$\"'])",
+    r"roscore\b|ros2[ \t]|jupyter\b|mpi(?:run|exec)\b|xvfb-run\b|rosbag[ \t]|gazebo\b|(?:gz|ign)[ \t]|"
+    r"[\w.~-]*/|(?:ba)?sh[ \t]+\S|[$\"'])",
     re.MULTILINE,
 )
 """A line that starts a program, or what a variable names."""
