@@ -235,9 +235,9 @@ class Evidence:
     origin: str = ""
     """Where the checkout was cloned from, as git's configuration has it."""
     own_keys: tuple[OwnKey, ...] = ()
+    """Keys that the repository defines for rosdep, each once."""
     commented: tuple[GitSource, ...] = ()
     """The repositories whose addresses the code of packages of ROS names."""
-    """Keys that the repository defines for rosdep, each once."""
     apt_sources: tuple[AptSource, ...] = ()
     mentions: tuple[Mention, ...] = ()
     old_code: tuple[OldCode, ...] = ()

@@ -28,6 +28,8 @@ class PythonTools:
     jupyter: tuple[str, ...] = JUPYTER
     pinned: bool = False
     """The interpreter is too old for their newest versions."""
+    pip_first: bool = False
+    """The base's own pip brings a newer one by itself, before the others: it knows neither markers nor a cache."""
 
 
 OLD_METADATA = "24.1"
@@ -129,7 +131,8 @@ def python_tools(version: str | None, ubuntu: str | None) -> PythonTools:
     first = pip_with_sni(ubuntu) if known.startswith("2") else None
     if first is None:
         return tools
-    return replace(tools, installers=(first[0], *(each for each in tools.installers if not each.startswith("pip"))))
+    others = (each for each in tools.installers if not each.startswith("pip"))
+    return replace(tools, installers=(first[0], *others), pip_first=True)
 
 
 def pip_with_sni(ubuntu: str | None) -> tuple[str, tuple[str, ...]] | None:

@@ -26,8 +26,8 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
 _NAMES = (
-    ".travis.yml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile", "appveyor.yml", ".appveyor.yml",
-    "bitbucket-pipelines.yml", ".drone.yml",
+    ".travis.yml", ".travis.yaml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile",
+    "appveyor.yml", ".appveyor.yml", "bitbucket-pipelines.yml", ".drone.yml",
     "circle.yml", ".cirrus.yml", "wercker.yml", "shippable.yml", ".shippable.yml", ".woodpecker.yml", ".build.yml",
 )  # fmt: skip
 _FOLDERS = pattern(
@@ -104,8 +104,7 @@ def _is_ci(file: File) -> bool:
     if places.vendored(file.path):
         return False
     # CI services only read files at the root: one in a vendored library never runs
-    name = f"{file.name.removesuffix('.yaml')}.yml" if file.name.endswith(".yaml") else file.name
-    return ((name in _NAMES and "/" not in file.path) or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
+    return ((file.name in _NAMES and "/" not in file.path) or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
         file.path.lower().rpartition("/")[2]
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from roslab.knowledge.tools import OLD_METADATA, pip_with_sni, python2_installers, tool_image
+from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import building, caches, conda_lines, locks, manifests, secrets, shell
@@ -50,11 +50,10 @@ def _upgrades(plan: Plan) -> tuple[str, ...]:
     """Return the commands that bring pip and what it builds with; where only packages are of a day, pip is not."""
     upgrade, tools = f"{interpreter(plan)} -m pip install --no-cache-dir --upgrade", plan.python_tools.installers
     own = tuple(line for line in tools if line.startswith("pip"))
-    old = pip_with_sni(plan.ubuntu)
-    if plan.python.day or (old and old[0] in own):
+    first_alone = plan.python_tools.pip_first
+    if plan.python.day or first_alone:
         others = tuple(line for line in tools if line not in own)
-        # The base's own pip may be older than the option
-        first = upgrade.replace(" --no-cache-dir", "") if old and old[0] in own else upgrade
+        first = upgrade.replace(" --no-cache-dir", "") if first_alone else upgrade
         return f"{first}{shell.words(own)}", *secrets.of_pip_day(plan), f"{upgrade}{shell.words(others)}"
     # What is pinned may be newer than the day
     return *(() if plan.python_tools.pinned else secrets.as_of(plan)), f"{upgrade}{shell.words(tools)}"
