@@ -104,3 +104,19 @@ def test_a_script_compiles_a_folder_of_a_clone_outside_of_it(tree: Tree) -> None
     (library,) = decision.source
     assert (library.ref, library.cmake_folder, library.cmake_options) == ("v1", "../acme", "-DACME_SHARED=ON")
     assert not any("CMake links acme" in w.message for w in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    ("call", "folder"),
+    [
+        ("cmake -S acme -B acme/build", None),
+        ("cmake -Sacme/core -Bacme/build", "../core"),
+        ("cmake -B acme/build acme/core", "../core"),
+        ('cmake acme/core -B acme/build -G "Unix Makefiles" -D ACME_SHARED=ON', "../core"),
+        ("cmake acme/core -DACME_SHARED=ON", "../core"),
+    ],
+)
+def test_the_source_of_a_call_of_cmake_is_no_value_of_its_options(tree: Tree, call: str, folder: str | None) -> None:
+    page = f"```\ngit clone https://github.com/lab/acme.git\n{call}\nsudo cmake --install acme/build\n```\n"
+    decision = tree(project("find_package(acme REQUIRED)\n", **{"README.md": page}))
+    assert [library.cmake_folder for library in decision.source] == [folder]

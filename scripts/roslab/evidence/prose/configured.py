@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN
@@ -20,6 +21,8 @@ _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
 _NAME = pattern(r"-D(?!CMAKE_|BUILD_SHARED_LIBS|BUILD_TESTING)([A-Za-z_]\w*)")
 """The name of an option that a project declares itself, not CMake or a module of it."""
 MAX_SIZE = 256 * 1024
+_SOURCE = frozenset({"-S", "-H"})
+_VALUED = frozenset({"-A", "-B", "-C", "-D", "-G", "-P", "-T", "-U", "--preset", "--toolchain", "--install-prefix"})
 
 
 def of_another(said: Mention, repository: Repository) -> bool:
@@ -43,8 +46,22 @@ def options_of(words: Sequence[str]) -> str:
 
 def folder_of(words: Sequence[str]) -> str:
     """Return the folder that a call of CMake names by a path, ``""`` for ``..`` and for none."""
-    last = words[-1].replace(UNKNOWN, "").strip("/")
-    return "" if words[-1].startswith(("-", "..")) or len(words) == 1 else last
+    source = _source(words)
+    return "" if source.startswith("..") else source.replace(UNKNOWN, "").strip("/")
+
+
+def _source(words: Sequence[str]) -> str:
+    """Return the source that a call of CMake is given: by its option, or as a word of its own.
+
+    https://cmake.org/cmake/help/latest/manual/cmake.1.html#generate-a-project-buildsystem, 2026-11-26.
+    """
+    source = ""
+    for before, word in pairwise(words):
+        if before in _SOURCE or (word[:2] in _SOURCE and word not in _SOURCE):
+            return word if before in _SOURCE else word[2:]
+        if not word.startswith("-") and before not in _VALUED:
+            source = word
+    return source
 
 
 def below(folder: str, path: str) -> str:
