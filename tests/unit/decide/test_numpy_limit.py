@@ -57,6 +57,10 @@ def robot(distro: str, code: str, lists: str) -> dict[str, str]:
         ("humble", "import cv_bridge\nimport mediapipe\n", "mediapipe\n", {"numpy<2"}),
         ("jazzy", "import cv_bridge\nimport mediapipe\n", "mediapipe\n", {"numpy<2"}),
         ("jazzy", "import cv_bridge\n", "mediapipe\nnumpy>=2\n", set()),
+        ("humble", "import cv_bridge\n", "opencv-python==4.11.0.86\n", {"numpy<2"}),
+        ("humble", "import cv_bridge\n", "opencv-python\n", {"numpy<2"}),
+        ("humble", "import cv_bridge\n", "opencv-python==4.12.0.88\n", set()),
+        ("jazzy", "import cv_bridge\n", "jax>=0.7.2\n", set()),
         ("jazzy", "import cv_bridge\n", "setuptools<80\n", set()),
         ("jazzy", "import mediapipe\n", "mediapipe\n", set()),
         ("jazzy", "import matplotlib\n", "matplotlib\n", set()),
@@ -68,3 +72,12 @@ def robot(distro: str, code: str, lists: str) -> dict[str, str]:
 def test_beside_what_the_distribution_built(tree: Tree, distro: str, code: str, lists: str, limit: set[str]) -> None:
     written = {each.written for each in tree(robot(distro, code, lists)).python.bounds}
     assert {each for each in written if each.startswith("numpy")} == limit
+
+
+def test_a_release_that_needs_numpy_2_is_told(tree: Tree) -> None:
+    lists = "tqdm\nopencv-contrib-python-headless==4.12.0.88\n"
+    (told,) = (w for w in tree(robot("humble", "import cv_bridge\n", lists)).warnings if "NumPy" in w.message)
+    assert (told.file, told.line) == ("requirements.txt", 2)
+    assert "the distribution's cv_bridge fails to load" in told.message
+    code = "import mediapipe\n"
+    assert not any("NumPy" in w.message for w in tree(robot("humble", code, lists)).warnings)

@@ -210,6 +210,7 @@ def decide_python(
             *defines.warnings,
             *lists.warnings,
             *native.warnings,
+            *numpy.warnings,
             *options.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *left_to_gpus(evidence),
@@ -264,10 +265,7 @@ def _kept(evidence: Evidence, asked: Sequence[Requirement]) -> Iterator[tuple[Re
                 kept = stated(line, "table", manifest.file, manifest.line)
                 if kept.key not in named:
                     named.add(kept.key)
-                    yield (
-                        kept,
-                        because("dependencies", line, f"{build_type}: {why}", manifest, weight=Weight.MANIFEST),
-                    )
+                    yield kept, because("dependencies", line, f"{build_type}: {why}", manifest, weight=Weight.MANIFEST)
 
 
 def _of_manifests(evidence: Evidence, chosen: Chosen) -> list[Requirement]:

@@ -9,7 +9,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.python.bounds import Constraints, decide_bounds
 from roslab.decide.python.torch_build import numpy_of
 from roslab.decide.python.weights import PackageWeight as Weight
-from roslab.decide.reasons import because
+from roslab.decide.reasons import because, warn
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -56,6 +56,7 @@ def _removed(evidence: Evidence, asked: Sequence[Requirement], own: Version) -> 
 def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirement]) -> Choice[Constraints]:
     """Return NumPy 1 as the limit where a module of apt was built with it, which no NumPy 2 loads.
 
+    None where pip would find no answer: a release that needs NumPy 2 is asked for.
     https://numpy.org/devdocs/dev/depending_on_numpy.html#numpy-2-0-specific-advice, read 2026-11-26.
     """
     names = {each.key for each in asked if each.name}
@@ -64,9 +65,19 @@ def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirem
     too_old = Version(python_of_ubuntu().get(ubuntu or "", "0")) < _OLDEST_PYTHON
     if used is None or too_old or any(each.limited or not each.specifier.contains("1.26.4") for each in numpy):
         return Choice(answer=())
+    if newer := _with_numpy_2(asked):
+        told = f"{newer.written} needs NumPy 2, beside which the distribution's {used.name} fails to load"
+        return Choice(answer=(), warnings=(warn(told, newer if newer.file else used),))
     limit = stated("numpy<2")
     why = f"{used.name} of the distribution was built with NumPy 1, which what pip brings must not replace by NumPy 2"
     return Choice(answer=(limit,), reasons=(because("dependencies", limit.written, why, used, weight=Weight.BOUND),))
+
+
+def _with_numpy_2(asked: Sequence[Requirement]) -> Requirement | None:
+    """Return what is asked for in releases that all need NumPy 2."""
+    first = {each["pip"]: Version(each["first"]) for each in rows("needs_numpy_2")}
+    named = ((each, each.release or each.at_least) for each in asked if each.key in first)
+    return next((each for each, oldest in named if oldest and Version(oldest) >= first[each.key]), None)
 
 
 def _built_with_numpy(evidence: Evidence, by_pip: set[str]) -> Iterator[Dependency]:
