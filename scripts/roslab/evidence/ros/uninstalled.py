@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 
 from roslab.evidence.launch_file import LaunchFile
@@ -9,7 +10,10 @@ from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
-_ANY = pattern(r"\bos\.walk\b|\brglob\b|\*\*|\bGLOB\b|DIRECTORY\s+\.|\$\{CMAKE_CURRENT_SOURCE_DIR\}/?\s")
+_ANY = pattern(
+    r"\b(?:os\.walk|listdir|scandir|iterdir|isdir|rglob|GLOB)\b|\*\*|DIRECTORY\s+[\"']?(?:\.|\$\{\w+\}/?[\"']?\s)"
+    r"|\$\{(?:CMAKE|CMAKE_CURRENT|PROJECT)_SOURCE_DIR\}/?[\"']?\s"
+)
 """What takes files of any folder."""
 _SHARES = pattern(r"\bDIRECTORY\b|\bFILES\b|\bINSTALL_TO_SHARE\b|\bdata_files\b")
 """What installs files that are no code; one of a package whose build has none tells nothing."""
@@ -42,4 +46,13 @@ def _left(path: str, repository: Repository, packages: Mapping[str, str]) -> boo
         return False
     # A package of Python is named for its modules, which lie elsewhere than what launch finds
     module = not cmake and repository.has(f"{inside}{first}/__init__.py") and first == packages[folder]
-    return f"{first}/" not in text and f"{first}', '" not in text if module else first not in text
+    return not (_in_module(place, text) if module else first in text)
+
+
+def _in_module(place: str, text: str) -> bool:
+    """Tell whether setup.py names a folder of its module: by its path, its parts, or behind a variable."""
+    first, _, inside = place.partition("/")
+    after = rf"/?(?:{re.escape(inside.partition('/')[0] or '*')}|\*)"
+    by_name = rf"{re.escape(first)}(?:/|[\"'],\s*[\"'])"
+    by_variable = rf"[(\[]\s*\w+\s*[,+]\s*[\"']{after}|[\"']\{{\w+\}}/{after}"
+    return re.search(f"{by_name}|{by_variable}", text) is not None
