@@ -84,6 +84,17 @@ def test_what_is_linked_and_included_must_be_there(tree: Tree) -> None:
     assert "libudev-dev" in decision.apt_guessed
 
 
+def test_an_ubuntu_that_was_not_looked_up_may_lack_it(tree: Tree) -> None:
+    page = "Ubuntu 14.04\n```\nsudo apt-get install ros-indigo-desktop\n```\n"
+    links = "find_package(catkin REQUIRED)\ncatkin_package()\ntarget_link_libraries(a zstd gsl)\n"
+    code = "#include <zstd.h>\n#include <gsl/gsl_rng.h>\nint main() {}\n"
+    manifest = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    decision = tree(project(links, **{"a.cpp": code, "package.xml": manifest, "README.md": page}))
+    assert decision.ubuntu == "trusty"
+    assert not {"libzstd-dev", "libgsl-dev", "libgsl0-dev"} & {*decision.apt}
+    assert {"libzstd-dev", "libgsl0-dev"} <= {*decision.apt_guessed}
+
+
 def test_a_library_that_is_linked_alone_is_only_tried(tree: Tree) -> None:
     decision = tree(project("target_link_libraries(a glpk)\n"))
     assert "libglpk-dev" in decision.apt_guessed

@@ -9,6 +9,9 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 
+_NOT_LOOKED_UP = frozenset({"trusty"})
+"""Ubuntus that packages.ubuntu.com, from which the tables were written, has no more: packages are only tried there."""
+
 
 def compiled_with(
     needed: Iterable[tuple[Dependency, bool]], evidence: Evidence, target: Target
@@ -17,6 +20,8 @@ def compiled_with(
 
     ``needed``: names, each with whether the build really uses the file that names it.
     """
+    if target.ubuntu in _NOT_LOOKED_UP:
+        return {}
     code = (d for d in evidence.code if d.namespace == "include" and d.strength == "used" and not places.aside(d.file))
     headers = {apt for each in code for apt in resolve(each, target).apt}
     found: dict[str, Dependency | None] = {}
