@@ -89,7 +89,8 @@ def _library(naming: libraries.Naming, captured: str) -> Callable[[Names, Image]
             if found is not None:
                 packages.update(dict.fromkeys(_packages(found, where)))
             if naming == "include" and not packages:
-                packages.update(dict.fromkeys(row["apt"] for row in rows("headers") if row["header"] == name))
+                of_it = (row for row in rows("headers") if row["header"] == name)
+                packages.update((row["apt"], None) for row in of_it if not where.ubuntu or not row["ubuntu"])
         low = {"low": names.get(captured, "").lower()}
         return {"package": " ".join(packages), **low} if packages else low
 

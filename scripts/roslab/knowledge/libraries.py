@@ -85,7 +85,10 @@ def header(path: str, ubuntu: str | None) -> Library | None:
         stem = "/".join(parts[:length]) + ("/" if length < len(parts) else "")
         if (found := library("include", stem, ubuntu)) is not None:
             return found
-    return Library(apt=(_missed()[path],)) if path in _missed() else None
+    if path not in _missed():
+        return None
+    row = _of_ubuntu(_missed()[path], ubuntu)
+    return Library(apt=(row["apt"],)) if row else Library(elsewhere=ubuntu is not None)
 
 
 def only_missed(path: str) -> bool:
@@ -96,9 +99,12 @@ def only_missed(path: str) -> bool:
 
 
 @cache
-def _missed() -> dict[str, str]:
-    """Return the packages of the headers that failed builds were without."""
-    return {row["header"]: row["apt"] for row in rows("headers")}
+def _missed() -> dict[str, list[dict[str, str]]]:
+    """Return the rows of the headers that failed builds were without."""
+    found: dict[str, list[dict[str, str]]] = {}
+    for row in rows("headers"):
+        found.setdefault(row["header"], []).append(row)
+    return found
 
 
 @cache

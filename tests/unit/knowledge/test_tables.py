@@ -24,7 +24,7 @@ else:
 
 FOLDER = Path(roslab.knowledge.__file__).parent
 TABLES = sorted(path.stem for path in FOLDER.glob("*.csv"))
-LIBRARY_TABLES = ("cmake", "pkg_config", "links", "includes")
+LIBRARY_TABLES = ("cmake", "pkg_config", "links", "includes", "headers")
 APT = re.compile(r"[a-z0-9][a-z0-9.+-]+\Z")
 OURS = re.compile(r"^(?:scripts|knowledge|roslab)/")
 DATE = re.compile(r"20\d\d-[01]\d-[0-3]\d\Z")
@@ -123,6 +123,22 @@ def test_a_header_is_known_by_its_folder_or_its_path(path: str, apt: tuple[str, 
     found = libraries.header(path, "focal")
     assert found is not None
     assert found.apt == apt
+
+
+@pytest.mark.parametrize(
+    ("path", "ubuntu", "apt"),
+    [
+        ("dc1394/dc1394.h", "focal", ("libdc1394-22-dev",)),
+        ("dc1394/dc1394.h", "noble", ("libdc1394-dev",)),
+        ("jasper/jasper.h", "xenial", ("libjasper-dev",)),
+        ("jasper/jasper.h", "focal", ()),
+        ("ogg/ogg.h", "focal", ("libogg-dev",)),
+    ],
+)
+def test_a_header_of_a_failed_build_is_of_its_ubuntus(path: str, ubuntu: str, apt: tuple[str, ...]) -> None:
+    found = libraries.header(path, ubuntu)
+    assert found is not None
+    assert (found.apt, found.elsewhere) == (apt, not apt)
 
 
 def test_drivers_are_never_installed() -> None:
