@@ -169,6 +169,16 @@ def test_a_command_that_rolling_dropped_rules_it_out(tree: Tree, lines: str, dis
     assert tree({**files, "README.md": "The branch for ROS 2 Rolling\n"}).ros_distro == distro
 
 
+def test_a_command_that_a_file_of_the_tree_defines_rules_nothing_out(tree: Tree) -> None:
+    lines = "add_executable(a src/a.cpp)\ninclude(cmake/compat.cmake)\nament_target_dependencies(a rclcpp)\n"
+    files = {"package.xml": PACKAGE.format("ament_cmake"), "src/a.cpp": "", "README.md": "For ROS 2 Rolling\n"}
+    files["CMakeLists.txt"] = CMAKE.format("ament_cmake", "") + lines
+    files["cmake/compat.cmake"] = "function(other)\nendfunction()\n"
+    assert tree(files).ros_distro == "jazzy"
+    files["cmake/compat.cmake"] = "function(ament_target_dependencies target)\nendfunction()\n"
+    assert tree(files).ros_distro == "rolling"
+
+
 def test_a_header_does_not_outweigh_what_the_authors_image_starts_from(tree: Tree) -> None:
     files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}
     files["src/a.cpp"] = "#include <cv_bridge/cv_bridge.h>\n"

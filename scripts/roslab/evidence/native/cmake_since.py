@@ -80,7 +80,7 @@ def without_own(
     own = {
         *modules,
         *(file.name.removesuffix(".cmake") for file in repository.suffixed(".cmake")),
-        *_defined(repository),
+        *defined(repository),
     }
     return [
         replace(project, newer=tuple(each for each in project.newer if each.name not in own))
@@ -90,7 +90,7 @@ def without_own(
     ]
 
 
-def _defined(repository: Repository) -> set[str]:
+def defined(repository: Repository) -> set[str]:
     """Return the functions, macros and libraries that files of the tree define, functions in lower case."""
     files = (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake"))[:MAX_FILES]
     texts = (repository.read(file) for file in files if file.size <= MAX_SIZE)

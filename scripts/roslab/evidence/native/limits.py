@@ -12,7 +12,7 @@ from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.lines import matching_lines
 from roslab.evidence.lex.truth import cmake_holds
-from roslab.evidence.native import old_standard
+from roslab.evidence.native import cmake_since, old_standard
 from roslab.evidence.native.unlisted import Unlisted
 from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.knowledge.hints import Search
@@ -62,9 +62,11 @@ class Signs:
     """The signs that were found so far, each with its places."""
 
     found: dict[tuple[str, str], list[tuple[str, CodeLimit]]] = field(default_factory=dict)
-    """Each with the name of C++ that it is, empty for others."""
+    """Each with the name of C++ or the command of CMake that it is, empty for others."""
     defined: set[str] = field(default_factory=set)
     """The names that the code defines itself, which it then does not need of a library."""
+    commands: set[str] = field(default_factory=set)
+    """The commands of CMake among the signs."""
     included: set[str] = field(default_factory=set)
     """The last parts of the headers that any file includes."""
     includes: dict[str, set[str]] = field(default_factory=dict)
@@ -119,6 +121,8 @@ class Signs:
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
                 for sign in _search("cmake").possible(text):
                     self._command(sign, file.path, text)
+        if self.commands:
+            self.defined |= self.commands & cmake_since.defined(repository)
         self._as_cpp11(repository)
         kept = {header: self._including(header) for header in kept_names()}
         unlisted = Unlisted(repository)
@@ -128,14 +132,11 @@ class Signs:
         return tuple(limit for limit in first if limit)
 
     def _command(self, sign: Limit, path: str, text: str) -> None:
-        """Read the calls of a command of CMake that are made on every machine; the file defines no such command."""
-        asked = frozenset({*sign.hints.each, "function", "macro"})
-        found = tuple(calls(text, asked))
-        if any(call.written[:1] == (name,) for name in sign.hints.each for call in found):
-            return
-        for call in found:
+        """Read the calls of a command of CMake that are made on every machine."""
+        for call in calls(text, frozenset(sign.hints.each)):
             if sign.pattern.search(call.name) and not call.in_function and all(map(_always, call.conditions)):
-                self._add(sign, path, call.line)
+                self.commands.add(call.name)
+                self._add(sign, path, call.line, call.name)
 
     def _as_cpp11(self, repository: Repository) -> None:
         """Add the headers that a newer library refuses to the standard of their files."""
