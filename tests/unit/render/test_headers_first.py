@@ -61,3 +61,17 @@ def test_catkin_build_generates_a_packages_headers_first(
     )
     assert ran.returncode == code, ran.stderr
     assert [line.split()[1] for line in ran.stdout.splitlines() if line.startswith("tried ")] == [*tried]
+
+
+@pytest.mark.skipif(shutil.which("make") is None, reason="the script asks make for its targets")
+def test_many_headers_that_were_not_there_yet_do_not_stop_it(tmp_path: Path) -> None:
+    program = tmp_path / "catkin"
+    many = "for number in $(seq 9000); do echo 'm.cpp:1:1: fatal error: a/M.h: No such file or directory'; done"
+    made = "printf 'help:\\n\\t@echo \"... a_gencfg\"\\na_gencfg:\\n\\ttouch ../../made\\n' >build/a/Makefile"
+    program.write_text(f"#!/bin/bash\nmkdir -p build/a\n{made}\n[ -e made ] || {{ {many}; exit 1; }}\n")
+    program.chmod(0o755)
+    path = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    ran = subprocess.run(
+        ["bash", SCRIPT, "catkin"], cwd=tmp_path, env=path, capture_output=True, text=True, check=False
+    )
+    assert ran.returncode == 0, ran.stderr

@@ -4,7 +4,7 @@
 # parameters without waiting for it, and compiles by chance, as the order of the targets has it. Where such a header was
 # not there yet, all of them are generated first: by catkin_make of the workspace, by other tools of the package whose
 # header it is, and once for each package.
-set -euo pipefail
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 generated() {
   make --directory="$1" help 2>/dev/null | sed --quiet --regexp-extended 's/^\.\.\. (.*_(generate_messages|gencfg))$/\1/p'
@@ -13,7 +13,7 @@ generated() {
 said="$(mktemp)"
 tried=' '
 until "$@" 2>&1 | tee "${said}"; do
-  header="$(sed --quiet 's#.*fatal error: \([A-Za-z0-9_]*/[A-Za-z0-9_]*\.h\): No such file.*#\1#p' "${said}" | head -n 1)"
+  header="$(sed --quiet '\#.*fatal error: \([A-Za-z0-9_]*/[A-Za-z0-9_]*\.h\): No such file.*# { s##\1#p; q }' "${said}")"
   package="${header%%/*}"
   case "$1" in
     catkin_make) folder=build ;;
