@@ -1,4 +1,4 @@
-"""Packages that many others bring along, so that an image may have one which nobody names."""
+"""What packages bring along, so that an image may have what nobody names."""
 
 from __future__ import annotations
 
@@ -10,5 +10,11 @@ from roslab.values.name import canonicalize_name
 
 @cache
 def often_brought() -> frozenset[str]:
-    """Return their normalised names."""
+    """Return the normalised names of packages that many others bring."""
     return frozenset(canonicalize_name(row["pip"]) for row in rows("often_brought"))
+
+
+@cache
+def all_brought() -> dict[str, frozenset[str]]:
+    """Return the packages of which all is known that they bring in any release, and what those bring, normalised."""
+    return {row["pip"]: frozenset(row["brings"].split()) for row in rows("all_brought")}

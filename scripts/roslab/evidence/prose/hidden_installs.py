@@ -1,22 +1,53 @@
-"""Whether a Dockerfile may install more than its own lines and the files that it gives to pip say."""
+"""Whether a Dockerfile may install more than what apt and pip are asked for in its own lines says."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 from roslab.evidence.lex.dockerfile import Instruction
+from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.values.pattern import pattern
 
-_HIDDEN = pattern(
-    r"[\w}]\.(?:sh|bash)\b|\b(?:conda|mamba|micromamba)[ \t]+env\b|\buv[ \t]+(?:sync|run)\b"
-    r"|\b(?:poetry|pdm|pipenv|pixi|hatch|rye|just|make|tox|nox|invoke)[ \t]+[\w-]"
-    r"|\bpython[\d.]*[ \t]+(?!setup\.py)[\w./-]+\.py\b|\bpip[\d.]*[ \t]+install\b[^&|;\n]*[$`<]"
+_PIP = pattern(r"pip[\d.]*")
+_PYTHON = pattern(r"python[\d.]*")
+_OPTIONS = pattern(r"^(?:--\S+\s+)+")
+"""Options of RUN."""
+_BRINGS_NOTHING = frozenset(
+    (
+        *(
+            "apt-get",
+            "apt",
+            "add-apt-repository",
+            "apt-key",
+            "curl",
+            "wget",
+            "gpg",
+            "locale-gen",
+            "update-alternatives",
+        ),
+        *("rm", "mkdir", "cd", "ls", "pwd", "touch", "chmod", "chown", "echo", "printf", "tee", "sed", "true", ":"),
+        *("export", "set", "test", "useradd", "usermod", "groupadd", "adduser", "ldconfig", "sleep"),
+    )
 )
-"""A script, a manager with a file of its own, or a value that is not known."""
-_SETTINGS = pattern(r"\S*/(?:setup|local_setup|activate|conda|profile)\.(?:ba|z)?sh\b")
-"""What is only read into the shell."""
+"""Programs that bring no module of Python, but for what is read of the lines of apt."""
+_ARCHIVES = (".whl", ".gz", ".zip", ".deb", ".tar")
 
 
 def hides(written: Iterable[Instruction]) -> bool:
-    """Tell whether one of its steps may."""
-    return any(bool(_HIDDEN.search(_SETTINGS.sub(" ", each.text))) for each in written if each.name == "RUN")
+    """Tell whether it may: only a few programs are known not to, and pip with what is written out."""
+    texts = (_OPTIONS.sub("", each.text) for each in written if each.name == "RUN")
+    lines = (line for text in texts for _, line in logical_lines(text))
+    return any(not _known(command) for line in lines for command in commands(line))
+
+
+def _known(command: Command) -> bool:
+    program, *words = command.words
+    if _PYTHON.fullmatch(program) and words[:1] == ["-m"]:
+        program, *words = words[1:] or [""]
+    if _PIP.fullmatch(program):
+        return not any(word.endswith(_ARCHIVES) or any(mark in word for mark in f"{UNKNOWN}$`*[") for word in words)
+    return program in _BRINGS_NOTHING and not (program.startswith("apt") and any(map(_unread, words)))
+
+
+def _unread(word: str) -> bool:
+    return word.endswith(".deb") or UNKNOWN in word or "$" in word
