@@ -61,3 +61,21 @@ def test_a_program_of_python(tree: Tree) -> None:
     found = tree({"one.py": program, "serve.py": program, "requirements.txt": "numpy\n", "Dockerfile": docker})
     assert found.dockerfile is None
     assert found.command == ("python", "serve.py", "--port", "80")
+
+
+@pytest.mark.parametrize(
+    ("end", "command"),
+    [
+        ("python prepare.py", "python prepare.py"),
+        ('python prepare.py\nexec "$@"', "python3 main.py"),
+        ("python prepare.py\nexec $@", "python3 main.py"),
+    ],
+)
+def test_what_an_entry_script_does_before_the_command_only_prepares_it(tree: Tree, end: str, command: str) -> None:
+    program = "import numpy\nif __name__ == '__main__':\n    print(1)\n"
+    docker = (
+        'FROM python:3.10\nRUN pip install numpy\nCOPY entry.sh /entry.sh\nENTRYPOINT ["/entry.sh"]\nCMD ["bash"]\n'
+    )
+    files = {"main.py": program, "prepare.py": "import numpy\nnumpy.zeros(1)\n", "README.md": "# Demo\n"}
+    found = tree({**files, "Dockerfile": docker, "entry.sh": f"#!/bin/bash\nset -e\n{end}\n"})
+    assert " ".join(found.command) == command

@@ -20,6 +20,8 @@ MAX_SIZE = 64 * 1024
 _SCRIPT = pattern(r"[\w.+/-]+\.(?:sh|bash)")
 _PYTHON = pattern(r"python[23]?(?:\.\d+)?")
 _SHELLS = frozenset({"bash", "sh", "source", "."})
+_HANDS_OVER = pattern(r"(?m)^[ \t]*exec[ \t][^\n#]*\$[@*{1]")
+"""A line of a script that starts what it is given: what stands before it only prepares that."""
 
 
 def read(repository: Repository, dockerfiles: Iterable[AuthorDockerfile]) -> Iterator[Mention]:
@@ -48,7 +50,9 @@ def _programs(repository: Repository, text: str, at: Mention, authored: AuthorDo
         if script is None:
             yield from _program(repository, command, at, authored)
             continue
-        for line, logical in logical_lines(repository.read(script)):
+        if _HANDS_OVER.search(written := repository.read(script)):
+            continue
+        for line, logical in logical_lines(written):
             for inner in commands(logical, line):
                 yield from _program(repository, inner, _at(at, script.path, inner.line), authored)
 
