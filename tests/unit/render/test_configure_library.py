@@ -76,26 +76,50 @@ def test_a_program_that_cmake_misses_is_installed(tmp_path: Path, said: str) -> 
     assert (tmp_path / "calls").read_text(encoding="utf-8").splitlines() == ["../", "../"]
 
 
-def test_a_cmake_that_is_too_old_is_not_used(tmp_path: Path) -> None:
+OLD = "CMake 3.13 or higher is required.  You are running 3.10.2"
+
+
+def too_old(tmp_path: Path, python: str) -> tuple[int, list[str]]:
+    """Run the script with a stand-in of a CMake that is too old; ``python`` is the body of that of a venv."""
     programs = tmp_path / "bin"
     programs.mkdir()
     for name, body in (
-        ("cmake", "echo old >>calls; echo 'CMake 3.13 or higher is required.  You are running 3.10.2' >&2; exit 1"),
+        ("cmake", f"echo old >>calls; echo BUILD_TESTS:BOOL=ON >CMakeCache.txt; echo '{OLD}' >&2; exit 1"),
         ("apt-get", 'echo "apt-get $*" >>calls'),
         ("id", "echo 0"),
-        ("python3", 'mkdir -p newer/bin; printf "#!/bin/bash\\necho \\$* >>calls\\n" | tee newer/bin/python >newer/bin/cmake; chmod +x newer/bin/*'),  # noqa: E501
-    ):  # fmt: skip
+        ("python3", "mkdir -p newer/bin; cp made newer/bin/python; cp bin/newer newer/bin/cmake"),
+        ("newer", 'echo "$*" >>calls'),
+    ):
         (programs / name).write_text(f"#!/bin/bash\n{body}\n", encoding="utf-8")
         (programs / name).chmod(0o755)
+    made = tmp_path / "made"
+    made.write_text(f'#!/bin/bash\necho "$*" >>calls\n{python}\n', encoding="utf-8")
+    made.chmod(0o755)
     script = tmp_path / "configure.sh"
     text = SCRIPT.read_text(encoding="utf-8")
     script.write_text(text.replace("/opt/newer-cmake", f"{tmp_path}/newer"), encoding="utf-8")
     environment = {"PATH": f"{programs}:{os.environ['PATH']}"}
     command = ["bash", str(script), "-DA=1", "../"]
-    subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True)
-    calls = (tmp_path / "calls").read_text(encoding="utf-8").splitlines()
-    assert calls[0] == "old"
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    return done.returncode, (tmp_path / "calls").read_text(encoding="utf-8").splitlines()
+
+
+def test_a_cmake_that_is_too_old_is_not_used(tmp_path: Path) -> None:
+    code, calls = too_old(tmp_path, "")
+    assert (code, calls[0]) == (0, "old")
     assert calls[-2:] == ["-m pip install --quiet --no-cache-dir cmake>=3.13,<4", "-DA=1 ../"]
+
+
+def test_a_pip_that_reads_no_bounds_is_given_them(tmp_path: Path) -> None:
+    (said,) = [line for line in too_old(tmp_path, "")[1] if "--upgrade" in line]
+    assert 'pip<21; python_version == "3.5"' in said
+
+
+def test_where_pip_fails_the_other_ways_are_tried(tmp_path: Path) -> None:
+    code, calls = too_old(tmp_path, "exit 1")
+    assert code == 1
+    assert calls[-1] == "old"  # with what its cache names left out
+    assert calls.count("old") == 2
 
 
 PAGE = "Needs [acme_lidar](https://github.com/lab/acme_lidar)"

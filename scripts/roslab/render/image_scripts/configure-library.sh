@@ -31,12 +31,17 @@ newer="$(
   sed --quiet --regexp-extended 's/.*CMake ([0-9]+(\.[0-9]+)+) or higher is required.*/\1/p' "${log}" |
     sort --version-sort | tail --lines=1
 )"
-if [ -n "${newer}" ] && [ "$(id --user)" -eq 0 ] && apt-get update --quiet=2 &&
-  apt-get install --yes --quiet=2 --no-install-recommends python3-venv; then
-  echo "roslab: CMake ${newer} is required, and pip brings one: once more"
-  python3 -m venv /opt/newer-cmake
-  /opt/newer-cmake/bin/python -m pip install --quiet --no-cache-dir --upgrade pip
-  /opt/newer-cmake/bin/python -m pip install --quiet --no-cache-dir "cmake>=${newer},<$((${newer%%.*} + 1))"
+# The pip of Ubuntu 16.04 and older does not see which releases are for its Python: those are bounded here
+# https://github.com/pypa/pip/issues/9526
+bring() {
+  apt-get update --quiet=2 && apt-get install --yes --quiet=2 --no-install-recommends python3-venv || return
+  echo "roslab: CMake $1 is required, and pip brings one: once more"
+  python3 -m venv /opt/newer-cmake &&
+    /opt/newer-cmake/bin/python -m pip install --quiet --no-cache-dir --upgrade \
+      'pip<19.2; python_version < "3.5"' 'pip<21; python_version == "3.5"' 'pip; python_version >= "3.6"' &&
+    /opt/newer-cmake/bin/python -m pip install --quiet --no-cache-dir "cmake>=$1,<$((${1%%.*} + 1))"
+}
+if [ -n "${newer}" ] && [ "$(id --user)" -eq 0 ] && bring "${newer}"; then
   PATH="/opt/newer-cmake/bin:${PATH}"
   rm -rf CMakeCache.txt CMakeFiles /var/lib/apt/lists/*
   status=0
