@@ -29,6 +29,8 @@ class CMakeProject:
     """Programs of ``add_executable`` and similar calls by the names of their files, with their lines."""
     dependencies: tuple[Dependency, ...]
     sources: tuple[GitSource, ...] = ()
+    brought: tuple[str, ...] = ()
+    """Names that what it fetches by itself may have, with the parts of the addresses."""
     minimum: Dependency | None = None
     """The CMake version that ``cmake_minimum_required`` asks for, as ``version``."""
     newer: tuple[Dependency, ...] = ()

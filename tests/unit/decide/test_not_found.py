@@ -76,6 +76,28 @@ def test_what_is_linked_and_included_and_nothing_brings_is_told(
     assert said == lines
 
 
+ADDRESS = "https://github.com/lab/acme"
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        (f"FetchContent_Declare(acme GIT_REPOSITORY {ADDRESS}.git GIT_TAG v1)\n", False),
+        ("FetchContent_Declare(acme URL ${ACME_URL})\n", False),
+        (f"ExternalProject_Add(acme_ext URL {ADDRESS}/archive/1.0.zip)\n", False),
+        ('CPMAddPackage("gh:lab/acme@1.3#v1.3")\n', False),
+        ("CPMAddPackage(NAME acme GITHUB_REPOSITORY lab/acme VERSION 1.3)\n", False),
+        ("include(cmake/deps.cmake)\n", False),
+        ("FetchContent_Declare(other GIT_REPOSITORY https://github.com/lab/other)\n", True),
+        ("", True),
+    ],
+)
+def test_what_cmake_fetches_is_there(tree: Tree, lines: str, *, told: bool) -> None:
+    included = f"FetchContent_Declare(acme URL {ADDRESS}/archive/1.0.zip)\n"
+    files = project(f"{lines}target_link_libraries(a acme)\n", **SDK, **{"cmake/deps.cmake": included})
+    assert any("CMake links acme" in w.message for w in tree(files).warnings) == told
+
+
 def test_what_is_linked_and_included_must_be_there(tree: Tree) -> None:
     links = "target_link_libraries(a glpk)\nif(WITH)\ntarget_link_libraries(a udev)\nendif()\n"
     code = "#include <glpk.h>\n#include <libudev.h>\nint main() {}\n"

@@ -34,15 +34,16 @@ def not_found(
 ) -> Iterator[Warning_]:
     """Yield a warning for each such library; ``names``: those of all that is installed, built or cloned.
 
-    A clone that is not ``built`` has no library to link.
+    A clone that is not ``built`` has no library to link; what CMake fetches by itself has one.
     """
     cloned = {plain(git.name) for git in evidence.sources if git.kind in {"clone", "inside"}}
     compiled = {name for name in names if name not in cloned or name in built}
     folders = [manifest.file.rpartition("/")[0] for manifest in packages.built]
     made = {name for project in evidence.cmake for name in project.made}
+    fetched = {plain(name) for project in evidence.cmake for name in project.brought}
     told: set[str] = set()
     for asked in code_needs(evidence, packages):
-        if asked.name in told or asked.name in made:
+        if asked.name in told or asked.name in made or plain(asked.name) in fetched:
             continue
         looked = asked.role == SEARCHED
         shown = _included(asked, evidence) if not looked else ""

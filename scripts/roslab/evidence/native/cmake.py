@@ -35,7 +35,7 @@ _TESTS = frozenset({"add_test", "gtest_discover_tests", "catch_discover_tests"})
 _NAMES = (
     cmake_needs.CALLS
     | _TESTS
-    | cmake_needs.FETCHING
+    | cmake_needs.BRINGING
     | cmake_since.NAMES
     | _EXECUTABLE
     | _LIBRARY
@@ -92,6 +92,7 @@ class _Reading:
     """Files of code that programs name, relative to this one's folder."""
     dependencies: list[Dependency] = field(default_factory=list)
     sources: list[GitSource] = field(default_factory=list)
+    brought: dict[str, None] = field(default_factory=dict)
     linked: dict[str, int] = field(default_factory=dict)
     included: set[str] = field(default_factory=set)
     """Files of the tree that it includes, and those that they include."""
@@ -200,6 +201,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             )
         ),
         sources=tuple(reading.sources),
+        brought=tuple(reading.brought),
         minimum=reading.minimum,
         newer=tuple(reading.newer.values()),
         tests=reading.tests,
@@ -250,8 +252,9 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
     elif name in _LIBRARY:
         reading.libraries.update(words[:1])
         reading.made |= {} if "IMPORTED" in words else dict.fromkeys(words[:1])
-    elif name in cmake_needs.FETCHING:
-        reading.sources += cmake_needs.fetched(told, path)
+    elif name in cmake_needs.BRINGING:
+        reading.brought |= dict.fromkeys(cmake_needs.brought(call))
+        reading.sources += cmake_needs.fetched(told, path) if name in cmake_needs.FETCHING else ()
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}

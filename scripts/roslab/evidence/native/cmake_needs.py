@@ -26,6 +26,9 @@ CALLS = _FINDING | frozenset(
     ]
 )
 FETCHING = frozenset({"fetchcontent_declare", "externalproject_add"})
+BRINGING = FETCHING | {"cpmaddpackage", "cpmfindpackage"}
+"""https://github.com/cpm-cmake/CPM.cmake, its README.md, read 2026-11-26."""
+_OF_ADDRESS = pattern(r"[:/@#\s]|\.git\b")
 _FLAGS = frozenset(
     [
         "REQUIRED",
@@ -156,6 +159,14 @@ def fetched(call: Call, path: str) -> Iterator[GitSource]:
             line=call.line,
             kind="fetch",
         )
+
+
+def brought(call: Call) -> Iterator[str]:
+    """Yield the names that what a call fetches may have: its own, and the parts of the address."""
+    keys = ("NAME", "GIT_REPOSITORY", "GITHUB_REPOSITORY", "GITLAB_REPOSITORY", "URL", "SOURCE_DIR")
+    values = dict(pairwise(call.words))
+    for word in (*call.words[:1], *(values.get(key, "") for key in keys)):
+        yield from filter(None, _OF_ADDRESS.split(word))
 
 
 def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.native.cmake_needs import BRINGING
 from roslab.evidence.native.cmake_since import OF_INCLUDED
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -17,7 +18,6 @@ MAX_DEPTH = 3
 """Of files that include others."""
 MAX_FILES = 40
 _FINDS = frozenset({"find_package", "find_dependency", "pkg_check_modules", "pkg_search_module", "include"})
-_FETCHES = frozenset({"fetchcontent_declare", "externalproject_add"})
 _SOURCE = pattern(r"^\$\{(?:CMAKE(?:_CURRENT)?|PROJECT)_(?:SOURCE|LIST)_DIR\}/|^\./")
 _NAME = pattern(r"[A-Za-z][\w.+-]*$")
 OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google", "Use", "Generate", "Write")
@@ -37,7 +37,7 @@ def needing(
     if module is None or module.path in seen or len(seen) >= MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
         return
     seen.add(module.path)
-    for inner in calls(repository.read(module), _FINDS | _FETCHES | OF_INCLUDED, options):
+    for inner in calls(repository.read(module), _FINDS | BRINGING | OF_INCLUDED, options):
         told = replace(inner, conditions=(*call.conditions, *inner.conditions))
         if inner.name == "include":
             yield from needing(told, repository, module, seen, options)
