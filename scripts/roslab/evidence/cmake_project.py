@@ -18,6 +18,8 @@ class CMakeProject:
     """It calls ``project()`` and no CMakeLists.txt above it adds its folder."""
     added: bool = False
     """A CMakeLists.txt above it, which is not about tests alone, adds its folder."""
+    adds: tuple[str, ...] = ()
+    """The folders that it adds, whether they are there or not."""
     top: str = ""
     """The folder of the first CMakeLists.txt of those that add it, its own where none does."""
     always: bool = False

@@ -187,6 +187,9 @@ TOP = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\n{}add_executable(a a.
             {"deps/yaml-cpp/CMakeLists.txt": "project(YAML_CPP)\nadd_library(yaml-cpp y.cpp)\n"},
             False,
         ),
+        ("add_subdirectory(deps/yaml-cpp)\nfind_package(yaml-cpp REQUIRED)\n", {}, False),  # not checked out
+        ("add_subdirectory(${CMAKE_SOURCE_DIR}/deps/yaml-cpp yaml)\nfind_package(yaml-cpp REQUIRED)\n", {}, False),
+        ("add_subdirectory(deps/yaml)\nfind_package(yaml-cpp REQUIRED)\n", {}, True),
     ],
 )
 def test_the_distributions_library_in_place_of_a_submodule_is_told(

@@ -11,6 +11,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.evidence import places
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
 
@@ -28,7 +29,7 @@ def other_than_carried(
         required = asked.namespace in {"cmake", "pkg-config"} and asked.strength == "declared"
         git = carried.get(plain(_RELEASE.sub("", asked.name))) if required and not places.aside(asked.file) else None
         perhaps = git and git.absent and target.ros_distro and asked.namespace == "cmake"  # it may be a package of ROS
-        if git is None or perhaps or any(p.added and p.file.startswith(f"{git.name}/") for p in evidence.cmake):
+        if git is None or perhaps or any(_adds(project, git.name) for project in evidence.cmake):
             continue
         if apt := " ".join(resolve(asked, target).apt):
             del carried[plain(git.name.rpartition("/")[2])]
@@ -36,3 +37,10 @@ def other_than_carried(
                 f"the repository has {asked.name} as the submodule {git.name}, which nothing here builds: {apt} is "
             )
             yield warn(f"{message}taken instead; where the code needs the other, build it under `custom`", asked)
+
+
+def _adds(project: CMakeProject, submodule: str) -> bool:
+    """Tell whether CMake adds a folder of a submodule, which need not be checked out."""
+    below = f"{submodule}/"
+    inside = project.added and project.file.startswith(below)
+    return inside or any(f"/{below}" in f"/{each}/" for each in project.adds)  # as written: below a variable, by ``..``

@@ -147,13 +147,13 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
     above = added.get(file.folder, _Added())
     reading = _Reading(switches=above.switches, by_tool=above.by_tool)
-    adds = False
+    adds: list[str] = []
     options = dict(above.options)
     text = repository.read(file)
     for call in calls(text, _NAMES, options):
         cmake_since.note(call, file.path, reading.newer)
         if folders := cmake_needs.folders(call):
-            adds = True
+            adds += (here := [_joined(file.folder, folder) for folder in folders])
             switches = tuple(filter(cmake_needs.of_an_option, (*above.switches, *call.conditions)))
             within = above.within or not places.test(file.path)
             always = (above.always or file.folder not in added) and not (call.conditions or call.in_function)
@@ -162,7 +162,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             there = _Added(
                 options=dict(options), switches=switches, by_tool=by_tool, within=within, top=top, always=always
             )
-            added |= {_joined(file.folder, folder): there for folder in folders} | added
+            added |= dict.fromkeys(here, there) | added
         elif call.name == "include":
             _include(call, repository, file, reading)
             if reading.name is None and (by_macro := own_project.wrapped(call, file.path, text, repository)):
@@ -188,6 +188,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             rosbuild="rosbuild" in reading.macros,
         ),
         added=above.within,
+        adds=tuple(adds),
         top=file.folder if above.top is None else above.top,
         always=above.always,
         languages=tuple(dict.fromkeys(reading.languages)),
