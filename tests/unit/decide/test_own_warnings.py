@@ -29,7 +29,7 @@ def test_it_is_told_of_a_generated_image(tree: Tree) -> None:
 @pytest.mark.parametrize(
     ("steps", "stops"),
     [
-        ("RUN cd /work/third/sdf && \\\n  pip install -e .\n", True),
+        ("RUN cd /code/third/sdf && \\\n  pip install -e .\n", True),
         ("RUN pip install ./third/sdf/\n", True),
         ("RUN pip install sdf\n", False),
         ("RUN ls third/sdf2 my-third/sdf.py\n", False),

@@ -62,3 +62,11 @@ def test_its_variables_are_given(tree: Tree, call: str, options: tuple[str, ...]
 )
 def test_a_file_that_cannot_be_read_gives_none(tree: Tree, text: str) -> None:
     assert tree(files("cmake --preset gui", text)).cmake_options == ()
+
+
+def test_a_library_that_is_configured_by_a_preset_is_configured_where_it_lies(tree: Tree) -> None:
+    build = "cd odd && cmake --preset gui && cmake --build build && sudo cmake --install build"
+    page = f"```\ngit clone https://github.com/lab/odd.git\n{build}\n```\n"
+    cmake = "project(demo)\nfind_package(odd REQUIRED)\nadd_executable(demo main.cpp)\n"
+    (source,) = tree({"CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", "README.md": page}).source
+    assert (source.name, source.cmake_folder) == ("odd", None)

@@ -21,6 +21,7 @@ _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
 _NAME = pattern(r"-D(?!CMAKE_|BUILD_SHARED_LIBS|BUILD_TESTING)([A-Za-z_]\w*)")
 """The name of an option that a project declares itself, not CMake or a module of it."""
 MAX_SIZE = 256 * 1024
+PRESET = "--preset="
 _SOURCE = frozenset({"-S", "-H"})
 _VALUED = frozenset({"-A", "-B", "-C", "-D", "-G", "-P", "-T", "-U", "--preset", "--toolchain", "--install-prefix"})
 
@@ -42,6 +43,13 @@ def options_of(words: Sequence[str]) -> str:
     """Return the options of a call, ``-D GUI=ON`` written as one word."""
     joined = _SEPARATE.sub(" -D", " ".join(words)).split()
     return " ".join(word for word in joined if _OPTION.fullmatch(word))
+
+
+def preset_of(words: Sequence[str]) -> str:
+    """Return `` --preset=NAME`` of a call of CMake, however it is written; ``""`` without one."""
+    names = [word.removeprefix(PRESET) for word in words if word.startswith(PRESET)]
+    names += [word for before, word in pairwise(words) if before == PRESET.rstrip("=")]
+    return f" {PRESET}{names[0]}" if names else ""
 
 
 def folder_of(words: Sequence[str]) -> str:

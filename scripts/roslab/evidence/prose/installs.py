@@ -9,11 +9,11 @@ from typing import Literal
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
-from roslab.evidence.prose import blanks, presets, workspaces
+from roslab.evidence.prose import blanks, workspaces
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at, titled
-from roslab.evidence.prose.configured import below, folder_of, installs, options_of, source_of
+from roslab.evidence.prose.configured import below, folder_of, installs, options_of, preset_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.runners import by_ros, started
@@ -260,10 +260,9 @@ class Collector:
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
             if not {"--build", "--install", "--version"} & {*words}:
-                told, preset = presets.apart(words)
-                self.options, self.configured, self.below = options_of(told), True, folder_of(told)
+                self.options, self.configured, self.below = options_of(words), True, folder_of(words)
                 # A folder in which CMake is run, ``.`` where the text begins, with its options, may be a library's
-                self._mention("compiled", source_of(self.folder, told), command, text=self.options + preset)
+                self._mention("compiled", source_of(self.folder, words), command, text=self.options + preset_of(words))
         if not installs(program, words, configured=self.configured):
             return
         clone = clone_at([*self.folder.split("/"), *self.below.split("/")], self.sources)

@@ -6,44 +6,26 @@ https://cmake.org/cmake/help/latest/manual/cmake-presets.7.html#configure-preset
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose.configured import PRESET
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 FILE = "CMakePresets.json"
-OPTION = "--preset="
 _TESTS = pattern(r"(?:^|_)TEST(?:S|ING)?(?:_|$)")
 _WORD = pattern(r"[\w.+-]+")
-
-
-def apart(words: Sequence[str]) -> tuple[list[str], str]:
-    """Return the words of a call of CMake without its preset, and `` --preset=NAME``, ``""`` for none.
-
-    With a preset, the source is the folder that CMake is called in.
-    """
-    rest, name = list[str](), ""
-    for number, word in enumerate(words):
-        if word.startswith(OPTION):
-            name = word.removeprefix(OPTION)
-        elif word != "--preset" and (not number or words[number - 1] != "--preset"):
-            rest.append(word)
-        elif word != "--preset":
-            name = word
-    if name and all(word.startswith("-") for word in rest[1:]):
-        rest.append(".")
-    return rest, f" {OPTION}{name}" if name else ""
 
 
 def with_variables(mention: Mention, repository: Repository) -> Mention:
     """Return what a page tells CMake with the variables of its preset written out; those that compile tests are not."""
     said = mention.text.split()
-    names = [word.removeprefix(OPTION) for word in said if word.startswith(OPTION)]
+    names = [word.removeprefix(PRESET) for word in said if word.startswith(PRESET)]
     if not names:
         return mention
-    others = [word for word in said if not word.startswith(OPTION)]
+    others = [word for word in said if not word.startswith(PRESET)]
     set_ = {word.partition("=")[0].partition(":")[0] for word in others}
     meant = _variables(repository, mention, names[0])
     options = (f"-D{name}={value}" for name, value in meant.items() if f"-D{name}" not in set_)
