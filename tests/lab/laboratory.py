@@ -82,6 +82,8 @@ def up(*, emulated: bool = True, everything: bool = False, bases: Sequence[str] 
     with lock(sys.stderr):
         with step("engine") as told:
             told.note = engine.up()
+        with step("room on the disk") as told:
+            told.note = engine.make_room()
         for name in (registry.PROTECTED, registry.MIRROR):
             with step(f"{name}") as told:
                 told.note = registry.up(name)
