@@ -96,7 +96,9 @@ def make_room() -> str:
         run(["docker", "builder", "prune", "--force"], env=env, timeout=600)
         freed = "after the builder's store was emptied, "
     free = _free_gb()
-    short = "" if free >= wanted else f"; all tests want {wanted} GB, without them some fail with 'no space left on device'"
+    short = (
+        "" if free >= wanted else f"; all tests want {wanted} GB, without them some fail with 'no space left on device'"
+    )
     return f"{freed}{free:.0f} GB free in {home()}{short}"
 
 

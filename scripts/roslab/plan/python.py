@@ -31,6 +31,8 @@ class PythonPlan:
     python2: tuple[str, ...]
     python2_options: tuple[str, ...]
     pip_tried: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
+    """Lines of ``pip`` and ``pip_guessed`` that a page has built without isolation."""
     conda_specs: tuple[str, ...] = ()
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
@@ -68,6 +70,7 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         pip=_lines(python.pip),
         pip_tried=_lines(python.pip_tried),
         pip_guessed=_lines(python.pip_guessed),
+        beside=_lines(each for each in (*python.pip, *python.pip_guessed) if each.beside),
         requirements=python.requirements,
         manifests=python.manifests,
         projects=python.projects,

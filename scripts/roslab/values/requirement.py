@@ -68,6 +68,8 @@ class Requirement:
     """The name of the extra, if the role is ``extra``."""
     file: str = ""
     line: int = 1
+    beside: bool = False
+    """Whether it is to be built beside what is installed: ``--no-build-isolation``."""
 
     @property
     def key(self) -> str:

@@ -54,6 +54,15 @@ def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> No
     assert texts == urls, "pip refuses a package that has another name than its repository"
 
 
+@pytest.mark.parametrize("option", ["", " --no-build-isolation"])
+def test_what_a_page_builds_beside_torch_is_built_so_first(tree: Tree, option: str) -> None:
+    page = f"```\npip install torch==2.1.0\n{API}cd graspAPI\npip install -e .{option}\n```\n"
+    decision = tree({**CODE, "README.md": page})
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
+    assert ("--no-build-isolation=git+https://github.com/lab/graspAPI.git" in text) == bool(option)
+    assert "git+https://github.com/lab/graspAPI.git" in text
+
+
 @pytest.mark.parametrize(
     ("code", "urls"),
     [

@@ -117,6 +117,16 @@ def test_declared_packages_stop_the_build_and_guessed_ones_are_named() -> None:
     assert "    install-optional-apt libglew-dev\n" in guessed
 
 
+def test_a_declared_package_that_a_page_builds_beside_torch_is_isolated_only_where_that_fails() -> None:
+    pip = (stated("numpy==1.21.6"), replace(stated("git+https://github.com/lab/sdf"), beside=True))
+    text = written(plan(python=Python(version="3.8", manager="system", pip=pip)))
+    assert re.search(
+        r"&& \{ python3 -m pip install \S+ --no-build-isolation git\+https://github.com/lab/sdf \\\n"
+        r"      \|\| python3 -m pip install \S+ git\+https://github.com/lab/sdf; \}",
+        text,
+    )
+
+
 def test_what_a_file_asks_for_that_pip_refuses_is_tried_one_by_one() -> None:
     pip = (stated("numpy==1.21.6"), stated("bzip2==1.0.8"))
     text = written(plan(python=Python(version="3.8", manager="system", pip=pip, pip_tried=pip[1:])))

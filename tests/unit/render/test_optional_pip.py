@@ -64,6 +64,19 @@ def test_what_is_cloned_keeps_its_place_and_is_built_beside_torch(tmp_path: Path
     assert (tmp_path / "left-out.txt").read_text() == f"pip {clone}\n"
 
 
+def test_what_a_page_builds_beside_torch_is_built_so_first(tmp_path: Path) -> None:
+    clone = "git+https://example.org/lab.git@v1"
+    calls = _run(tmp_path, f"--no-build-isolation={clone}", "--no-build-isolation=sdf==1.0")
+    assert [call for call in calls if "list" not in call] == [
+        "--no-cache-dir --no-build-isolation sdf==1.0",
+        f"--no-cache-dir --no-build-isolation {clone}",
+    ]
+    (tmp_path / "left-out.txt").touch()
+    calls = _run(tmp_path, f"--no-build-isolation={clone}", refused=f"{clone}\n")
+    assert calls[-1] == f"--no-cache-dir {clone}"
+    assert (tmp_path / "left-out.txt").read_text() == f"pip {clone}\n"
+
+
 def test_of_a_version_that_is_gone_another_one_is_taken(tmp_path: Path) -> None:
     calls = _run(tmp_path, "carla==0.9.10", refused="carla==0.9.10\ncarla==0.9.10.*\n")
     assert calls[:4] == ["--no-cache-dir carla==0.9.10", "--no-cache-dir --no-build-isolation carla==0.9.10",

@@ -9,7 +9,7 @@ from typing import Literal
 from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.knowledge.frameworks import conda_names
 from roslab.values.conda import CondaPackage, conda_package
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role
 from roslab.values.requirement_line import requirement, stated
@@ -75,6 +75,7 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
     role: Role = "python2" if words[0].rpartition("/")[2].startswith("pip2") else ""
     index = words.index("install") + 1
     editable = {word for flag, word in itertools.pairwise(words) if flag in {"-e", "--editable"}}
+    beside = "--no-build-isolation" in words
     while index < len(words):
         word, line = words[index].strip(), command.lines[index]
         following = words[index + 1] if index + 1 < len(words) else ""
@@ -91,11 +92,11 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
             yield _argument(here(target), "file", file, line)
         elif not word.startswith("-") and UNKNOWN not in word:  # the path after `-e` is handled like other words
             if _PATH.search(word) or _FOLDER.fullmatch(word) or (word in editable and _NAME.fullmatch(word)):
-                yield _argument(here(word), "project", file, line)
+                yield replace(_argument(here(word), "project", file, line), beside=beside)
             elif (name := _bare(word)).lower() in STOP:
                 break  # the rest is a sentence, not a command
             elif found := requirement(name, "prose", file, line, role=role, repair=False):
-                yield found
+                yield replace(found, beside=True) if beside else found
 
 
 def _bare(word: str) -> str:

@@ -3,7 +3,7 @@
 # Installs each package that pip finds, with the given options: those of a version that a page names first. For the
 # others nothing is replaced that pip has installed by then. Of one that has not the exact version which a page names,
 # one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot be built by itself is built beside what
-# is there (torch). The others are named and left out.
+# is there (torch); `--no-build-isolation=PACKAGE` is built so first. The others are named and left out.
 set -euo pipefail
 
 python="$1"
@@ -17,7 +17,8 @@ shift
 of_a_version=()
 others=()
 for package in "$@"; do
-  case "${package%% @ *}" in *[\<=\>]*) of_a_version+=("${package}") ;; *) others+=("${package}") ;; esac
+  line="${package#--no-build-isolation=}"
+  case "${line%% @ *}" in *[\<=\>]*) of_a_version+=("${package}") ;; *) others+=("${package}") ;; esac
 done
 kept="$(mktemp)"
 keep() {
@@ -27,13 +28,18 @@ keep() {
     | grep --extended-regexp '^[A-Za-z0-9._-]+==[0-9]+([.][0-9]+)*((a|b|rc|[.]post|[.]dev)[0-9]+)*([+][a-z0-9.]+)?$' >"${kept}" || true
 }
 for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[@]}"}; do
+  tries=("" --no-build-isolation)
+  case "${package}" in --no-build-isolation=*) tries=(--no-build-isolation "") ;; esac
+  package="${package#--no-build-isolation=}"
   case "${package}" in
     --) keep && continue ;;
     *[\<=\>]* | *://*) limits=() ;;
     *) limits=(--constraint "${kept}") ;;
   esac
   arguments=(${limits[@]+"${limits[@]}"} "${package}")
-  if "${pip[@]}" "${arguments[@]}" || "${pip[@]}" --no-build-isolation "${arguments[@]}"; then continue; fi
+  for try in "${tries[@]}"; do
+    if "${pip[@]}" ${try:+"${try}"} "${arguments[@]}"; then continue 2; fi
+  done
   name="${package%%==*}"
   case "${package#"${name}"}" in
     == | *[!0-9.=]*) ;;

@@ -90,6 +90,14 @@ def also_with_what_is_there(plan: Plan, pip: str, words: str) -> str:
     return f"{{ {whole} \\\n      || {again}; }}" if plan.python.first else whole
 
 
+def with_what_is_there(pip: str, words: str) -> str:
+    """Return a call of pip for packages that a page has built beside what is there, and an isolated one else.
+
+    Alone some would be built too, without the extension for which they need torch.
+    """
+    return f"{{ {pip} --no-build-isolation{words} \\\n      || {pip}{words}; }}"
+
+
 def also_one_by_one(plan: Plan, python: str, pip: str) -> str:
     """Return a call of pip for what is asked by name, and one each where that fails: none of them stops the build."""
     words = shell.words(plan.python.pip_tried)

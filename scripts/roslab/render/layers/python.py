@@ -159,9 +159,12 @@ def packages(plan: Plan) -> str:
     there = python.manager == "conda" and bool(_conda_pip(plan))
     commands = [f"{pip}{shell.words(python.first)}"] if python.first and not there else []
     commands += [building.with_option(pip, option, line) for line, option in python.cuda_options]
-    if required := [line for line in python.pip if line not in python.pip_tried]:
-        words = f"{pip_options(python.pip_options)}{shell.words(_arguments(required))}"
+    required = [line for line in python.pip if line not in python.pip_tried]
+    if isolated := [line for line in required if line not in python.beside]:
+        words = f"{pip_options(python.pip_options)}{shell.words(_arguments(isolated))}"
         commands.append(building.also_with_what_is_there(plan, pip, words))
+    if beside := [line for line in required if line in python.beside]:
+        commands.append(building.with_what_is_there(pip, f"{pip_options(python.pip_options)}{shell.words(beside)}"))
     if commands:
         blocks.append(shell.run(*commands, comment="Python packages that are declared", secrets=secrets.for_pip(plan)))
     if python.pip_tried:
@@ -196,9 +199,11 @@ def guessed_packages(plan: Plan) -> str:
     if not plan.python.pip_guessed:
         return ""
     options = f"{caches.pip_option(plan)}{pip_options(plan.python.options)}"
+    beside = plan.python.beside
+    lines = (f"{'--no-build-isolation=' * (line in beside)}{line}" for line in plan.python.pip_guessed)
     return shell.call(
         "install-optional-pip",
-        f" {interpreter(plan)} {options} --{shell.words(plan.python.pip_guessed)}",
+        f" {interpreter(plan)} {options} --{shell.words(lines)}",
         comment="Imported or named in a page, declared nowhere else: none of them stops the build",
         secrets=secrets.for_tries_of_pip(plan),
     )
