@@ -180,6 +180,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         (*everything, *(each for project in projects for each in project.build_requires)),
         command=command.answer.page,
         image=base.answer.image,
+        ros=distro,
         gui=command.answer.gui,
     )
     downloads = decide_downloads(evidence, config, command.answer.command, folder_name, command.answer.page)

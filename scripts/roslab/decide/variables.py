@@ -8,6 +8,7 @@ from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.nested_headers import nested_headers
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.decide.system.header_folders import compiler_variables
 from roslab.evidence.dependency import Dependency
@@ -40,6 +41,7 @@ def decide_variables(
     *,
     command: Candidate | None = None,
     image: str = "",
+    ros: str | None = None,
     gui: bool = True,
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return each variable with the value that roslab.yaml gives it, else a page first.
@@ -79,7 +81,10 @@ def decide_variables(
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
     windows = _windows(command, evidence)
-    further: list[tuple[str, str, str, Requirement | Dependency]] = [*compiler_variables(evidence)]
+    further: list[tuple[str, str, str, Requirement | Dependency]] = [
+        *compiler_variables(evidence),
+        *nested_headers(evidence, ros),
+    ]
     for name, value, why, asks in (*(_drawing(asked, windows) if gui else _offscreen(asked)), *further):
         if name not in {*pairs, *given}:
             pairs[name] = value

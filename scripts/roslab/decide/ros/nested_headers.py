@@ -1,0 +1,50 @@
+"""Headers that older distributions of ROS 2 had in one folder for all packages, and newer ones in one for each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import PurePosixPath
+
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.distros import distro
+from roslab.knowledge.header_only import header_only
+
+_NAME = "CPLUS_INCLUDE_PATH"
+"""Searched last, so that a package of the workspace comes before the one in /opt/ros.
+https://gcc.gnu.org/onlinedocs/gcc/Environment-Variables.html, read 2026-11-26."""
+
+
+def nested_headers(evidence: Evidence, ros: str | None) -> Iterator[tuple[str, str, str, Dependency]]:
+    """Yield the variable that tells the folders of header-only packages which a package includes and never finds.
+
+    Each with its value, why it is set, and the first include that needs it.
+    """
+    known = distro(ros)
+    if known is None or known.ros != 2:
+        return
+    found = {
+        str(PurePosixPath(project.file).parent): {d.name for d in project.dependencies if d.namespace == "cmake"}
+        for project in evidence.cmake
+    }
+    folders: dict[str, Dependency] = {}
+    for row in header_only():
+        first = distro(row.since)
+        if first is None or known.released < first.released:
+            continue
+        for each in evidence.code:
+            if each.namespace != "include" or not each.name.startswith(f"{row.package}/") or places.aside(each.file):
+                continue
+            by = next((found[str(place)] for place in PurePosixPath(each.file).parents if str(place) in found), None)
+            told = by is None or "rclcpp" not in by  # ament_cmake_auto finds what package.xml names
+            if told or any(name == row.package or name.startswith(f"{row.package}_") for name in by or ()):
+                continue
+            for package in (row.package, *row.includes):
+                folders.setdefault(f"/opt/ros/{known.name}/include/{package}", each)
+            break
+    if folders:
+        asked = next(iter(folders.values()))
+        package = asked.name.partition("/")[0]
+        why = f"{asked.name} is in a folder of its package alone, and CMake does not find {package}"
+        yield _NAME, ":".join(folders), why, asked
