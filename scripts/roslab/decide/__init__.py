@@ -206,7 +206,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         linked=linked(sources.answer.sought),
     )
     left_out = () if own.answer else missing.answer.packages
-    sources, system = as_tried(sources, system, packages, left_out, none=own.answer is not None)
+    sources, system = as_tried(sources, system, packages, left_out, missing.answer.stops, none=own.answer is not None)
     steps = decide_steps(
         evidence,
         config,

@@ -50,6 +50,8 @@ class CMakeProject:
     """Programs and libraries that are always targets of it, as CMake calls them."""
     not_there: tuple[InstalledPath, ...] = ()
     """What it installs in any case and the tree does not have, and which none of its other lines may make."""
+    configs: tuple[str, ...] = ()
+    """Packages that find_package finds once it is installed: ``gripper`` of ``gripper-config.cmake``."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
     lacks: bool = False

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, packaged
+from roslab.decide.ros.own_configs import installing
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
@@ -23,6 +24,7 @@ from roslab.values.pattern import pattern
 
 _NO_KEY = pattern(r"rosdep has no key (\S+) for ROS (\S+): (.+)")
 _LOOKS = "the build looks for it in {}, and goes on without it where it is not there"
+_STOPS = "the build looks for it in {}, and stops where it is not there"
 _NOWHERE = "nothing here says where it comes from"
 _MOST_MEANT = 3
 """Most names that a warning proposes for one."""
@@ -65,7 +67,11 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
 
 
 def own_libraries(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ...]:
-    """Return the keys that are no packages but libraries which the CMake of their own package compiles."""
+    """Return the keys that are no packages but libraries: of the CMake of their own package, or installed by another's.
+
+    The latter has no package.xml.
+    """
+    here = installing(evidence)
     made = [(project.file, project.made) for project in evidence.cmake if project.made]
     folders = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
 
@@ -76,7 +82,8 @@ def own_libraries(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, 
     return tuple(
         key.name
         for key in keys
-        if any(key.name in names and of(file) == key.file.rpartition("/")[0] for file, names in made)
+        if key.name.lower() in here
+        or any(key.name in names and of(file) == key.file.rpartition("/")[0] for file, names in made)
     )
 
 
@@ -180,12 +187,17 @@ def together(warnings: Iterable[Warning_]) -> Iterator[Warning_]:
         yield replace(first, message=f"rosdep has no keys {keys} for ROS {named}: {plural}")
 
 
-def not_tried(warnings: Iterable[Warning_], before: Mapping[str, str], after: Mapping[str, str]) -> Iterator[Warning_]:
+def not_tried(
+    warnings: Iterable[Warning_], before: Mapping[str, str], after: Mapping[str, str], stops: Collection[str]
+) -> Iterator[Warning_]:
     """Yield the warnings, which tell of the repositories ``before``, with those ``after``, in which the build looks.
 
-    Both have for each package where it is looked for.
+    Both have for each package where it is looked for. ``stops``: packages that the build stops without.
     """
-    changed = {_LOOKS.format(url): _LOOKS.format(after[n]) if n in after else _NOWHERE for n, url in before.items()}
+    there = [name for name in before if name in after]
+    changed = {_LOOKS.format(url): _NOWHERE for name, url in before.items() if name not in after}
+    changed |= {_LOOKS.format(before[name]): _LOOKS.format(after[name]) for name in there}
+    changed |= {_LOOKS.format(before[name]): _STOPS.format(after[name]) for name in there if name in stops}
     for warning in warnings:
         found = next((each for each in changed if each in warning.message), "")
         yield replace(warning, message=warning.message.replace(found, changed[found])) if found else warning

@@ -18,10 +18,14 @@ def as_tried(
     system: Choice[SystemPackages],
     packages: Packages,
     left_out: Collection[str],
+    stops: Collection[str],
     *,
     none: bool,
 ) -> tuple[Choice[Sources], Choice[SystemPackages]]:
-    """Return both with no more than the repositories in which the build looks; ``none``: the author's own does not."""
+    """Return both with no more than the repositories in which the build looks; ``none``: the author's own does not.
+
+    ``stops``: what the build stops without.
+    """
     kept = without(sources, packages, left_out, none=none)
     before, after = tried(sources.answer.sought), tried(kept.answer.sought)
-    return kept, replace(system, warnings=tuple(not_tried(system.warnings, before, after)))
+    return kept, replace(system, warnings=tuple(not_tried(system.warnings, before, after, stops)))

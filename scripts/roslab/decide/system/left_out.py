@@ -32,6 +32,8 @@ class LeftOut:
     lacking: tuple[tuple[str, tuple[str, ...]], ...]
     """What a clone may bring, each with the folders of the packages that are not built where none does."""
     warnings: tuple[Warning_, ...]
+    stops: tuple[str, ...] = ()
+    """Names that a package requires which is not left out: the build stops where nothing brings them."""
 
 
 def leave_out(
@@ -53,6 +55,7 @@ def leave_out(
     out: dict[str, None] = dict.fromkeys(left)
     perhaps: dict[str, list[str]] = {}
     warnings = []
+    stops: dict[str, None] = {}
     for (package, name), asked in sorted(lacking.items(), key=lambda each: each[0][1] in linked):
         if package in left:
             continue
@@ -66,6 +69,7 @@ def leave_out(
             perhaps.setdefault(name, []).extend(with_it)
         elif skipped:
             out |= dict.fromkeys(with_it)
+        stops |= {} if skipped else {name: None}
         unless = f"; the build looks for it in {where}, and where it is not there," if where else ":"
         others = f", and with it {', '.join(with_it[1:])}" if with_it[1:] else ", which no other package needs"
         then = f"{package} is left out of the build{others}" if skipped else f"{build_tool} will stop at {package}"
@@ -76,6 +80,7 @@ def leave_out(
         packages=tuple(sorted(out)),
         lacking=tuple((name, folders_of(packages, names)) for name, names in perhaps.items()),
         warnings=tuple(warnings),
+        stops=tuple(stops),
     )
 
 

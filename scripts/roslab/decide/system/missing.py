@@ -67,6 +67,8 @@ class Missing:
     """Packages of the repository that are not built."""
     lacking: tuple[tuple[str, tuple[str, ...]], ...] = ()
     """What a clone may bring, each with the folders of the packages that are not built where none does."""
+    stops: tuple[str, ...] = ()
+    """What the build stops without."""
     ended: tuple[str, ...] = ()
     """Packages that the manifests of rosbuild are told not to need."""
     options: tuple[str, ...] = ()
@@ -163,6 +165,7 @@ def decide_missing(
         answer=Missing(
             packages=found.packages,
             lacking=found.lacking,
+            stops=found.stops,
             ended=tuple(ended),
             options=switches,
             tests=tuple(tests),

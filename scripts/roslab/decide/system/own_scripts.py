@@ -12,11 +12,13 @@ from roslab.decide.beside_cpp import of_cpp
 from roslab.decide.decision import Choice, OwnScript
 from roslab.decide.programs import beside_top, found_by, names_of
 from roslab.decide.reasons import because
+from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.names import Target
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -43,6 +45,8 @@ def decide_scripts(
 ) -> Choice[tuple[OwnScript, ...]]:
     """Return the scripts that the pages nearest to the root run to compile, in their order; none where ROS does it.
 
+    Catkin does not build what has no package.xml: a project that its packages find by its name is installed before.
+
     What has Makefiles in place of CMake is compiled by make.
 
     What has CMakeLists.txt in a folder beside Python's code, and a page that compiles it, is compiled there.
@@ -50,8 +54,10 @@ def decide_scripts(
     Of a C++ project only those of copied libraries and submodules: CMake compiles the project itself, and the folders
     ``inside`` too. ``projects``: folders that pip installs editable, which compiles what their setup.py does.
     """
-    if config.compatible or config.custom or config.build or kind not in {"python", "cuda", "cpp"}:
+    if config.compatible or config.custom or config.build:
         return Choice(answer=())
+    if kind not in {"python", "cuda", "cpp"}:
+        return _of_packages(evidence, target) if kind == "ros1" else Choice(answer=())
     listed = evidence.python or evidence.requirements or evidence.conda
     if evidence.makefiles and (kind == "cpp" or (kind == "cuda" and not listed)):
         return _made(evidence)
@@ -91,6 +97,19 @@ def decide_scripts(
             *(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
             *(because("source", part.folder, other, Place(file=part.path, line=1), weight=WEIGHT) for part in parts),
             *(because("source", part.folder, "the page has CMake compile it", m, weight=WEIGHT) for part, m in beside),
+        ),
+    )
+
+
+def _of_packages(evidence: Evidence, target: Target) -> Choice[tuple[OwnScript, ...]]:
+    """Return how each project is installed that a package of the workspace requires and that catkin does not build."""
+    found = [(_part(project, found=True), asked) for project, asked in required_of_tree(evidence, target)]
+    why = "{} requires {}, which it installs"
+    return Choice(
+        answer=tuple(replace(script, command=f"{script.command} && ldconfig") for script, _ in found),
+        reasons=tuple(
+            because("source", s.folder or ".", why.format(asked.file, asked.name), asked, weight=WEIGHT)
+            for s, asked in found
         ),
     )
 

@@ -12,6 +12,7 @@ from roslab.evidence.native.installed_paths import installed, not_there
 from roslab.evidence.native.macros import macros
 from roslab.evidence.native.made_targets import TARGET, target
 from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
+from roslab.evidence.native.own_configs import configs
 from roslab.evidence.native.program_folders import VARIABLES, ProgramFolders
 from roslab.evidence.native.searched import held, searched
 from roslab.repository.checkout import File, Repository, nearest
@@ -86,6 +87,7 @@ class _Reading:
     libraries: set[str] = field(default_factory=set)
     targets: dict[str, None] = field(default_factory=dict)
     installed: list[InstalledPath] = field(default_factory=list)
+    configs: dict[str, None] = field(default_factory=dict)
     made: dict[str, None] = field(default_factory=dict)
     """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
     named: set[str] = field(default_factory=set)
@@ -211,6 +213,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         made=tuple(reading.made),
         targets=tuple(reading.targets) if above.always or file.folder not in added else (),
         not_there=not_there(reading.installed, text, repository) if above.always or file.folder not in added else (),
+        configs=tuple(reading.configs),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
         guards=tuple((reading.written.file(name), package) for name, package in reading.guards),
         outside=tuple((reading.written.file(name), ros) for name, ros in reading.outside),
@@ -236,6 +239,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
     told = replace(call, conditions=(*reading.switches, *call.conditions)) if reading.switches else call
     reading.targets |= target(call) if name in _TARGETS else {}
     reading.installed += installed(call, path.rpartition("/")[0])
+    reading.configs |= configs(call)
     if name == "project" and words:
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]

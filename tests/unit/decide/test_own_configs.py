@@ -1,0 +1,77 @@
+"""A project of plain CMake that a package finds by its name is compiled and installed before the workspace."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+LIBRARY = (
+    "project(grip VERSION 1.0)\nadd_library(grip a.cpp)\ninstall(TARGETS grip EXPORT t)\n"
+    "install(EXPORT t FILE {} DESTINATION lib/cmake/grip)\n"
+)
+FILES = {
+    "README.md": "ROS Noetic\n",
+    "lib/CMakeLists.txt": LIBRARY.format("${PROJECT_NAME}-config.cmake"),
+    "grip_ros/package.xml": (
+        "<package><name>grip_ros</name><buildtool_depend>catkin</buildtool_depend><depend>{}</depend></package>"
+    ).format("grip"),
+    "grip_ros/CMakeLists.txt": "project(grip_ros)\nfind_package(catkin REQUIRED)\nfind_package(grip REQUIRED)\n",
+    ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/grip_all.git\n',
+}
+OF_ROS_2 = {
+    "README.md": "ROS 2 Humble\n",
+    "grip_ros/package.xml": (
+        "<package format='3'><name>grip_ros</name><buildtool_depend>ament_cmake</buildtool_depend>"
+        "<depend>grip</depend><export><build_type>ament_cmake</build_type></export></package>"
+    ),
+}
+DECLARED = FILES["lib/CMakeLists.txt"]
+
+
+@pytest.mark.parametrize(
+    ("files", "folders"),
+    [
+        ({}, ["lib"]),
+        ({"lib/CMakeLists.txt": LIBRARY.format("gripTargets.cmake")}, []),  # nothing finds it
+        ({"lib/CMakeLists.txt": DECLARED.replace("project(grip ", "project(Eigen3 ")}, []),
+        ({"lib/CMakeLists.txt": "", "CMakeLists.txt": DECLARED}, [""]),
+        ({"lib/CMakeLists.txt": "project(grip)\nadd_subdirectory(src)\n", "lib/src/CMakeLists.txt": DECLARED}, ["lib"]),
+        ({"grip_ros/CMakeLists.txt": "project(grip_ros)\nfind_package(catkin REQUIRED)\n"}, []),
+        ({"lib/package.xml": FILES["grip_ros/package.xml"].replace("grip_ros", "grip")}, []),
+        (OF_ROS_2, []),  # colcon builds it
+    ],
+)
+def test_it_is_installed_where_a_package_requires_it(tree: Tree, files: dict[str, str], folders: list[str]) -> None:
+    found = tree(FILES | files)
+    assert [script.folder for script in found.scripts] == folders
+    assert all(script.command.endswith("install && ldconfig") for script in found.scripts)
+
+
+@pytest.mark.parametrize("files", [{}, OF_ROS_2])
+def test_it_is_no_key_and_is_looked_for_nowhere(tree: Tree, files: dict[str, str]) -> None:
+    found = tree(FILES | files)
+    assert "grip" not in found.rosdep
+    assert not found.source
+    assert not any("grip" in warning.message for warning in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("cmake", "told"),
+    [
+        ("find_package(catkin REQUIRED COMPONENTS events)", "and stops"),
+        ("find_package(catkin REQUIRED)", "and goes on"),
+    ],
+)
+def test_a_key_that_cmake_requires_too_is_nothing_to_go_on_without(tree: Tree, cmake: str, told: str) -> None:
+    files = {
+        "README.md": "ROS Noetic\n",
+        "package.xml": FILES["grip_ros/package.xml"].replace("<depend>grip<", "<depend>events<"),
+        "CMakeLists.txt": f"project(grip_ros)\n{cmake}\n",
+        ".git/config": FILES[".git/config"],
+    }
+    key = next(each.message for each in tree(files).warnings if "no key events" in each.message)
+    assert f"looks for it in https://github.com/lab/events, {told} " in key
