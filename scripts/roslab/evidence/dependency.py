@@ -66,7 +66,7 @@ class GitSource:
     itself: bool = False
     """The page has its name for a title, or it is the first below a sentence that says to clone this repository."""
     holds: bool = False
-    """A link that a page gives for its dependencies: they can be found there."""
+    """A link that a page gives for its dependencies: they can be found there, or it is listed among them."""
     told: bool = False
     """A link that a page has the reader install: ``Install [Name](https://github.com/owner/name)``."""
     beside: bool = False

@@ -11,6 +11,7 @@ from roslab.decide.decision import Decision
 Tree = Callable[[dict[str, str]], Decision]
 
 LAB = "https://github.com/lab"
+THIRD = "https://github.com/third"
 OTHER = "Used with https://github.com/other/control"
 
 
@@ -57,6 +58,12 @@ def _sought(decision: Decision) -> dict[str, tuple[str, ...]]:
             [],
         ),
         ("The paper can be found in https://github.com/other/a and https://github.com/third/more.\n", []),
+        (
+            f"# Prerequisites\n* Eigen\n* [whole]({THIRD}/whole)\n* [cv]({THIRD}/OpenCV)\n* [more]({THIRD}/more)",
+            [f"{THIRD}/whole", f"{THIRD}/more"],
+        ),
+        (f"# Prerequisites\n* [whole]({THIRD}/whole)\n* [demo]({THIRD}/demo) (optional)\n", [f"{THIRD}/whole"]),
+        (f"# References\n* [whole]({THIRD}/whole)\n* [more]({THIRD}/more)\n", []),
         (f"[quad_x]({LAB}/drivers_to_real)\n", [f"{LAB}/drivers_to_real"]),
         ("", []),
     ],

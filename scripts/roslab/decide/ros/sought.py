@@ -36,6 +36,8 @@ _OF_SYSTEM = pattern(r"[^a-z0-9-]|^(?:lib|python|ros-)|-(?:dev|pip)$")
 """In a name with a dash that is none of a package of ROS."""
 _MOST = 6
 """Most repositories that a build tries."""
+_MOST_LISTED = 4
+"""Most of them that a page lists among what is needed."""
 
 
 def with_sought(
@@ -144,7 +146,7 @@ def _cloned(
     one; then those that no clone is called like, where the package that asks for them has the page. Not what Ubuntu
     has.
     """
-    cloned = [git for git in cloned if not ((known := library("cmake", git.name, None)) and known.apt)]
+    cloned = [git for git in cloned if not _of_ubuntu(git)]
     names = tuple(lacking)
     owner = address(evidence.origin).rpartition("/")[0] if evidence.origin else ""
     found: dict[str, tuple[str, ...]] = {}
@@ -193,7 +195,7 @@ def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]
 def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[GitSource]:
     """Yield the repositories of the same owner that pages at the root link to; of others, the only one that they do.
 
-    Before all, those of anybody that a page says to hold the dependencies.
+    Before all, the first of those of anybody that a page says to hold the dependencies, or lists among them.
     Not one with the name of what is known, as of one of the repository's own packages, which is what it was made from.
     """
     owner = here.rpartition("/")[0]
@@ -203,6 +205,13 @@ def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[
         for git in links
         if known.isdisjoint((git.name, plain(git.name))) and address(git.url) != here
     }
-    for url, git in sorted(others.items(), key=lambda each: not each[1].holds):
-        if git.holds or len(others) == 1 or (owner and url.rpartition("/")[0] == owner):
+    first = [git for git in others.values() if git.holds and not _of_ubuntu(git)][:_MOST_LISTED]
+    yield from first
+    for url, git in others.items():
+        if git not in first and (len(others) == 1 or (owner and url.rpartition("/")[0] == owner)):
             yield git
+
+
+def _of_ubuntu(git: GitSource) -> bool:
+    """Tell whether Ubuntu has what a repository is called like."""
+    return bool((known := library("cmake", git.name, None)) and known.apt)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from roslab.evidence.dependency import GitSource
+from roslab.evidence.prose.needed_items import LISTS, needed_items
 from roslab.repository.checkout import File
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -56,6 +57,7 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
     for git in cloned:
         refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
     found: dict[str, GitSource] = {}
+    listed = _listed(text) if "/" not in file.path else frozenset()
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
         url = match[0].partition("/tree/")[0].rstrip("/").removesuffix(".git")
         name = match[1].removesuffix(".git").rstrip(".")
@@ -68,13 +70,20 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
             found[url] = GitSource(
                 name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
             )
-        if not found[url].holds and _holds(text, match.start()):
+        if not found[url].holds and (line in listed or _holds(text, match.start())):
             found[url] = replace(found[url], holds=True)
         if _INSTALLS.search(text[max(0, match.start() - BEFORE) : match.start()]):
             found[url] = replace(found[url], told=True)
         if _PRIVATE.search(_before(text, match.start())) or _CALLED_PRIVATE.match(text, match.end()):
             found[url] = replace(found[url], private=True)
     return list(found.values())[:MAX_LINKS]
+
+
+def _listed(text: str) -> frozenset[int]:
+    """Return the numbers of the lines that list what is needed, of a page with such a list and a link."""
+    if not LISTS.search(text) or not _LINK.search(text):
+        return frozenset()
+    return frozenset(line.number for line in needed_items(text))
 
 
 def _holds(text: str, start: int) -> bool:

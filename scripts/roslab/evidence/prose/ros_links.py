@@ -5,12 +5,11 @@ https://index.ros.org/?search_packages=true, https://wiki.ros.org/Names, 2026-11
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.prose.headings import MAX_LINE, lines_of
 from roslab.evidence.prose.merged import Prose
+from roslab.evidence.prose.needed_items import needed_items
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.released import ever_released
 from roslab.repository.checkout import Repository
@@ -20,13 +19,6 @@ _HOSTS = ("index.ros.org/p/", "wiki.ros.org/")
 _LINK = pattern(
     r"https?://(?:(?:www\.)?index\.ros\.org/p/([a-z][a-z0-9_]{1,60})(?:/[\w./#-]{0,200})?|"
     r"(?:www\.)?wiki\.ros\.org/([a-z][a-z0-9_]{1,60}))/?(?=[)\s>\"'?#,.;]|$)"
-)
-_LISTS = pattern(r"\b(?:requirements?|required|dependenc(?:y|ies)|prerequisites?|pre-requisites?)\b", re.IGNORECASE)
-"""The title above a list of what is needed, or the line before it, which ends in a colon."""
-_ITEM = pattern(r"^\s{0,8}(?:[-*+]|\d{1,2}[.)])\s")
-_UNASKED = pattern(
-    r"\b(?:optional\w*|not|without|instead|alternativ\w*|recommend\w*|only (?:if|for)|if|tests?|testing|docs?)\b|n't\b",
-    re.IGNORECASE,
 )
 
 
@@ -41,17 +33,7 @@ def listed(text: str, file: str) -> Iterator[Dependency]:
     if not any(host in text for host in _HOSTS):
         return
     told = set[str]()
-    before = ""
-    for line in lines_of(text):
-        if not _ITEM.match(line.text[:20]):
-            before = line.text[:MAX_LINE] if line.text.strip() else before
-            continue
-        lead = [before] if before.rstrip(" *_").endswith(":") else []
-        above = [*lead, *line.titles.values()]
-        if line.fenced or line.elsewhere or len(line.text) > MAX_LINE or not any(map(_LISTS.search, above)):
-            continue
-        if any(map(_UNASKED.search, (line.text, *above))):
-            continue
+    for line in needed_items(text):
         for index, wiki in _LINK.findall(line.text):
             name = index or wiki
             if name not in told and ever_released(name):
