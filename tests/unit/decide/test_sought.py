@@ -407,3 +407,9 @@ def test_an_address_in_the_code_that_is_called_like_what_is_unknown(tree: Tree, 
     assert _sought(tree(files | {"README.md": "ROS Noetic.\n"})) == dict.fromkeys(
         [*found, f"{LAB}/quad_x"], ("quad_x",)
     )
+
+
+def test_a_listed_link_to_what_pip_installs_holds_none(tree: Tree) -> None:
+    files = _git(f"{LAB}/mpc.git") | _package("mpc", "quad_x", "roscpp") | {"requirements.txt": "dynamixel-sdk\n"}
+    page = f"ROS Noetic.\n# Dependencies\n* [a]({THIRD}/DynamixelSDK)\n* [b]({THIRD}/whole)\n"
+    assert list(_sought(tree(files | {"README.md": page}))) == [f"{THIRD}/whole", f"{LAB}/quad_x"]

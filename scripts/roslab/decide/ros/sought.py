@@ -26,6 +26,7 @@ from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
+from roslab.values.name import bare_name
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -205,11 +206,19 @@ def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[
         for git in links
         if known.isdisjoint((git.name, plain(git.name))) and address(git.url) != here
     }
-    first = [git for git in others.values() if git.holds and not _of_ubuntu(git)][:_MOST_LISTED]
+    of_python = {bare_name(name) for name in _of_python(evidence)}
+    first = [git for git in others.values() if git.holds and bare_name(git.name) not in of_python]
+    first = [git for git in first if not _of_ubuntu(git)][:_MOST_LISTED]
     yield from first
     for url, git in others.items():
         if git not in first and (len(others) == 1 or (owner and url.rpartition("/")[0] == owner)):
             yield git
+
+
+def _of_python(evidence: Evidence) -> Iterator[str]:
+    """Yield the names that projects and lists for pip declare."""
+    lists = (*(each.requirements for each in evidence.python), *(each.requirements for each in evidence.requirements))
+    yield from (asked.name for each in lists for asked in each if asked.name)
 
 
 def _of_ubuntu(git: GitSource) -> bool:
