@@ -36,12 +36,23 @@ def absent(argv: tuple[str, ...], files: Collection[str], fetched: Iterable[str]
 
 
 def variant(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
-    """Return the next command of a section that differs only in not naming an absent file, else the first itself."""
+    """Return the next command of a section that differs only in not naming an absent file, else the first itself.
+
+    Or the next of the page that names one of the tree in its place.
+    """
     if not first.absent or not (first.argv[0].startswith("python") or first.installed):
         return first
     others = {word for word in first.argv if word not in first.absent}
     for each in sorted(candidates, key=lambda c: c.line):
-        same = (each.file, each.heading, program_of(each.argv)) == (first.file, first.heading, program_of(first.argv))
-        if same and each.line > first.line and not (each.absent or each.cut) and others <= {*each.argv}:
+        same = (each.file, program_of(each.argv)) == (first.file, program_of(first.argv))
+        if not same or each.line <= first.line or each.absent or each.cut:
+            continue
+        if (each.heading == first.heading and others <= {*each.argv}) or _in_its_place(first, each):
             return each
     return first
+
+
+def _in_its_place(first: Candidate, other: Candidate) -> bool:
+    """Tell whether a command has files of the tree in the places of the absent ones, and is the same otherwise."""
+    pairs = tuple(itertools.zip_longest(first.argv, other.argv, fillvalue=""))
+    return all(word == each or (word in first.absent and each in other.files) for word, each in pairs)

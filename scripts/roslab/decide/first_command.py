@@ -35,7 +35,7 @@ _DATASET = pattern(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that makes data; a node or a compiled program of that name runs on data."""
 _FORMAT = pattern(
     r"(?:_to_|_?2_?)(?:numpy|np[yz]|tf_?records?|hdf5|h5|zarr|csv|json|pickle|pkl|lmdb|coco|kitti|tum|(?:ros)?bag|mcap|rlds|"
-    r"lerobot|txt|png|jpe?g|pcd|ply)$",
+    r"lerobot|txt|png|jpe?g|pcd|ply)(?:_?v\d+)?$",
     re.IGNORECASE,
 )
 """The name of a file of Python that writes what it reads in another format: ``raw_to_numpy``, ``labelme2coco``."""

@@ -13,6 +13,11 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
 _GOES = pattern(r"^cd[ \t]+[\"']?([^\s\"';&|]+)[\"']?[ \t]*(\|\||&&)?", re.MULTILINE)
+_SOURCES = pattern(
+    r"^(?:source|\.)[ \t]+[\"']?(/(?:home|Users)/[A-Za-z][\w.-]*/[^\s\"';&|]*/conda\.sh)[\"']?[ \t]*(\|\||&&)?",
+    re.MULTILINE,
+)
+"""A conda in somebody's home."""
 _HOME = pattern(r"/(?:home|Users)/[A-Za-z][\w.-]*(?:/[\w.-]+)+/?")
 _READS = pattern(
     r"^(?P<main>[ ]{4})?\w+[ \t]*=[ \t]*[\"']/(?:home|media|Users)/[A-Za-z][\w.-]*/[^\"'\n]+[\"'][ \t]*(?:#.*)?$",
@@ -29,7 +34,8 @@ _PROGRAM = pattern(r"(?:^|\s)((?:[\w-]+/)*[\w-]+\.(?:py|sh))(?=\s|$)", re.MULTIL
 def elsewhere(mention: Mention, repository: Repository) -> Iterator[Mention]:
     """Yield the script that a command of a page runs, if it cannot do without a folder of its author's computer.
 
-    A shell script goes there, and ends where that is not; one of Python has it written down, and is given nothing.
+    A shell script goes there, or sources a conda there, and ends where that is not. One of Python has it written down,
+    and is given nothing.
     """
     words = mention.value.split()
     if len(words) == 2 and words[0].startswith("python") and words[1].endswith(".py") and repository.has(words[1]):
@@ -39,7 +45,8 @@ def elsewhere(mention: Mention, repository: Repository) -> Iterator[Mention]:
     script = _script(words, repository)
     text = repository.read(script, limit=MAX_SIZE) if script else ""
     goes = _GOES.search(text)
-    if goes and _HOME.fullmatch(goes[1]) and (goes[2] or _STOPS.search(text, 0, goes.start())):
+    goes = goes if goes and _HOME.fullmatch(goes[1]) else None
+    if any(each and (each[2] or _STOPS.search(text, 0, each.start())) for each in (goes, _SOURCES.search(text))):
         yield replace(mention, topic="elsewhere", value=script)
 
 

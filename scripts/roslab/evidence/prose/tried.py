@@ -1,4 +1,7 @@
-"""What the sentence above a block says of its commands: ``test your installation by running:``, or what they lack."""
+"""What the sentence above a block says of its commands: ``test your installation by running:``, or what they lack.
+
+And which of them a block starts in the background, for the one that comes after them.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import MAX_LINE, fence
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 _SAID = pattern(
@@ -27,14 +31,47 @@ _WITHHELD = pattern(
 
 _LAST = pattern(r"[.!?:]\)?\s+(?=[A-Z])")
 """Between two sentences: the last one is about the block below it."""
+_LEFT = pattern(r"(?<![&|<>\\])&[ \t]*(?:#.*)?$", re.MULTILINE)
+"""The end of a command that the shell does not wait for."""
+_PROGRAM = pattern(r"(?:python[\d.]*|bash|sh|\./\S+)(?:\s|$)")
+_MEANT = pattern(r"\bnohup\b|train", re.IGNORECASE)
+"""What is meant though it is in the background: it runs for days."""
 
 
 def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]:
-    """Return the commands in blocks of pages below such a sentence: ``tried`` or ``withheld``."""
+    """Return the commands in blocks of pages below such a sentence: ``tried`` or ``withheld``.
+
+    So is what a block starts after others in the background, and so are these.
+    """
     commands = [mention for mention in said if mention.topic == "command" and mention.source == "readme"]
     files = {mention.file for mention in commands}
     texts = {page.path: text_of(repository, page) for page in pages(repository) if page.path in files}
-    return (*_below("tried", _SAID, commands, texts), *_below("withheld", _WITHHELD, commands, texts))
+    behind = (m for file, text in texts.items() for m in _behind(text, [m for m in commands if m.file == file]))
+    return (*_below("tried", _SAID, commands, texts), *_below("withheld", _WITHHELD, commands, texts), *behind)
+
+
+def _behind(text: str, commands: list[Mention]) -> Iterator[Mention]:
+    """Yield the programs that a block leaves in the background (``&``) before it starts another one: ``withheld``.
+
+    All calls of the one that it starts then are ``tried``.
+    """
+    lines = text.split("\n") if _LEFT.search(text) else []
+    left: list[Mention] = []
+    for m in sorted(commands, key=lambda each: each.line) if lines else ():
+        between = lines[left[-1].line : m.line] if left else []
+        if any(map(fence, between)):
+            left = []
+        if not _PROGRAM.match(m.text):
+            continue
+        line = lines[m.line - 1]
+        if _LEFT.search(line) and not _MEANT.search(line):
+            left.append(m)
+            continue
+        for each in left:
+            yield replace(each, topic="withheld")
+        program = m.value.split()[:2]
+        yield from (replace(each, topic="tried") for each in commands if left and each.value.split()[:2] == program)
+        left = []
 
 
 def _below(
