@@ -9,12 +9,15 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.by_page import by_own_source
-from roslab.decide.ros.source_names import address, itself_in, plain
+from roslab.decide.ros.source_names import address, akin, itself_in, plain
 from roslab.decide.ros.vcs_files import spelling
 from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.frameworks import imports
 from roslab.knowledge.libraries import library
+from roslab.knowledge.released import ever_released
 from roslab.values.pattern import pattern
 
 _FETCHES = pattern(r"\b(?:wget|curl|vcs|wstool|rosinstall|rosws)\s")
@@ -117,6 +120,7 @@ def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], it
     authored = [git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones]
     asks = (each for project in evidence.cmake for each in project.dependencies if each.required)
     alike = {_stem(each.name): each for each in asks if not _by_ubuntu(each.name)}
+    unknown = [each for each in evidence.code if each.namespace == "import" and _nobody_has(each, names)]
     copied = {plain(part) for manifest in evidence.manifests for part in manifest.file.split("/")[:-1]}
     for git in (*evidence.sources, *authored) if kind in {"ros1", "ros2", "cpp"} else ():
         aside = places.vendored(git.file) or places.documentation(git.file) or places.test(git.file)
@@ -127,9 +131,17 @@ def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], it
             continue
         asked = alike.get(_stem(git.name))
         why = f"though {asked.file}:{asked.line} requires {asked.name}, which it may be" if asked else _UNASKED
+        if not asked and (used := next((each for each in unknown if akin(each.name, git.name)), None)):
+            why = f"though {used.file}:{used.line} imports {used.name}, which it may bring"
         message = f"not cloned: {git.url}, {why}; if it is needed, give it under `source` in roslab.yaml"
         told.setdefault(address(git.url), warn(message, git))
     yield from list(told.values())[:MOST]
+
+
+def _nobody_has(used: Dependency, names: set[str]) -> bool:
+    """Tell whether the code always imports a module that neither a table nor the image knows."""
+    known = used.name in imports() or plain(used.name) in names or ever_released(used.name)
+    return not known and used.strength == "used" and not places.aside(used.file)
 
 
 def _stem(name: str) -> str:

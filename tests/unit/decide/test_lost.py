@@ -57,6 +57,15 @@ def test_a_module_of_python_2_comes_from_the_ubuntu_that_has_it(
         ({"play.py": '"""You can\nimport the top of it.\n"""\nimport numpy\n', "setup.py": SETUP}, ""),
         ({"tests/test_play.py": "import acme_arm\n"}, ""),
         ({"play.py": "import acme_arm\n", "README.md": "```\npip install acme-arm\n```\n"}, ""),
+        ({"play.py": "import play_sdk\n", "setup.py": SETUP}, "play_sdk"),
+        ({"play.py": "import play_sdk\n", "setup.py": SETUP.replace("numpy", "play-core")}, ""),
+        (
+            {
+                "play.py": "import play_sdk\n",
+                "setup.py": SETUP.replace("setup(", "setup(ext_modules=[Extension('a', [])],"),
+            },
+            "",
+        ),
         (
             {
                 "play.py": "import translate\n",

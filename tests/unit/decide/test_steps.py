@@ -289,3 +289,20 @@ def test_a_clone_that_may_be_what_cmake_requires_is_told_with_that(tree: Tree) -
         said = [each.message for each in tree(files).warnings if each.file == "docker/Dockerfile"]
         assert len(said) == 1
         assert said[0].startswith(f"not cloned: https://github.com/them/libodd.git, {why}")
+
+
+@pytest.mark.parametrize(
+    ("code", "said"),
+    [
+        ("import acmearm_sdk\n", "though scripts/a.py:2 imports acmearm_sdk, which it may bring"),
+        ("import numpy\n", "for nothing that is built asks for it by name"),
+        (
+            "try:\n    import acmearm_sdk\nexcept ImportError:\n    pass\n",
+            "for nothing that is built asks for it by name",
+        ),
+    ],
+)
+def test_a_module_that_a_clone_may_bring_is_told(tree: Tree, code: str, said: str) -> None:
+    page = "```\ngit clone https://github.com/acme/AcmeArm-Service-Binding.git\n```\n"
+    found = told(tree, page, **{"scripts/a.py": f"#!/usr/bin/env python3\n{code}"})
+    assert [message.partition(".git, ")[2] for message, _, _ in found] == [said]

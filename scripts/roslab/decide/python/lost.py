@@ -84,11 +84,28 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     if found and (_declares(chosen) or _absent(evidence)):
         known = _known(evidence, chosen)
         stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
+        stems -= _of_itself(evidence, chosen)
         ros = released("noetic") | released("humble")  # a part for robots, without which the rest runs
         told = {bare_name(git.name) for git in _told(evidence)}
         found = [each for each in found if each.name not in ros]
         found = [each for each in found if not _begins_like(each.name, stems) or _begins_like(each.name, told)]
     return found
+
+
+def _of_itself(evidence: Evidence, chosen: Chosen) -> set[str]:
+    """Return the names of the tree's own projects, and their parts, that nothing else has: their modules are known.
+
+    Not of one that compiles: its modules may have any name.
+    """
+    own = {canonicalize_name(each.name) for each in evidence.python if each.name and not each.extensions}
+    asked = (*chosen.declared, *chosen.guessed, *_extras(evidence))
+    others = {each.key for each in asked} | {canonicalize_name(git.name) for git in evidence.sources}
+    others |= known_names(evidence, chosen.files, chosen.projects, chosen.conda) - own
+    return _parts(own) - _parts(others)
+
+
+def _parts(names: set[str]) -> set[str]:
+    return {part for name in names for part in (*name.split("-"), name, bare_name(name))}
 
 
 def _refused(evidence: Evidence, chosen: Chosen) -> Iterator[Dependency]:
