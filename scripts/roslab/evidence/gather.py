@@ -141,7 +141,8 @@ def gather(repository: Repository) -> Evidence:
     programs |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
     files = {posixpath.basename(file): file for each in by_pip for file in each.script_files}
     started = imports.programs(repository)
-    by_name = readme.named(own, dict.fromkeys(programs, "") | files)
+    below = {name: each.folder for each in by_pip for name, _ in each.scripts}
+    by_name = readme.named(own, dict.fromkeys(programs, "") | files, below)
     sources = (
         *(source for manifest in manifests if not manifest.ignored for source in manifest.sources),
         *vcs.read(repository),

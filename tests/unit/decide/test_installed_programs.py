@@ -132,3 +132,20 @@ def test_what_compiles_when_imported_is_not_editable(tmp_path: Path, backend: st
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text, encoding="utf-8")
     assert f'pip install "$(pip-cache)"{installed}' in dockerfile(plan_repository(tmp_path).plan)
+
+
+@pytest.mark.parametrize(
+    ("given", "files", "found"),
+    [
+        ("--config cfg/a.yaml", {"python/cfg/a.yaml": "a: 1\n"}, ("--config", "python/cfg/a.yaml")),
+        ("--config=./cfg/a.yaml", {"python/cfg/a.yaml": "a: 1\n"}, ("--config=python/cfg/a.yaml",)),
+        ("--config cfg/a.yaml", {"python/cfg/a.yaml": "a: 1\n", "cfg/a.yaml": "a: 2\n"}, ("--config", "cfg/a.yaml")),
+        ("--config cfg/a.yaml", {"other/cfg/a.yaml": "a: 1\n"}, ("--config", "cfg/a.yaml")),
+    ],
+)
+def test_a_file_in_the_folder_of_the_project(
+    tree: Tree, given: str, files: dict[str, str], found: tuple[str, ...]
+) -> None:
+    decision = tree(project(f"```\ncd python\nuv run acme-track {given}\n```\n") | files)
+    assert decision.command == ("acme-track", *found)
+    assert any("neither the tree" in warning.message for warning in decision.warnings) == ("other/cfg/a.yaml" in files)

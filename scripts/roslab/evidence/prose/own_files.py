@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Mapping
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
@@ -61,6 +62,22 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         file, inside = _module(words[2], mention.inside, repository)
         found += [file] if file else []
     return replace(mention, value=joined(words), files=tuple(found), inside=inside)
+
+
+def with_files_below(mention: Mention, folders: Mapping[str, str], repository: Repository) -> Mention:
+    """Return the call of a program with the files in the folder of its project, by their paths from the root."""
+    program, *words = mention.value.split()
+    folder = folders.get(program, "")
+    found: list[str] = []
+    for index, word in enumerate(words) if folder else ():
+        option, sign, path = word.rpartition("=")
+        below = posixpath.normpath(posixpath.join(folder, written(path)))
+        if "/" in path and not repository.has(posixpath.normpath(written(path))) and repository.has(below):
+            words[index] = f"{option}{sign}{below}"
+            found.append(below)
+    if not found:
+        return mention
+    return replace(mention, value=joined((program, *map(written, words))), files=(*mention.files, *found))
 
 
 def _with_ending(path: str, repository: Repository) -> str:

@@ -40,7 +40,7 @@ from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
-from roslab.evidence.prose.own_files import with_files
+from roslab.evidence.prose.own_files import with_files, with_files_below
 from roslab.evidence.prose.own_scripts import called, checked, of_python
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.prose.runners import started
@@ -124,10 +124,13 @@ def _exported(repository: Repository, file: File, text: str) -> Iterator[Mention
         yield from exports.of_line(repository, file, line, code, heading)
 
 
-def named(repository: Repository, programs: Mapping[str, str]) -> tuple[Mention, ...]:
+def named(
+    repository: Repository, programs: Mapping[str, str], folders: Mapping[str, str] | None = None
+) -> tuple[Mention, ...]:
     """Return the lines in the blocks of pages that run one of these programs, which the repository installs.
 
-    Each name with the file of the tree that is installed as it, if it is one.
+    Each name with the file of the tree that is installed as it, if it is one. ``folders``: those of the projects that
+    install them, to which a page goes before.
     """
     if not programs:
         return ()
@@ -154,7 +157,8 @@ def named(repository: Repository, programs: Mapping[str, str]) -> tuple[Mention,
                     for command in map(started, commands(logical, start))
                     if command.words[0] in programs
                 )
-    return tuple(_with_own_file(with_files(mention, repository), programs) for mention in found)
+    given = (with_files_below(with_files(each, repository), folders or {}, repository) for each in found)
+    return tuple(_with_own_file(mention, programs) for mention in given)
 
 
 def _with_own_file(mention: Mention, programs: Mapping[str, str]) -> Mention:
