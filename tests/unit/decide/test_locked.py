@@ -161,3 +161,21 @@ def test_no_page_puts_a_locked_torch_on_a_cuda_that_needs_a_newer_driver(tree: T
     assert tree(files).cuda == "12.8"
     files["README.md"] = page.replace("--pre ", "").replace("nightly/", "")
     assert tree(files).cuda == "13.0"
+
+
+@pytest.mark.parametrize(
+    ("files", "found"),
+    [
+        ({}, {"trimesh==4.1.0"}),
+        ({"tool/setup.py": "from setuptools import setup\nsetup(name='tool')\n"}, set()),  # another project
+        ({"other/uv.lock": uv("trimesh", "3.0.0")}, set()),
+        ({"uv.lock": uv("trimesh", "3.0.0")}, set()),  # of the root, where nothing is
+    ],
+)
+def test_the_lock_of_the_one_project_of_a_tree(tree: Tree, files: dict[str, str], found: set[str]) -> None:
+    page = "```\ncd code\npip install -e .\npython -m demo\n```\n"
+    own = {"code/pyproject.toml": PROJECT, "code/uv.lock": uv("trimesh", "4.1.0"), "code/demo/__init__.py": ""}
+    own |= {"code/demo/__main__.py": "import trimesh\n", "README.md": page}
+    decision = tree(own | files)
+    assert "code" in decision.python.projects
+    assert limits(decision) == found

@@ -23,7 +23,7 @@ from roslab.decide.python.gpu_projects import left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.indexes import file_options, indexes_of
-from roslab.decide.python.locked import locked_releases
+from roslab.decide.python.locked import locked_releases, of_what_is_installed
 from roslab.decide.python.lost import lost, with_told_links, without_history
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts, with_includes
@@ -116,8 +116,7 @@ def decide_python(
     by_pip = _without((*exact.answer, *everything), conda_asked if manager == "conda" else ())
     wheels = by_pip if kind == "cuda" and manager != "system" else ()
     compiled = bool(wheels) and extended
-    at_root = manager != "system" and (bool(chosen.declared) or any(not p.folder for p in chosen.projects))
-    locked = evidence.locked if at_root else ()
+    locked = evidence.locked if manager != "system" and of_what_is_installed(evidence.locked, chosen) else ()
     build = decide_build(
         evidence, chosen, wheels, cuda, number, compiled=compiled, aged=bool(aged), bounds=bounds.answer, locked=locked
     )

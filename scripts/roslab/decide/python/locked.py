@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping
 from roslab.decide.decision import Choice
 from roslab.decide.python.bounds import Constraints
 from roslab.decide.python.framework_pins import WHY_LOCKED
+from roslab.decide.python.packages import Chosen
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.locked import Locked
@@ -66,6 +67,12 @@ def locked_releases(
     lines = tuple(stated(each.written.partition("+")[0], "lock", each.file, each.line) for each in kept)
     reasons = (because("dependencies", each.written, WHY_LOCKED, each, weight=Weight.BOUND) for each in lines)
     return Choice(answer=lines, reasons=tuple(reasons))
+
+
+def of_what_is_installed(locked: Collection[Locked], chosen: Chosen) -> bool:
+    """Tell whether the project beside a lock is installed, or, at the root, what it declares."""
+    folder = next((each.requirement.file.rpartition("/")[0] for each in locked), "")
+    return (not folder and bool(chosen.declared)) or any(project.folder == folder for project in chosen.projects)
 
 
 def _agrees(taken: Requirement, one: Mapping[str, Locked]) -> bool:

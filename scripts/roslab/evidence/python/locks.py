@@ -1,4 +1,4 @@
-"""Releases that a lock at the root names: uv.lock, poetry.lock, pdm.lock.
+"""Releases that a lock at the root, or of the one project of a tree, names: uv.lock, poetry.lock, pdm.lock.
 
 https://docs.astral.sh/uv/concepts/projects/layout/#the-lockfile, https://python-poetry.org/docs/basic-usage/ and
 https://pdm-project.org/latest/usage/lockfile/, read 2026-11-23. All three are TOML with a table for each release.
@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
+from roslab.evidence import places
 from roslab.evidence.locked import Locked
 from roslab.repository.checkout import Repository
 from roslab.values import toml
@@ -44,8 +45,11 @@ _BETWEEN = "/"
 
 
 def read(repository: Repository) -> tuple[Locked, ...]:
-    """Return the releases of the first lock that the root has; one that is no TOML tells nothing."""
-    file = next((name for name in LOCKS if repository.has(name)), None)
+    """Return the releases of the first lock that the root has; one that is no TOML tells nothing.
+
+    Else those of the lock beside the one project of Python that the tree has.
+    """
+    file = next((name for name in LOCKS if repository.has(name)), None) or _of_the_project(repository)
     if file is None:
         return ()
     text = repository.read(file)
@@ -59,6 +63,17 @@ def read(repository: Repository) -> tuple[Locked, ...]:
     usual = Counter(_index(table) for table, _ in pairs).most_common(1)
     found = (_release(table, file, line, usual[0][0]) for table, line in pairs)
     return tuple(each for each in found if each)
+
+
+def _of_the_project(repository: Repository) -> str | None:
+    """Return the only lock of a tree without packages of ROS, if each project of Python lies beside or below it."""
+    found = [file for name in LOCKS for file in repository.named(name)]
+    if len(found) != 1 or places.aside(found[0].path) or repository.named("package.xml"):
+        return None
+    projects = [*repository.named("pyproject.toml"), *repository.named("setup.py")]
+    folder = found[0].folder
+    beside = any(file.folder == folder for file in projects)
+    return found[0].path if beside and all(file.path.startswith(f"{folder}/") for file in projects) else None
 
 
 def _thinned(text: str) -> str:
