@@ -15,6 +15,12 @@ def often_brought() -> frozenset[str]:
 
 
 @cache
+def brought_modules() -> dict[str, frozenset[str]]:
+    """Return modules, each with the packages of which every release of today brings it, though by another package."""
+    return {row["module"]: frozenset(row["pip"].split()) for row in rows("brought_modules")}
+
+
+@cache
 def all_brought() -> dict[str, frozenset[str]]:
     """Return the packages of which all is known that they bring in any release, and what those bring, normalised."""
     return {row["pip"]: frozenset(row["brings"].split()) for row in rows("all_brought")}

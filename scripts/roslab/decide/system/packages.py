@@ -21,6 +21,7 @@ from roslab.decide.ros.keys import (
 )
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.by_pip import imported_from_pip, only_imported
 from roslab.decide.system.carried import brought, held
 from roslab.decide.system.compiled_with import compiled_with
 from roslab.decide.system.names import Target, resolve
@@ -140,10 +141,11 @@ def decide_system(
         found.warnings = [*(each for each in found.warnings if each not in found.unknown.values()), instead]
     by_hand = frozenset(address(git.url) for git in evidence.sources if git.installed)
     known = frozenset({key.name for key in keys} - in_apt | packages.names | sisters | set(config.skip_keys))
+    of_pip = imported_from_pip(evidence, installed)
     for dependency, trusted in needed:
         if dependency.role == "shebang" and target.ubuntu in {None, *ubuntus_with_python2()}:
             continue
-        if dependency.name not in known:
+        if dependency.name not in known and not only_imported(dependency, of_pip):
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
     found.declared = compiled_with(needed, evidence, target) | found.declared
     for library, dependency in linked(needed, evidence, target.ubuntu):

@@ -1,0 +1,39 @@
+"""A package of ROS is not installed for a module that pip brings: two builds of one library do not go together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = {
+    "package.xml": "<package><name>msgs</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+    "CMakeLists.txt": "project(msgs)\nfind_package(ament_cmake REQUIRED)\n",
+    "README.md": "ROS 2 Humble\n\n```\nros2 run msgs arm\ncolcon build\npip install -r requirements.txt\npython arm.py\n```\n",
+    "arm.py": "import rclpy\nfrom msgs.msg import Arm\nimport pinocchio\nimport dynamixel_sdk\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("declared", "more", "found"),
+    [
+        ("numpy\n", {}, ["dynamixel-sdk", "pinocchio"]),
+        ("dynamixel-sdk\n", {}, ["pinocchio"]),
+        ("dynamixel-sdk\npin\n", {}, []),
+        ("dynamixel_sdk\nplaco>=0.9\n", {}, []),
+        # what is compiled finds it as CMake's package
+        (
+            "pin\n",
+            {"CMakeLists.txt": "project(msgs)\nfind_package(pinocchio REQUIRED)\n"},
+            ["dynamixel-sdk", "pinocchio"],
+        ),
+    ],
+)
+def test_what_pip_brings(tree: Tree, declared: str, more: dict[str, str], found: list[str]) -> None:
+    decision = tree(PACKAGE | {"requirements.txt": declared} | more)
+    assert decision.ros_distro == "humble"
+    names = [name.removeprefix("ros-humble-") for name in (*decision.apt, *decision.apt_guessed)]
+    assert sorted(name for name in names if name in {"pinocchio", "dynamixel-sdk"}) == found
