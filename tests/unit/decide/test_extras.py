@@ -145,3 +145,23 @@ def test_groups_that_a_page_names(tree: Tree, project: str, page: str, more: set
     assert python.projects == (".",)
     asked = {each.written for each in python.pip_guessed if each.key in {"mujoco", "viser", "pytest-cov"}}
     assert asked == more
+
+
+@pytest.mark.parametrize(
+    ("extra", "found", "why"),
+    [
+        ("pygame-ce>=2.5", "pygame-ce>=2.5", "imported, only an extra declares it"),
+        ("pygame>=2", "pygame>=2", "imported, only an extra declares it"),
+        ("viser", "pygame", "imported, declared nowhere"),
+    ],
+)
+def test_what_is_imported_comes_as_an_extra_asks_for_it(tree: Tree, extra: str, found: str, why: str) -> None:
+    project = f"[project]\nname='demo'\nversion='1'\n[project.optional-dependencies]\nui=['{extra}']\n"
+    files = {
+        "pyproject.toml": project,
+        "demo/__init__.py": "import pygame\n",
+        "README.md": "```\npip install -e .\n```\n",
+    }
+    decision = tree(files)
+    assert [each.written for each in decision.python.pip_guessed] == [found]
+    assert [each.reason for each in decision.reasons if each.answer == found] == [why]

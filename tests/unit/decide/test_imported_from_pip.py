@@ -12,7 +12,7 @@ Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = {
     "package.xml": "<package><name>msgs</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
     "CMakeLists.txt": "project(msgs)\nfind_package(ament_cmake REQUIRED)\n",
-    "README.md": "ROS 2 Humble\n\n```\nros2 run msgs arm\ncolcon build\npip install -r requirements.txt\npython arm.py\n```\n",
+    "README.md": "ROS 2 Humble\n\n```\ncolcon build\npip install -r requirements.txt\npython arm.py\n```\n",
     "arm.py": "import rclpy\nfrom msgs.msg import Arm\nimport pinocchio\nimport dynamixel_sdk\n",
 }
 

@@ -179,3 +179,13 @@ def test_the_lock_of_the_one_project_of_a_tree(tree: Tree, files: dict[str, str]
     decision = tree(own | files)
     assert "code" in decision.python.projects
     assert limits(decision) == found
+
+
+@pytest.mark.parametrize(("locked", "found"), [("2.1.0", {"pandas==2.1.0"}), ("1.5.0", set())])
+def test_what_an_extra_limits_to_what_the_lock_has(tree: Tree, locked: str, found: set[str]) -> None:
+    own = PROJECT.replace("[build-system]", "[project.optional-dependencies]\nplay = ['pandas>=2,<3']\n[build-system]")
+    own = own.replace('"trimesh", ', "").replace(', "plan @ git+https://example.org/lab/plan"', "")
+    files = {"pyproject.toml": own, "uv.lock": uv("viser", "1.2.0") + uv("scipy", "1.10.0") + uv("pandas", locked)}
+    decision = tree(files | {"demo/__init__.py": "import pandas\n", "README.md": "```\npip install -e .\n```\n"})
+    assert "pandas>=2,<3" in {each.written for each in decision.python.pip_guessed}
+    assert {each for each in limits(decision) if each.startswith("pandas")} == found

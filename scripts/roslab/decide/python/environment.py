@@ -289,7 +289,9 @@ def _reasons(chosen: Chosen) -> Iterator[Reason]:
         why = f"{asked.file} declares it; its backend finds no module to install"
         yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)
     for asked in chosen.guessed:
-        why = _WHY.get(asked.origin, "named in an install line")
+        why = (
+            "imported, only an extra declares it" if asked.group else _WHY.get(asked.origin, "named in an install line")
+        )
         yield because("dependencies", asked.text, why, asked, weight=Weight.GUESS)
     if chosen.conda:
         place = Place(file=chosen.conda, line=1)

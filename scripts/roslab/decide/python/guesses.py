@@ -76,7 +76,7 @@ def guesses(
         if ros and (by_apt or (name in _FRAMEWORKS and dependency.role != "node")):
             continue  # a ROS image's Python is the system's: what apt has comes from there
         version = (dependency.version or "") if dependency.role == "told" else limits.get(name, "")
-        found[name] = stated(package + version, "import", dependency.file, dependency.line)
+        found[name] = _as_in_extra(stated(package + version, "import", dependency.file, dependency.line), evidence)
     return tuple(found.values())[:MAX_GUESSES]
 
 
@@ -85,6 +85,16 @@ def _limits(evidence: Evidence) -> dict[str, str]:
     asked = (each for project in evidence.python if not places.vendored(project.file) for each in project.requirements)
     bound = (each for each in asked if each.role == "" and each.below and not each.url and not each.marker)
     return {each.key: str(each.specifier) for each in bound}
+
+
+def _as_in_extra(guess: Requirement, evidence: Evidence) -> Requirement:
+    """Return a guess as an extra of the project at the root asks for it, under whichever name: ``pygame-ce>=2.5``."""
+    asked = (each for project in evidence.python if not project.folder for each in project.requirements)
+    extra = (each for each in asked if each.role == "extra" and each.package and not (each.url or each.marker))
+    same = next((each for each in extra if each.key == guess.key or same_module(guess.key, each.key)), None)
+    if same is None or guess.limited:
+        return guess
+    return replace(same, origin=guess.origin, role="", file=guess.file, line=guess.line)
 
 
 def to_show(evidence: Evidence, known: Set[str]) -> Iterator[Requirement]:

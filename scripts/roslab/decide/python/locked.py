@@ -57,7 +57,7 @@ def locked_releases(
     other = _needing(_families(other), by_name) | {*INSTALLERS}
     pinned = {key for key, each in wanted.items() if each.release}
     free = {*other, *apart, *(each.key for each in taken)}
-    imported = {each.key for each in guessed if each.name and not each.limited}
+    imported = {each.key for each in guessed if each.name and (not each.limited or _of_an_extra(each, one))}
     beneath = _beneath({*wanted}, imported, free, by_name)
     kept = [
         one[key].requirement
@@ -73,6 +73,11 @@ def of_what_is_installed(locked: Collection[Locked], chosen: Chosen) -> bool:
     """Tell whether the project beside a lock is installed, or, at the root, what it declares."""
     folder = next((each.requirement.file.rpartition("/")[0] for each in locked), "")
     return (not folder and bool(chosen.declared)) or any(project.folder == folder for project in chosen.projects)
+
+
+def _of_an_extra(guess: Requirement, one: Mapping[str, Locked]) -> bool:
+    """Tell whether an extra of the project limits a guess to what the lock has, too."""
+    return bool(guess.group and guess.package) and guess.key in one and not _differs(guess, one)
 
 
 def _agrees(taken: Requirement, one: Mapping[str, Locked]) -> bool:
