@@ -171,3 +171,10 @@ def test_what_a_page_requires_by_a_link(tree: Tree, said: str, told: bool) -> No
     messages = [w.message for w in found.warnings if "acme_agent" in w.message]
     assert len(messages) == told
     assert all("or acme (https://github.com/lab/acme) brings it" in message for message in messages)
+
+
+@pytest.mark.parametrize(("module", "told"), [("acme", False), ("acme_hand", True)])
+def test_the_folders_of_a_link_tell_what_it_brings(tree: Tree, module: str, told: bool) -> None:
+    page = "```\npip install git+https://github.com/lab/fork.git#subdirectory=acme/acme/python\npython play.py\n```\n"
+    found = tree({"play.py": f"import {module}\n", "README.md": page})
+    assert any("no table" in warning.message for warning in found.warnings) == told

@@ -141,7 +141,7 @@ def _known(evidence: Evidence, chosen: Chosen) -> set[str]:
     }
     known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
     folders = (asked.url.partition("#subdirectory=")[2] for asked in chosen.guessed)
-    known |= {canonicalize_name(folder.rpartition("/")[2]) for folder in folders if folder}
+    known |= {canonicalize_name(part) for folder in folders for part in folder.split("/") if part}
     return known | {part for name in known for part in (*name.split("-"), name.replace("-", ""))}
 
 
