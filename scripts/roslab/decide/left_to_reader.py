@@ -22,7 +22,8 @@ def left_to_reader(page: Candidate, evidence: Evidence) -> tuple[Warning_, ...]:
     """Return the warnings about the default command, which is a page's or a guess."""
     said = next((m for m in evidence.mentions if _is(m, page)), None)
     told = _told(said, page, evidence) if said else _required(page, evidence)
-    return (*told, *(warn(f"{_NAMES} {path}, {_NOWHERE}", page) for path in _settings(page)))
+    absent = (warn(f"{_NAMES} {path}, {_NOWHERE}", page) for path in _settings(page))
+    return (*told, *absent, *_weights(page, evidence))
 
 
 def _required(guess: Candidate, evidence: Evidence) -> Iterator[Warning_]:
@@ -77,6 +78,18 @@ def _told(said: Mention, page: Candidate, evidence: Evidence) -> Iterator[Warnin
 def _settings(page: Candidate) -> list[str]:
     """Return the files of settings that the tree lacks; what a launch file is given may lie in its package."""
     return [] if page.argv[0] in LAUNCHERS else [word for word in page.absent if _SETTINGS.fullmatch(word)]
+
+
+def _weights(page: Candidate, evidence: Evidence) -> Iterator[Warning_]:
+    """Yield a warning for the first file of weights that the command's settings name and that a script downloads."""
+    fetched = {file for m in evidence.mentions if m.topic in {"fetched", "unpacked"} for file in m.files} - {"", "."}
+    named = [m for m in evidence.mentions if m.topic == "weights" and {*m.files} & {*page.files}]
+    named = [m for m in named if not any(m.value == file or m.value.startswith(f"{file}/") for file in fetched)]
+    for mention in named[:1]:
+        message = f"the default command's settings name {mention.value}, which the tree lacks"
+        yield warn(
+            f"{message}: the page downloads such files (`{mention.text}`); fetch it by `custom` in roslab.yaml", mention
+        )
 
 
 def _not_given(page: Candidate, evidence: Evidence) -> list[str]:
