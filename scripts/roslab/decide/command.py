@@ -91,8 +91,9 @@ def decide_command(
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = _opened(evidence, config, shlex.join(command))
     inside = next((c for c in found if c.argv == command and (c.inside or (c.makes and not dockerfile))), None)
-    ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
     page = by_argv.get(command)
+    ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
+    ports = ports or (_ports(page, evidence) if page and not dockerfile else ())
     whole = launched(inside or page, evidence) if page else None
     command = whole.argv if whole else command
     chosen = Command(
@@ -239,6 +240,13 @@ def _barest(candidates: list[Candidate]) -> list[Candidate]:
         if known is None or len(argv) < len(known.argv):
             programs[program] = candidate
     return list(programs.values())
+
+
+def _ports(page: Candidate, evidence: Evidence) -> tuple[str, ...]:
+    """Return the port at which the section that runs a command has its reader open it, if that names only one."""
+    said = (m for m in evidence.mentions if m.topic == "port" and (m.file, m.heading) == (page.file, page.heading))
+    found = {m.value for m in said}
+    return tuple(f"{port}:{port}" for port in found) if len(found) == 1 else ()
 
 
 def _opened(evidence: Evidence, config: Config, command: str) -> bool:
