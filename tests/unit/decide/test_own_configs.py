@@ -75,3 +75,10 @@ def test_a_key_that_cmake_requires_too_is_nothing_to_go_on_without(tree: Tree, c
     }
     key = next(each.message for each in tree(files).warnings if "no key events" in each.message)
     assert f"looks for it in https://github.com/lab/events, {told} " in key
+
+
+def test_it_has_the_options_of_the_page(tree: Tree) -> None:
+    cmake = "cmake .. -DWITH_GUI=OFF -DCMAKE_INSTALL_PREFIX=/opt/grip"
+    page = f"ROS Noetic\n```\ncd lib\nmkdir build && cd build\n{cmake}\nmake\n```\n"
+    (script,) = tree(FILES | {"README.md": page}).scripts
+    assert "cmake -DCMAKE_BUILD_TYPE=Release -DWITH_GUI=OFF .. " in script.command

@@ -14,6 +14,7 @@ from roslab.decide.programs import beside_top, found_by, names_of
 from roslab.decide.reasons import because
 from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
+from roslab.decide.system.inside import meant
 from roslab.decide.system.names import Target
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -32,6 +33,7 @@ _ASIDE = pattern(
 )
 _INSTALL = "its own `install` compiles, which an editable installation does not run"
 _PLAIN = pattern(r"[\w./=+-]+")
+_PLAIN_OPTION = pattern(r"-D\w+(?::\w+)?=[\w.+-]+")
 
 
 def decide_scripts(
@@ -103,7 +105,10 @@ def decide_scripts(
 
 def _of_packages(evidence: Evidence, target: Target) -> Choice[tuple[OwnScript, ...]]:
     """Return how each project is installed that a package of the workspace requires and that catkin does not build."""
-    found = [(_part(project, found=True), asked) for project, asked in required_of_tree(evidence, target)]
+    found = [
+        (_part(project, found=True, options=_said_of(project, evidence)), asked)
+        for project, asked in required_of_tree(evidence, target)
+    ]
     why = "{} requires {}, which it installs"
     return Choice(
         answer=tuple(replace(script, command=f"{script.command} && ldconfig") for script, _ in found),
@@ -112,6 +117,14 @@ def _of_packages(evidence: Evidence, target: Target) -> Choice[tuple[OwnScript, 
             for s, asked in found
         ),
     )
+
+
+def _said_of(project: CMakeProject, evidence: Evidence) -> str:
+    """Return the options with which a page compiles a project, without where to install it."""
+    folder = project.file.rpartition("/")[0]
+    said = (m for m in evidence.mentions if m.topic == "compiled" and m.source == "readme")
+    options = next((m.text for m in said if folder and meant(m.value, {folder})), "")
+    return " ".join(word for word in options.split() if _PLAIN_OPTION.fullmatch(word) and "_PREFIX" not in word)
 
 
 def _by_install(evidence: Evidence, projects: Collection[str]) -> Iterator[OwnScript]:
