@@ -79,18 +79,41 @@ def test_what_pages_link_to_may_hold_it_then_a_repository_of_its_name(tree: Tree
 @pytest.mark.parametrize(
     ("origin", "address"),
     [
-        ("git@github.com:lab/acme_nav.git", f"{LAB}/acme_lib"),
-        ("https://gitlab.com/lab/acme_nav", "https://gitlab.com/lab/acme_lib"),
+        ("git@github.com:lab/acme_nav.git", f"{LAB}/acme_io"),
+        ("https://gitlab.com/lab/acme_nav", "https://gitlab.com/lab/acme_io"),
         ("/home/somebody/acme_nav", ""),
         ("", ""),
     ],
 )
 def test_the_owner_is_known_by_the_origin(tree: Tree, origin: str, address: str) -> None:
-    decision = tree(_git(origin) | _package("acme_nav", "acme_lib") | {"README.md": "ROS Noetic.\n"})
+    decision = tree(_git(origin) | _package("acme_nav", "acme_io") | {"README.md": "ROS Noetic.\n"})
     assert [*_sought(decision)] == ([address] if address else [])
-    told = next(each.message for each in decision.warnings if "rosdep has no key acme_lib" in each.message)
+    told = next(each.message for each in decision.warnings if "rosdep has no key acme_io" in each.message)
     assert address in told
     assert address or "nothing here says" in told
+
+
+@pytest.mark.parametrize(
+    ("origin", "needed", "found"),
+    [
+        ("nav", ("base_msgs",), {"base_msgs": ("base_msgs",), "base": ("base_msgs",)}),
+        ("nav", ("base", "base_msgs"), {"base_msgs": ("base_msgs",), "base": ("base", "base_msgs")}),
+        ("nav", ("plan_lib",), {"plan_lib": ("plan_lib",), "plan": ("plan_lib",)}),
+        ("nav", ("nav_x_msgs",), {"nav_x_msgs": ("nav_x_msgs",), "nav_x": ("nav_x_msgs",)}),
+        ("base", ("base_msgs",), {"base_msgs": ("base_msgs",)}),  # the repository itself
+        (
+            "old",
+            ("nav_msg_lib", "mpc_msgs"),
+            {"nav_msg_lib": ("nav_msg_lib",), "nav_msg": ("nav_msg_lib",), "mpc_msgs": ("mpc_msgs",)},
+        ),
+        ("nav", ("navigation_msgs",), {"navigation_msgs": ("navigation_msgs",)}),  # others publish that
+    ],
+)
+def test_a_part_may_be_in_the_repository_of_the_whole(
+    tree: Tree, origin: str, needed: tuple[str, ...], found: dict[str, tuple[str, ...]]
+) -> None:
+    decision = tree(_git(f"{LAB}/{origin}") | _package("mpc", *needed) | {"README.md": "ROS Noetic.\n"})
+    assert _sought(decision) == {f"{LAB}/{name}": held for name, held in found.items()}
 
 
 @pytest.mark.parametrize(("role", "looked"), [("exec_depend", True), ("test_depend", False), ("doc_depend", False)])
@@ -206,7 +229,7 @@ def _including(code: str, more: str = "") -> dict[str, str]:
 
 def test_a_package_whose_messages_the_code_includes_is_looked_for(tree: Tree) -> None:
     decision = tree(_including(_CODE))
-    assert _sought(decision) == {f"{LAB}/acme_msgs": ("acme_msgs",)}
+    assert _sought(decision) == dict.fromkeys([f"{LAB}/acme_msgs", f"{LAB}/acme"], ("acme_msgs",))
     told = next(each for each in decision.warnings if "acme_msgs" in each.message)
     assert (told.file, told.line) == ("mpc/src/mpc.cpp", 2)
     assert f"the build looks for it in {LAB}/acme_msgs" in told.message
@@ -246,7 +269,7 @@ def test_what_is_not_always_compiled_names_none(tree: Tree, path: str, code: str
 
 def test_a_message_that_one_file_always_includes(tree: Tree) -> None:
     files = _including("#ifdef WITH_ACME\n#include <acme_msgs/SetGrid.h>\n#endif\n") | {"mpc/src/z.cpp": _CODE}
-    assert [*_sought(tree(files))] == [f"{LAB}/acme_msgs"]
+    assert [*_sought(tree(files))] == [f"{LAB}/acme_msgs", f"{LAB}/acme"]
 
 
 def test_the_headers_of_messages_of_ros_2(tree: Tree) -> None:
@@ -257,7 +280,7 @@ def test_the_headers_of_messages_of_ros_2(tree: Tree) -> None:
     )
     files["CMakeLists.txt"] = "project(robo)\nfind_package(ament_cmake REQUIRED)\n"
     files["src/a.cpp"] = "#include <acme_msgs/msg/set_grid.hpp>\n#include <std_msgs/msg/string.hpp>\n"
-    assert [*_sought(tree(files))] == [f"{LAB}/acme_msgs"]
+    assert [*_sought(tree(files))] == [f"{LAB}/acme_msgs", f"{LAB}/acme"]
 
 
 @pytest.mark.parametrize(

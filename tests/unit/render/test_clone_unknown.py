@@ -76,6 +76,13 @@ def test_the_owner_of_the_clone_that_asks_has_it(image: Path) -> None:
     assert _run(image, "boosted") == (1, ["docs", "lib", "numeric"])
 
 
+def test_a_part_is_in_the_repository_of_the_whole(image: Path) -> None:
+    _manifest(image / "lab/space/space_msgs", "space_msgs")
+    _commit(image / "lab/space")
+    _manifest(image / "ws/src/lib", "lib", "space_msgs")
+    assert _run(image, "space_msgs") == (0, ["docs", "lib", "space_msgs"])
+
+
 def test_what_only_a_package_asks_for_that_is_not_needed_is_not_cloned(image: Path) -> None:
     assert _run(image, "doxygen_tool") == (1, ["docs", "lib"])
 

@@ -35,7 +35,9 @@ _PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 """A name that a package of ROS may have (REP 144), and no package of a system is likely to."""
 _OF_SYSTEM = pattern(r"[^a-z0-9-]|^(?:lib|python|ros-)|-(?:dev|pip)$")
 """In a name with a dash that is none of a package of ROS."""
-_MOST = 6
+_PARTS = ("_msgs", "_srvs", "_interfaces", "_lib")
+"""Ends of the names of packages that often lie beside others, in a repository called without them."""
+_MOST = 12
 """Most repositories that a build tries."""
 _MOST_LISTED = 4
 """Most of them that a page lists among what is needed."""
@@ -96,7 +98,7 @@ def tried(sought: Iterable[Source]) -> dict[str, str]:
 
 def linked(sought: Iterable[Source]) -> frozenset[str]:
     """Return the packages that are looked for in a repository which a page names, and not only in one of their name."""
-    return frozenset(name for source in sought for name in source.holding if name != source.name)
+    return frozenset(name for source in sought for name in source.holding if source.name not in _called(name))
 
 
 def without(
@@ -172,8 +174,8 @@ def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]
     """Return the addresses of repositories that may hold packages, most likely first, each with those packages.
 
     First those that pages at the root link to; then those that the code names which are called like the package, or
-    with whose name it begins; then one of the same owner with the name of the package, unless others are known to
-    publish it. Not what is ``known``.
+    with whose name it begins; then those of the same owner with the name of the package, or with that of what it is a
+    part of, unless others are known to publish it. Not what is ``known``.
     """
     names = tuple(names)
     if not names:
@@ -186,11 +188,21 @@ def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]
         if held and address(git.url) != here and known.isdisjoint((git.name, plain(git.name))):
             found.setdefault(git.url, held)
     owner = match[1] if match and match[2] in public_hosts() else ""
+    owned: dict[str, tuple[str, ...]] = {}
     for name in names if owner else ():
-        url = f"{owner}/{name}"
-        if not ever_released(name) and address(url) not in {here, *map(address, found)}:
-            found[url] = (name,)
+        for called in () if ever_released(name) else _called(name):
+            url = f"{owner}/{called}"
+            if called == name or not (called in known or ever_released(called)):
+                owned[url] = (*owned.get(url, ()), name)
+    there = {here, *map(address, found)}
+    found |= {url: held for url, held in owned.items() if address(url) not in there}
     return list(found.items())
+
+
+def _called(name: str) -> tuple[str, ...]:
+    """Return the names that a repository with a package most likely has."""
+    stem = next((name.removesuffix(part) for part in _PARTS if name.endswith(part)), "")
+    return (name, stem) if stem else (name,)
 
 
 def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[GitSource]:

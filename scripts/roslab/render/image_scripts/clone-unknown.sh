@@ -2,7 +2,8 @@
 # usage: clone-unknown [--before DAY] MANIFESTS WORKSPACE KEY...
 # Clones to the workspace the packages of these keys that the repository, whose package.xml files lie below MANIFESTS, and
 # the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos), else from the owner of
-# the one that asks, by the name of the package. Each key is tried once. Ends with 1 where nothing was found.
+# the one that asks, by the name of the package, or of what it is a part of (X for X_msgs). Each key is tried once. Ends
+# with 1 where nothing was found.
 #   --before DAY  the newest commit not after this day (YYYY-MM-DD), where a list names none; of today if empty
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
@@ -71,6 +72,11 @@ for key in "$@"; do
     fi
   done < <(listed)
   origin="$(git -c safe.directory='*' -C "$(dirname "${manifest}")" config --get remote.origin.url)" || continue
-  if try "${key}" "${origin%/*}/${key}"; then new=yes; fi
+  for name in $(sed --regexp-extended 'p; s/_(msgs|srvs|interfaces|lib)$//' <<<"${key}" | uniq); do # a part is with the whole
+    if try "${key}" "${origin%/*}/${name}"; then
+      new=yes
+      break
+    fi
+  done
 done
 [ -n "${new}" ]
