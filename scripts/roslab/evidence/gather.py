@@ -34,6 +34,7 @@ from roslab.evidence.native import (
 from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.asked_modules import of_modules
 from roslab.evidence.native.limits import Signs
+from roslab.evidence.native.nowhere import Nowhere
 from roslab.evidence.prose import (
     apt_lists,
     apt_sources,
@@ -130,7 +131,7 @@ def gather(repository: Repository) -> Evidence:
     manifests = package_xml.read(repository) or rosbuild.read(repository)
     repository = marked.without(repository, manifests)
     fetched = fetching.read(repository)
-    signs, intrinsics = Signs(), x86.Intrinsics()
+    signs, intrinsics, nowhere = Signs(), x86.Intrinsics(), Nowhere(repository, manifests)
     cmake_projects = _without_python(cmake.read(repository), manifests)
     own = submodules.without(repository)
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
@@ -173,7 +174,8 @@ def gather(repository: Repository) -> Evidence:
         notebooks=notebooks.alone(own),
         tests=tests.read(repository),
         code=(
-            *cpp.read(repository, signs, intrinsics),
+            *cpp.read(repository, signs, intrinsics, nowhere),
+            *nowhere.all(signs.included),
             *imports.read(repository),
             *called.read(own),
             *loggers.read(own),

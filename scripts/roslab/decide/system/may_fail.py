@@ -10,6 +10,7 @@ from collections.abc import Callable, Collection, Iterator
 from roslab.decide.programs import owner
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.included import included
+from roslab.decide.ros.nowhere import nowhere
 from roslab.decide.ros.source_names import plain, telling_words
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import needing
@@ -61,6 +62,7 @@ def _stopped(evidence: Evidence, packages: Packages, known: Callable[[str], bool
     for asked in included(evidence, packages):
         if not known(asked.name) and (name := owner(asked.file, folders)):
             yield name
+    yield from nowhere(evidence, packages, known)
 
 
 def _nowhere(asked: Dependency, known: Callable[[str], bool], target: Target) -> bool:

@@ -9,6 +9,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.included import without_headers
+from roslab.decide.ros.nowhere import without_own
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import plain
@@ -151,6 +152,7 @@ def decide_missing(
         told = {asked.name for _, asked in unmet}
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
+        warnings += without_own(evidence, packages, lambda name: plain(name) in names, build_tool)
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
     warnings += not_found(evidence, packages, target, names, build_tool, built=made)

@@ -10,6 +10,7 @@ from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.native import x86
 from roslab.evidence.native.generated import package_of
 from roslab.evidence.native.limits import Signs, conditional, tells
+from roslab.evidence.native.nowhere import Nowhere
 from roslab.knowledge.libraries import library, only_missed
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository, nearest
@@ -31,13 +32,16 @@ _STANDARD = pattern(
 
 
 def read(
-    repository: Repository, signs: Signs | None = None, intrinsics: x86.Intrinsics | None = None
+    repository: Repository,
+    signs: Signs | None = None,
+    intrinsics: x86.Intrinsics | None = None,
+    nowhere: Nowhere | None = None,
 ) -> tuple[Dependency, ...]:
     """Return the included headers that neither the tree nor the compiler has, each once, at its first place.
 
     After them come the libraries that open windows by a call.
 
-    ``signs`` and ``intrinsics`` are shown every file, so that each is read once.
+    ``signs``, ``intrinsics`` and ``nowhere`` are shown every file, so that each is read once.
     """
     found: dict[str, Dependency] = {}
     opened: dict[str, Dependency] = {}
@@ -62,8 +66,11 @@ def read(
             if name not in outside:
                 inside[name] = not _standard(name) and _local(repository, name)
                 outside[name] = not _standard(name) and not inside[name]
+            lost = (
+                (outside[name] or name.startswith(".")) and nowhere and nowhere.header(name, file, text, match.start())
+            )
             told = key in found and (perhaps or found[key].strength != "optional")
-            if not (inside[name] or perhaps) and (told or not outside[name]) and _is_settled(name, signs):
+            if not (inside[name] or perhaps or lost) and (told or not outside[name]) and _is_settled(name, signs):
                 settled.add(name)
             if told or not outside[name] or _where_it_is(text, match.start()):
                 continue

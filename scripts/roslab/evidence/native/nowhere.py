@@ -1,0 +1,107 @@
+"""Headers that code includes as the tree's own, and that nothing in it is or makes: such code does not compile."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Collection, Iterator
+
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import PackageManifest
+from roslab.evidence.native.limits import HEADERS, conditional
+from roslab.evidence.native.unlisted import Unlisted
+from roslab.evidence.ros import vcs
+from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import dataclass, field
+from roslab.values.pattern import pattern
+
+_MESSAGE = pattern(r"(\w+)/(\w+)\.h|(\w+)/(?:msg|srv|action)/(\w+)\.hpp")
+"""A message's header, https://wiki.ros.org/msg, also of a name that no message should have."""
+_PART = pattern(r"(?:Action)?(?:Request|Response|Goal|Result|Feedback|Action)$")
+"""What a service and an action add to the names of their headers."""
+_GENERATED = pattern(r"Config\.h$|_export\.h$|\.pb\.h$|visibility_control\.h")
+"""Headers that CMake makes of other files than messages."""
+_INTERFACES = (".msg", ".srv", ".action")
+
+
+@dataclass
+class Nowhere:
+    """The includes of a repository's packages that no header fits."""
+
+    repository: Repository
+    manifests: tuple[PackageManifest, ...]
+    found: dict[tuple[str, str], Dependency] = field(default_factory=dict)
+    """By the header and the package that includes it."""
+    known: dict[str, bool] = field(default_factory=dict)
+
+    def header(self, name: str, file: File, text: str, position: int) -> bool:
+        """Note an include at a position of a file if its header is nowhere, and tell whether it is."""
+        if name not in self.known:
+            self.known[name] = bool(self.manifests) and self._lacks(name)
+        if not self.known[name]:
+            return False
+        package = self._package(file.path)
+        if package is not None and (name, package) not in self.found and not conditional(text, position):
+            path = posixpath.normpath(posixpath.join(file.folder, name))
+            if not name.startswith("../") or not (self.repository.may_have(path) or self._within(path, package)):
+                line = text.count("\n", 0, position) + 1
+                self.found[name, package] = Dependency(
+                    namespace="nowhere", name=name, strength="used", file=file.path, line=line
+                )
+        return True
+
+    def all(self, included: Collection[str]) -> Iterator[Dependency]:
+        """Yield them where a compiler comes to the file; ``included``: the last parts of what is included."""
+        unlisted = Unlisted(self.repository) if self.found else None
+        for each in self.found.values():
+            header = each.file.endswith(HEADERS)
+            if places.aside(each.file) or (header and each.file.rpartition("/")[2] not in included):
+                continue
+            if header or not (unlisted and unlisted.has(each.file)):
+                yield each
+
+    def _lacks(self, name: str) -> bool:
+        """Tell whether no file of the tree is this header or makes it, though it is called like one of the tree's."""
+        last = name.rpartition("/")[2]
+        if self.repository.named(last, f"{last}.in") or _GENERATED.search(name):
+            return False
+        if name.startswith("../"):
+            return True
+        match = _MESSAGE.fullmatch(name)
+        package = (match[1] or match[3]) if match else ""
+        folders = [posixpath.dirname(each.file) for each in self.manifests if each.name == package and not each.ignored]
+        if not (match and folders) or not any(map(self._makes_messages, folders)):
+            return False
+        message = match[2] or match[4]
+        stems = {_plain(message), _plain(_PART.sub("", message))}
+        if any(_plain(file.name.rpartition(".")[0]) in stems for file in self.repository.suffixed(*_INTERFACES)):
+            return False
+        return not any(message in self.repository.read(file) for file in self._cmake(folders))
+
+    def _within(self, path: str, package: str) -> bool:
+        """Tell whether a path is inside of a package, where it may be generated, or in a submodule."""
+        inside = self._package(path) == package and not path.startswith("..")
+        return inside or any(path.startswith(f"{folder}/") for folder in vcs.submodules(self.repository))
+
+    def _makes_messages(self, folder: str) -> bool:
+        return any(
+            file.path.startswith(f"{folder}/" if folder else "") for file in self.repository.suffixed(*_INTERFACES)
+        )
+
+    def _cmake(self, folders: Collection[str]) -> Iterator[File]:
+        for file in self.repository.named("CMakeLists.txt"):
+            if any(not folder or file.path.startswith(f"{folder}/") for folder in folders):
+                yield file
+
+    def _package(self, path: str) -> str | None:
+        """Return the folder of the package that a path lies in, ``None`` for none."""
+        folders = {posixpath.dirname(each.file) for each in self.manifests}
+        while path:
+            path = posixpath.dirname(path)
+            if path in folders:
+                return path
+        return None
+
+
+def _plain(name: str) -> str:
+    return name.replace("_", "").lower()

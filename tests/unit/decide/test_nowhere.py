@@ -1,0 +1,83 @@
+"""Headers that code includes as the tree's own, and that nothing in the tree is or makes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def _package(name: str, more: str = "") -> dict[str, str]:
+    return {
+        f"{name}/package.xml": f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend></package>",
+        f"{name}/CMakeLists.txt": f"project({name})\nfind_package(catkin REQUIRED roscpp)\ncatkin_package()\n{more}",
+    }
+
+
+def _including(header: str, more: dict[str, str] | None = None, file: str = "mine/src/a.cpp") -> dict[str, str]:
+    files = {**_package("mine", "add_executable(a src/a.cpp)\n"), **_package("other"), "other/msg/Some.msg": "int8 a\n"}
+    files |= {"mine/src/a.cpp": "int main() {}\n", "README.md": "ROS Noetic\n"}
+    return {**files, file: f'#include "{header}"\nint main() {{}}\n', **(more or {})}
+
+
+def _told(decision: Decision) -> list[str]:
+    return [each.message for each in decision.warnings if "nothing in the repository is or makes" in each.message]
+
+
+@pytest.mark.parametrize("header", ["other/Lost.h", "other/lost.h", "other/msg/lost.hpp", "../../lost/src/lost.h"])
+def test_a_package_that_includes_what_nothing_makes_stops_no_others(tree: Tree, header: str) -> None:
+    decision = tree(_including(header))
+    assert decision.may_fail == ("mine",)
+    (told,) = _told(decision)
+    assert told.startswith(f"mine includes {header}, ")
+
+
+@pytest.mark.parametrize(
+    ("header", "more"),
+    [
+        ("other/Some.h", {}),
+        ("other/msg/some.hpp", {}),
+        ("other/SomeRequest.h", {"other/srv/Some.srv": "---\n"}),
+        ("other/DoActionGoal.h", {"other/action/Do.action": "---\n---\n"}),
+        ("other/DoAction.h", {"other/action/Do.action": "---\n---\n"}),
+        ("other/SomeConfig.h", {"other/cfg/Some.cfg": "\n"}),
+        ("other/lost.h", {"other/include/elsewhere/lost.h": "\n"}),
+        ("other/version.h", {"other/cmake/version.h.in": "\n"}),
+        ("other/made.h", _package("other", "add_custom_command(OUTPUT made.h COMMAND make_it)\n")),
+        ("other/Lost.h", {"other/msg/Some.msg": "", "other/CATKIN_IGNORE": ""}),  # another one than that of the tree
+        ("third/Lost.h", {}),
+        ("third/Lost.h", _package("third")),  # it makes no messages
+        (
+            "../../lost/src/lost.h",
+            {".gitmodules": '[submodule "a"]\n\tpath = lost\n\turl = https://github.com/a/lost\n'},
+        ),
+        ("../generated/lost.h", {}),
+    ],
+)
+def test_what_may_be_made_or_is_elsewhere_is_not_told(tree: Tree, header: str, more: dict[str, str]) -> None:
+    decision = tree(_including(header, more))
+    assert not _told(decision)
+    assert decision.may_fail == ()
+
+
+@pytest.mark.parametrize(
+    ("file", "told"),
+    [
+        ("mine/include/mine/used.h", True),
+        ("mine/include/mine/unused.h", False),
+        ("mine/src/not_in_the_list.cpp", False),
+        ("mine/examples/a.cpp", False),
+    ],
+)
+def test_only_what_is_compiled_stops(tree: Tree, file: str, told: bool) -> None:
+    more = {"mine/src/a.cpp": '#include "mine/used.h"\nint main() {}\n'}
+    assert bool(_told(tree(_including("other/Lost.h", more, file)))) == told
+
+
+def test_a_condition_may_leave_it_out(tree: Tree) -> None:
+    code = '#ifdef WITH_LOST\n#include "other/Lost.h"\n#endif\nint main() {}\n'
+    assert not _told(tree(_including("other/Lost.h", {"mine/src/a.cpp": code})))
