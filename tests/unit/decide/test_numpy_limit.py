@@ -67,6 +67,18 @@ def robot(distro: str, code: str, lists: str) -> dict[str, str]:
         ("foxy", "import cv_bridge\n", "mediapipe\n", set()),  # its Python has no NumPy 2
         ("foxy", "import numpy as np\nx = np.float(1)\n", "numpy>=1.22.0\n", {"numpy<1.24"}),
         ("jazzy", "import numpy as np\nx = np.float(1)\n", "numpy>=1.22.0\n", set()),  # the distribution's will do
+        ("foxy", "import numpy as np\nx = np.float(1)\n", "gym\n", {"numpy<1.24"}),  # what gym needs is not known
+        ("foxy", "import numpy as np\nx = np.float(1)\n", "gym\nnumpy\n", {"numpy<1.24"}),
+        ("foxy", "import numpy as np\nx = np.float(1)\n", "gym\nnumpy==1.18.5\n", set()),
+        ("foxy", "import numpy as np\nx = np.float(1)\n", "setuptools<80\nnumpy\n", set()),
+        ("jazzy", "import numpy as np\nx = np.float(1)\n", "gym\n", set()),
+        ("humble", "import numpy as np\nx = np.float(1)\n", "opencv-python==4.12.0.88\n", set()),
+        ("foxy", "import scipy.spatial\n", "gym\n", {"numpy<1.24"}),
+        ("foxy", "import cv_bridge\nimport scipy.spatial\n", "gym\n", {"numpy<1.24"}),
+        ("foxy", "import scipy.spatial\n", "gym\nscipy\n", set()),  # pip's own scipy
+        ("foxy", "import scipy.spatial\n", "gym\nnumpy>=1.24\n", set()),
+        ("foxy", "import scipy.spatial\n", "", set()),
+        ("humble", "import scipy.spatial\n", "gym\n", {"numpy<2"}),
     ],
 )
 def test_beside_what_the_distribution_built(tree: Tree, distro: str, code: str, lists: str, limit: set[str]) -> None:

@@ -17,6 +17,7 @@ from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.table import row, rows
 from roslab.knowledge.tools import INSTALLERS
+from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -24,6 +25,7 @@ from roslab.values.version import Version
 
 _OLDEST_PYTHON = Version("3.9")
 """The first Python that NumPy 2 has wheels for: https://numpy.org/doc/stable/release/2.0.0-notes.html."""
+_LAST_NUMPY_1 = "1.26.4"
 _OF_BUILDS = frozenset({*INSTALLERS, "cmake", "ninja"})
 
 
@@ -48,29 +50,67 @@ def numpy_limit(
 
 
 def _removed(evidence: Evidence, asked: Sequence[Requirement], own: Version) -> Choice[Constraints]:
-    """Return the limit that the code needs where pip is asked for a newer NumPy than the distribution's own."""
-    newer = [each for each in asked if each.key == "numpy" and each.at_least and Version(each.at_least) > own]
-    return decide_bounds((each for each in evidence.bounds if each.bound.key == "numpy"), newer)
+    """Return the limit that the code needs where pip may bring a newer NumPy than the distribution's own.
+
+    It may where one is asked for, or anything else: what that needs is not known here.
+    """
+    numpy = [each for each in asked if each.key == "numpy"]
+    if not _brings(asked) or _with_numpy_2(asked):
+        numpy = [each for each in numpy if each.at_least and Version(each.at_least) > own]
+    elif not numpy:
+        numpy = [stated("numpy")]
+    uses = (each for each in evidence.bounds if each.bound.key == "numpy")
+    return decide_bounds((each for each in uses if each.bound.below and Version(each.bound.below) > own), numpy)
+
+
+def _brings(asked: Sequence[Requirement]) -> bool:
+    """Tell whether pip is asked for something that may ask for NumPy."""
+    return bool({each.key for each in asked if each.name} - {*_OF_BUILDS, "numpy"})
 
 
 def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirement]) -> Choice[Constraints]:
-    """Return NumPy 1 as the limit where a module of apt was built with it, which no NumPy 2 loads.
+    """Return the limit where a module of apt was built with NumPy 1, which no NumPy 2 loads, or breaks even earlier.
 
     None where pip would find no answer: a release that needs NumPy 2 is asked for.
     https://numpy.org/devdocs/dev/depending_on_numpy.html#numpy-2-0-specific-advice, read 2026-11-26.
     """
     names = {each.key for each in asked if each.name}
     numpy = [each for each in asked if each.key == "numpy"]
-    used = next(_built_with_numpy(evidence, names), None) if names - _OF_BUILDS else None
-    too_old = Version(python_of_ubuntu().get(ubuntu or "", "0")) < _OLDEST_PYTHON
-    if used is None or too_old or any(each.limited or not each.specifier.contains("1.26.4") for each in numpy):
+    found = _limit_of(evidence, ubuntu or "", names) if names - _OF_BUILDS else None
+    if found is None or any(each.limited or not each.specifier.contains(found.last) for each in numpy):
         return Choice(answer=())
+    used = found.used
     if newer := _with_numpy_2(asked):
         told = f"{newer.written} needs NumPy 2, beside which the distribution's {used.name} fails to load"
         return Choice(answer=(), warnings=(warn(told, newer if newer.file else used),))
-    limit = stated("numpy<2")
-    why = f"{used.name} of the distribution was built with NumPy 1, which what pip brings must not replace by NumPy 2"
+    limit = stated(f"numpy<{found.below}")
+    why = f"{used.name} of the distribution {found.why}"
     return Choice(answer=(limit,), reasons=(because("dependencies", limit.written, why, used, weight=Weight.BOUND),))
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Limit:
+    """The first NumPy that a module of apt does not bear, the last one that it does, and where it is imported."""
+
+    below: str
+    last: str
+    why: str
+    used: Dependency
+
+
+def _limit_of(evidence: Evidence, ubuntu: str, by_pip: set[str]) -> _Limit | None:
+    """Return the lowest limit of the modules of apt that the code imports."""
+    used = list(_built_with_numpy(evidence, by_pip))
+    broken = {each["module"]: each for each in rows("broken_by_numpy") if each["ubuntu"] == ubuntu}
+    for each in used:
+        if each.name in broken:
+            below, last = broken[each.name]["below"], broken[each.name]["last"]
+            why = f"is older than NumPy {below}, and stops beside one that pip brings: names that it uses were removed"
+            return _Limit(below=below, last=last, why=why, used=each)
+    if not used or Version(python_of_ubuntu().get(ubuntu, "0")) < _OLDEST_PYTHON:
+        return None
+    why = "was built with NumPy 1, which what pip brings must not replace by NumPy 2"
+    return _Limit(below="2", last=_LAST_NUMPY_1, why=why, used=used[0])
 
 
 def _with_numpy_2(asked: Sequence[Requirement]) -> Requirement | None:
