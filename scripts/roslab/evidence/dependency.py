@@ -75,6 +75,9 @@ class GitSource:
     """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
     into: str = ""
     """The name of the folder that it is cloned into, where that is not its own."""
+    removed: bool = False
+    """A later command removes its folder; only what it copies out of that before stays, the folders ``parts``."""
+    parts: tuple[str, ...] = ()
     by_ssh: str = ""
     """The address of ssh that stands there, for a build that has a key; ``url`` is the same by https."""
     private: bool = False

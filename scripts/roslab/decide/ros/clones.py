@@ -17,14 +17,34 @@ from roslab.knowledge.libraries import library
 def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
     """Return what manifests and pages clone: from a package.xml first, then with a ref, then from the nearest page.
 
-    Clones in a Dockerfile for another distribution are left out.
+    Clones in a Dockerfile for another distribution are left out, and those in whose place another one is cloned.
     """
     dockerfiles = {authored.file: distros_in(authored.base or "") for authored in evidence.dockerfiles}
+    found = _all(evidence)
+    gone = {*_replaced(found)}
+    found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
+    found = [git for git in found if git not in gone]
+    return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
+
+
+def taken_apart(evidence: Evidence) -> list[GitSource]:
+    """Return the clones of which only a part stays, for another repository is cloned into their folder."""
+    return [git for git in _replaced(_all(evidence)) if git.parts]
+
+
+def _replaced(found: list[GitSource]) -> Iterator[GitSource]:
+    """Yield the clones that are removed before the same text clones another repository into their folder."""
+    last = {(git.file, git.folder): git for git in sorted(found, key=lambda git: git.line)}
+    for git in found:
+        other = last[git.file, git.folder]
+        if git.removed and address(other.url) != address(git.url):
+            yield git
+
+
+def _all(evidence: Evidence) -> list[GitSource]:
     found = [git for git in evidence.sources if git.kind in {"clone", "git_url"} and not places.vendored(git.file)]
     found += [clone for authored in evidence.dockerfiles if authored.purpose == "project" for clone in authored.clones]
-    found = [git for git in found if not git.installed and "/archive/" not in git.url]
-    found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
-    return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
+    return [git for git in found if not git.installed and "/archive/" not in git.url]
 
 
 def beside(evidence: Evidence, ros_distro: str | None) -> Iterator[GitSource]:

@@ -13,9 +13,10 @@ from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.clones import taken_apart
 from roslab.decide.ros.misnamed import BUILD_TYPES, of_pip
 from roslab.decide.ros.slips import meant
-from roslab.decide.ros.source_names import address, akin, plain
+from roslab.decide.ros.source_names import address, akin, fixed, plain
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_everybody import PAGES
@@ -73,17 +74,43 @@ def with_sought(
     nowhere = [name for name in lacking if not sources.may_hold(name)]
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
     taken |= {address(git.url) for git in evidence.sources if git.into in known}  # itself, under another name
-    found = []
+    found: list[Source] = []
     reasons = []
     clones = _cloned(cloned, lacking, evidence)
     addresses = clones | {url: names for url, names in _addresses(nowhere, evidence, known) if url not in clones}
     for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:_MOST]:
-        name, asked = url.rpartition("/")[2], lacking[names[0]]
+        name, asked = _folder(url, [*sources.sources, *found]), lacking[names[0]]
         place = Place(file=asked.file, line=asked.line)
         found.append(Source(name=name, repo=f"{url}.git", build=build, before=before, holding=names, place=place))
         why = f"nothing known brings {', '.join(names)}: it may be there, and is left out where it is not"
         reasons.append(because("source", name, why, asked, weight=Weight.SOUGHT))
+    for git, parts in _parts(evidence, sources, known):
+        url, ref, place = https(git.url), fixed(git.ref), Place(file=git.file, line=git.line)
+        name = _folder(url, [*sources.sources, *found])
+        found.append(Source(name=name, repo=url, ref=ref, build=build, before=before, holding=parts, place=place))
+        why = f"{git.file} takes {', '.join(parts)} out of it"
+        reasons.append(because("source", name, why, git, weight=Weight.SOUGHT))
     return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))
+
+
+def _folder(url: str, others: Iterable[Source]) -> str:
+    """Return the name of a repository's folder in the workspace, with its owner's where another has that name."""
+    owner, _, name = url.removesuffix(".git").rpartition("/")
+    return name if all(other.name != name for other in others) else f"{plain(owner)}_{name}"
+
+
+def _parts(
+    evidence: Evidence, sources: Sources, known: AbstractSet[str]
+) -> Iterator[tuple[GitSource, tuple[str, ...]]]:
+    """Yield the clones of which pages keep some folders alone, each with these, where others of the page are cloned.
+
+    Such a folder is called like the package in it.
+    """
+    files = {source.place.file for source in sources.sources if source.place}
+    for git in taken_apart(evidence):
+        parts = tuple(part for part in git.parts if part not in known | sources.names and _PACKAGE.fullmatch(part))
+        if parts and git.file in files:
+            yield git, parts
 
 
 def tried(sought: Iterable[Source]) -> dict[str, str]:

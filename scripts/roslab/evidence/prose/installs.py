@@ -9,7 +9,7 @@ from typing import Literal
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
-from roslab.evidence.prose import blanks, workspaces
+from roslab.evidence.prose import blanks, removed_clones, workspaces
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at, titled
@@ -223,10 +223,8 @@ class Collector:
                 self.fresh.remove(clone)
                 self.sources[clone] = replace(self.sources[clone], ref=self.sources[clone].ref or ref or None)
             return
-        if "clone" not in words:
-            return
         url = next((w for w in words if _URL.match(w) and UNKNOWN not in w and "<" not in w), None)
-        if url is None:
+        if url is None or "clone" not in words:
             return
         apart = [part for word in words for part in (word.split("=", 1) if word.startswith("--branch=") else (word,))]
         branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
@@ -254,6 +252,8 @@ class Collector:
     def _by_hand(self, program: str, command: Command) -> None:
         """Note what CMake is told, and, where something is installed, the clone in whose folder the text is now."""
         words = command.words
+        if removed_clones.note(words, self.sources):
+            return
         if program in {"wget", "curl"}:
             self.sources += archives(command, self.file)
             return
@@ -279,7 +279,7 @@ class Collector:
             self._mention("build_tool", program, command)
         elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:
             self._mention("build_tool", "catkin_tools", command)
-        elif program in {"cmake", "make", "ninja", "dpkg", "wget", "curl"}:
+        elif program in {"cmake", "make", "ninja", "dpkg", "wget", "curl", *removed_clones.PROGRAMS}:
             self._by_hand(program, command)
         elif by_ros(program, words):
             self._run(command)
