@@ -73,7 +73,8 @@ class Source:
     """Nobody has read what its own CMakeLists.txt asks for: no table knows the library, and no author configures it."""
     unasked: bool = False
     """A page has everybody build it, and nothing that was read asks for it, or only a page below the root clones it,
-    or only a link in prose names what CMake links: where it fails, the image goes without."""
+    or only a link in prose names what CMake links, or it is known by its folder's name alone: where it fails, the image
+    goes without."""
     listed: bool = False
     """A list or a page names it: where its host asks for a password, or has it no longer, the image goes without."""
     holding: tuple[str, ...] = ()

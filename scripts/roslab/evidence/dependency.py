@@ -73,6 +73,8 @@ class GitSource:
     """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False
     """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
+    by_name: bool = False
+    """Its address is that of a repository which ROS lists under its name; it is the one if it has the commit."""
     into: str = ""
     """The name of the folder that it is cloned into, where that is not its own."""
     removed: bool = False

@@ -154,6 +154,8 @@ def gather(repository: Repository) -> Evidence:
     )
     sources = (*sources, *links.read(repository, sources))
     lost = links.lost(repository, sources)
+    by_name_alone = links.listed(lost) if manifests else ()
+    sources = (*sources, *by_name_alone)
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
     lists = submodules.named(requirements.read(repository), own, prose.requirements)
     made = makefiles.read(own, prose.mentions)
@@ -253,7 +255,7 @@ def gather(repository: Repository) -> Evidence:
             *repository.problems,
             *(_malformed(m) for m in manifests if m.malformed),
             *vcs.absent(repository),
-            *links.problems(lost),
+            *links.problems(lost, by_name_alone),
             *cpu.read(repository),
             *authors_folders.read(repository),
             *made_elsewhere.read(repository),

@@ -40,6 +40,7 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
             if git.absent and clone:
                 commit = f"at {git.ref}" if git.ref else "at no fixed commit, for git does not tell it"
                 why = f"a submodule that is not checked out: it is cloned from {git.url} {commit}"
+                why += "; ROS lists that under its name, and it is left out where that has no such commit" * git.by_name
                 empty.append((git, _source(git, before)))
             reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
     return empty, reasons
@@ -75,4 +76,12 @@ def copied(evidence: Evidence, packages: Packages) -> tuple[str, ...]:
 def _source(git: GitSource, before: str) -> Source:
     place = Place(file=git.file, line=git.line)
     ref = fixed(git.ref)
-    return Source(name=git.name, repo=git.url, ref=ref, before="" if git.ref else before, build="none", place=place)
+    return Source(
+        name=git.name,
+        repo=git.url,
+        ref=ref,
+        before="" if git.ref else before,
+        build="none",
+        unasked=git.by_name,
+        place=place,
+    )

@@ -100,7 +100,7 @@ def submodules(plan: Plan) -> str:
     runs = []
     for source in plan.workspace.submodules:
         folder = quote.shell_with_user(f"{source_folder(plan)}/{source.name}")
-        commands = (f"mkdir --parents {folder}", _or_left_out(fetch(plan, source, folder), source))
+        commands = (f"mkdir --parents {folder}", _or_left_out(fetch(plan, source, folder), source, folder))
         runs.append(shell.run(*commands, secrets=secrets.for_git(plan, "user")))
     head = "# What belongs in the tree and is not checked out: submodules at the commits that the repository records"
     return "\n".join([head, "USER ${NB_USER}", *runs, "USER root"])
@@ -112,7 +112,13 @@ def _fetched(plan: Plan, source: Source) -> list[str]:
     return [_or_left_out(commands, source)] if source.unasked else commands
 
 
-def _or_left_out(commands: list[str], source: Source) -> str:
-    """Return the commands as one that does not fail: what is private or gone is told."""
+def _or_left_out(commands: list[str], source: Source, folder: str = "") -> str:
+    """Return the commands as one that does not fail: what is private or gone is told.
+
+    A repository that is only tried leaves nothing in ``folder``.
+    """
     cloned = " \\\n   && ".join(commands)
-    return f"{{ {cloned}; }} \\\n || echo {quote.shell(f'roslab: left out: {source.name} cannot be cloned')}"
+    told = f"echo {quote.shell(f'roslab: left out: {source.name} cannot be cloned')}"
+    if source.unasked and folder:
+        told = f"{{ {told} && rm -rf {folder}; }}"
+    return f"{{ {cloned}; }} \\\n || {told}"
