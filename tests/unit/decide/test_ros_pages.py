@@ -65,6 +65,12 @@ def test_rosbuild_is_not_built_and_that_is_said(tmp_path: Path) -> None:
     assert any("rosmake" in warning.message for warning in found.warnings)
 
 
+def test_a_macro_of_qt_build_makes_no_package_of_rosbuild(tmp_path: Path) -> None:
+    calls = "find_package(catkin REQUIRED COMPONENTS qt_build roscpp)\nrosbuild_prepare_qt4(QtCore QtGui)\n"
+    found = decided(tmp_path, catkin() | {"CMakeLists.txt": f"project(gui)\n{calls}catkin_package()\n"})
+    assert not any("rosbuild" in warning.message for warning in found.warnings)
+
+
 def test_a_tool_of_ros_is_no_package_of_a_distribution(tmp_path: Path) -> None:
     readme = "ROS noetic\n\n    sudo apt install ros-dev-tools ros-hydro-tf2 ros-noetic-joy\n"
     found = decided(tmp_path, {**catkin(), "README.md": readme})

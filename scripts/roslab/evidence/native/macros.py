@@ -9,7 +9,7 @@ from roslab.values.pattern import pattern
 
 _FAMILIES = (
     ("cuda", pattern(r"cuda_add")),
-    ("rosbuild", pattern(r"rosbuild_")),
+    ("rosbuild", pattern(r"rosbuild_(?!prepare_qt4)")),  # which is qt_build's, for packages of catkin as well
     ("ament", pattern(r"ament_(?!target_dependencies)|autoware_package|rosidl_generate_interfaces")),
     ("catkin", pattern(r"catkin_package|catkin_simple|cs_")),
 )
