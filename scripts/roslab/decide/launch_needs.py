@@ -14,10 +14,12 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.sought import tried
 from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.workspace import packages_of
 from roslab.decide.startable_launches import lacks
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
+from roslab.knowledge.hook_variables import set_by_hooks
 from roslab.knowledge.machine_variables import of_every_image
 from roslab.values.dataclass import replace
 
@@ -40,7 +42,7 @@ def decide_launch_needs(
     launch = None if isinstance(argv, str) or config.compatible else started_launch(evidence, argv)
     if launch is None:
         return Choice(answer=None)
-    given = {name for name, _ in (*there, *config.env)}
+    given = {name for name, _ in (*there, *config.env)} | set_by_hooks(_named(evidence, launch))
     told = [
         Warning_(
             message=f"the default command needs the variable {name}, which nothing sets, and stops without it: set it "
@@ -73,6 +75,13 @@ def decide_launch_needs(
     told += lacking_simulators(evidence, config, launch, given)
     told += lacking_vendors(evidence, config, launch, ros_distro)
     return Choice(answer=None, warnings=tuple(told))
+
+
+def _named(evidence: Evidence, launch: LaunchFile) -> Iterator[str]:
+    """Yield the packages that a launch file, what it starts, and the packages of the tree ask for."""
+    yield from (asked.name for asked in (*launch.dependencies, *launch.reached) if asked.namespace == "ros")
+    for manifest in packages_of(evidence).built:
+        yield from (asked.name for asked in manifest.dependencies)
 
 
 def packages_lacking(

@@ -48,6 +48,16 @@ def test_what_is_set_is_not_told(tree: Tree) -> None:
     assert not told(tree, launch, page)
 
 
+@pytest.mark.parametrize(("package", "found"), [("turtlebot_gazebo", []), ("turtlebot_msgs", [("TURTLEBOT_BASE", 2)])])
+def test_what_a_hook_of_an_installed_package_sets_is_not_told(
+    tree: Tree, package: str, found: list[tuple[str, int]]
+) -> None:
+    base = '<arg name="base" value="$(env TURTLEBOT_BASE)"/>\n'
+    assert told(tree, f'{base}<include file="$(find {package})/a.launch"/>\n') == found
+    manifest = PACKAGE["package.xml"].replace("</package>", f"<run_depend>{package}</run_depend></package>")
+    assert told(tree, base, {"package.xml": manifest}) == found
+
+
 def test_that_of_another_launch_file_is_not_told(tree: Tree) -> None:
     launch = '<param name="a" value="$(env ROBOT)"/>\n'
     assert not told(tree, "", {"launch/other.launch": f"<launch>{launch}</launch>"})
