@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from roslab.config.model import Kind
+from roslab.decide.brought_launches import all_brought, brought, file_of
 from roslab.decide.candidate import Candidate
 from roslab.decide.first_command import LAUNCHERS
 from roslab.decide.launch_calls import launch_calls
@@ -13,7 +14,6 @@ from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
 from roslab.decide.startable_launches import known
 from roslab.evidence.facts import Evidence, Mention
-from roslab.evidence.launch_file import LaunchFile
 from roslab.values.pattern import pattern
 
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
@@ -87,7 +87,8 @@ def named_like_it(candidates: Iterable[Candidate], evidence: Evidence) -> Candid
     launched = _launched(candidates)
     if len(launched) > MANY:
         return None
-    launched = [c for c in launched if not _part(c, evidence)]
+    brings = brought(evidence)
+    launched = [c for c in launched if not _part(c, evidence, brings)]
     own = [c for c in launched if _like_its_package(c)]
     shown = [c for c in launched if _stem(c) in _DEMONSTRATION]
     return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None
@@ -105,12 +106,11 @@ def _like_its_package(candidate: Candidate) -> bool:
     return _stem(candidate) == candidate.argv[-2].lower()
 
 
-def _part(candidate: Candidate, evidence: Evidence) -> bool:
+def _part(candidate: Candidate, evidence: Evidence, brings: Mapping[str, frozenset[str]]) -> bool:
     """Tell whether a launch file of another package brings one; a package's own may only give it other arguments."""
-    package, name = candidate.argv[-2], candidate.argv[-1].rpartition("/")[2]
-    names = [launch.file.rpartition("/")[2] for launch in evidence.launch]
+    file, package = file_of(candidate.argv, evidence), candidate.argv[-2]
     others = (launch for launch in evidence.launch if launch.package not in {None, package} and not launch.tests)
-    return names.count(name) == 1 and any(name in launch.includes for launch in others)
+    return any(file in brings[launch.file] for launch in others)
 
 
 _SHOWN = pattern(r"^(?:examples?|tests?)[_.-]", re.IGNORECASE)
@@ -124,32 +124,19 @@ def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate |
     brings, and nothing of a package that neither the tree has, nor a package.xml asks for, nor any distribution of ROS
     released.
     """
-    named: dict[str, list[LaunchFile]] = {}
-    for launch in evidence.launch:
-        named.setdefault(launch.file.rpartition("/")[2], []).append(launch)
-    brought = {name for launch in evidence.launch for name in launch.includes if name in named}
+    brings = brought(evidence)
+    launches = {launch.file: launch for launch in evidence.launch}
+    parts = {file for files in brings.values() for file in files}
     sizes: list[tuple[int, Candidate]] = []
     launched = _launched(candidates)
-    fewest = 1 if any(_like_its_package(c) and _part(c, evidence) for c in launched) else FEWEST
+    fewest = 1 if any(_like_its_package(c) and _part(c, evidence, brings) for c in launched) else FEWEST
     for candidate in launched:
-        name = candidate.argv[-1].rpartition("/")[2]
-        whole = name not in brought and not _SHOWN.search(name)
-        if not candidate.strong and whole and len(named.get(name, ())) == 1:
-            below = _below(name, named)
-            if all(known(launch, evidence) for each in {name, *below} for launch in named[each]):
+        file = file_of(candidate.argv, evidence)
+        whole = file and file not in parts and not _SHOWN.search(file.rpartition("/")[2])
+        if file and whole and not candidate.strong:
+            below = all_brought(file, brings)
+            if all(known(launches[each], evidence) for each in (file, *below)):
                 sizes.append((len(below), candidate))
     sizes.sort(key=lambda each: -each[0])
     alone = sizes and sizes[0][0] >= fewest and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
     return sizes[0][1] if alone else None
-
-
-def _below(name: str, named: Mapping[str, list[LaunchFile]]) -> set[str]:
-    """Return the names of the launch files of the tree that one of them includes, at any depth."""
-    found: set[str] = set()
-    pending = [name]
-    while pending:
-        for launch in named.get(pending.pop(), ()):
-            new = {each for each in launch.includes if each in named} - found - {name}
-            found |= new
-            pending += sorted(new)
-    return found

@@ -30,6 +30,8 @@ class LaunchFile:
     """What it includes of the tree's packages in any case and they do not have: package, name, and where it does."""
     includes: tuple[str, ...] = ()
     """The names of other files that it names, as it does to include them: ``map.launch``."""
+    included: tuple[tuple[str, str], ...] = ()
+    """Those of them that it names as files of a package, each as package and name."""
     demands: tuple[str, ...] = ()
     """Arguments without a default, without which it is not started."""
     variables: tuple[tuple[str, int], ...] = ()

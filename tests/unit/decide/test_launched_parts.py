@@ -54,3 +54,13 @@ ARM = package("arm_control", ("arm_control.launch", '<node pkg="arm_control" typ
 )
 def test_a_part_is_not_the_program(tree: Tree, more: dict[str, str], command: str) -> None:
     assert " ".join(tree({**ARM, **more}).command) == command
+
+
+def test_two_of_a_name_are_told_apart_by_their_packages(tree: Tree) -> None:
+    parts = [(f"{name}.launch", '<node pkg="robot" type="a" name="a"/>') for name in ("eye", "arm", "leg")]
+    all_parts = "".join(included("robot", name) for name, _ in parts)
+    robot = package("robot", ("run.launch", included("turtlesim", "run.launch") + all_parts), *parts)
+    desk = package("desk", ("run.launch", '<node pkg="desk" type="b" name="b"/>'))
+    assert " ".join(tree({**robot, **desk}).command) == "roslaunch robot run.launch"
+    both = package("both", ("eye.launch", included("robot", "run.launch") + included("desk", "run.launch")))
+    assert " ".join(tree({**robot, **desk, **both}).command) == "roslaunch both eye.launch"

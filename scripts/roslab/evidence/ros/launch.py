@@ -14,8 +14,9 @@ from typing import Literal, TypedDict
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
-from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at, matching_lines
+from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
+from roslab.evidence.ros.included_launches import included
 from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.worlds import opens_window
 from roslab.repository.checkout import File, Repository, nearest
@@ -54,7 +55,6 @@ _WORDS: dict[re.Pattern[str], tuple[str, ...]] = {
 """What every match of a pattern begins with, one of them."""
 _PLUGINS = ("plugin", "type", "planner", "class", "kinematics_solver")
 """What stands on every line that ``_PLUGIN`` matches."""
-_INCLUDED = pattern(r"(?<![\w.-])\w[\w.-]{0,80}(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.(?:py|xml|ya?ml))(?![\w.])")
 _NEW = pattern(r"find-pkg-share|<node_container|\bexec=|\bnamespace=|<composable_node")
 """Words that only ROS 2 uses in XML launch files."""
 _NEWER = ("find-pkg-share", "<node_container", "exec=", "namespace=", "<composable_node")
@@ -97,15 +97,18 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
             continue
         text = _uncommented(text, "xml" if xml else "hash")
         old = bool(xml) and not _new(text) and not file.name.endswith(".launch.xml")
+        package = _owner(file.folder, packages)
+        names, said = included(text, file.name, package)
         found.append(
             LaunchFile(
                 file=file.path,
                 line=1,
-                package=_owner(file.folder, packages),
+                package=package,
                 ros=1 if old else 2,
                 dependencies=tuple(_named(text, file, python=python)),
                 gui=any(matches_at(_GUI, text, *_VIEWERS)) or opens_window(text, _conditional, python=python),
-                includes=tuple(sorted({*_included(text)} - {file.name})),
+                includes=names,
+                included=said,
                 demands=_demanded(text) if xml else _declared(text) if python else (),
                 variables=launch_variables.needed(text, _conditional) if xml else (),
                 **_tested(text, repository if old else None),
@@ -197,12 +200,6 @@ def _candidates(repository: Repository) -> list[File]:
 
 def _nearest(files: Iterable[File]) -> list[File]:
     return nearest(files)[:MAX_FILES]
-
-
-def _included(text: str) -> Iterator[str]:
-    """Yield the names of launch files on the lines that have one."""
-    for start in lines_with(text, ".launch", "_launch."):
-        yield from _INCLUDED.findall(text, start, end_of_line(text, start))
 
 
 def _uncommented(text: str, kind: Literal["xml", "hash"]) -> str:
