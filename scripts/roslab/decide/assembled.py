@@ -11,6 +11,7 @@ from roslab.decide.conflicts import decide_conflicts
 from roslab.decide.cuda.cpu_releases import without_cuda
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Warning_
+from roslab.decide.foreign_interpreters import decide_interpreters
 from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.old_compiler import decide_compiler
 from roslab.decide.outside import decide_outside
@@ -97,6 +98,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     distro = of.release.answer.name if of.release.answer else None
     ros = of.kind.answer in _ROS
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
+    interpreters = decide_interpreters(evidence, config, of.base.answer.ubuntu)
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),
@@ -134,7 +136,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
                     there=of.variables.answer,
                     sources=of.sources.answer,
                     ros_distro=distro,
+                    linked=interpreters.answer,
                 ),
+                interpreters,
             )
         ),
         decide_conflicts(evidence),
@@ -210,6 +214,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         ),
         cuda_options=host_options(of.system.answer.apt_guessed, of.base.answer.ubuntu),
         header_links=linked_headers(evidence, of.base.answer.ubuntu),
+        interpreters=() if of.own.answer else interpreters.answer,
         native=told(evidence.problems) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if of.build_tool.answer == "cmake" else (),
         dockerfile=of.dockerfile,

@@ -161,6 +161,8 @@ class Decision:
     """What tells CMake the compiler that the image's toolkit of CUDA takes."""
     header_links: tuple[tuple[str, str], ...] = ()
     """Headers of the Ubuntu that links take the place of, each with where its link leads to."""
+    interpreters: tuple[tuple[str, str], ...] = ()
+    """Paths of Python on the author's machine, each with the program that a link there leads to."""
     native: bool = False
     """CMake files compile for the processor of the machine that builds."""
     clones_day: str = ""

@@ -32,11 +32,12 @@ def decide_launch_needs(
     there: Iterable[tuple[str, str]],
     sources: Sources,
     ros_distro: str | None,
+    linked: Iterable[tuple[str, str]] = (),
 ) -> Choice[None]:
     """Return a warning for each variable, package, interpreter and launch file without which the default command stops.
 
-    ``there``: the variables that it has, ``sources``: what is cloned. For its packages and interpreters, what it
-    starts is read too.
+    ``there``: the variables that it has, ``sources``: what is cloned, ``linked``: interpreters that links stand for.
+    For its packages and interpreters, what it starts is read too.
     """
     argv = command.command
     launch = None if isinstance(argv, str) or config.compatible else started_launch(evidence, argv)
@@ -62,6 +63,7 @@ def decide_launch_needs(
             line=1,
         )
         for file, named in launch.foreign
+        if named not in dict(linked)
     ]
     told += [
         Warning_(

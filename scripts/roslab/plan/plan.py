@@ -92,6 +92,8 @@ class Plan:
     """Packages that need data, each with its own script that fetches them."""
     header_links: tuple[tuple[str, str], ...]
     """Headers that contradict others, each with the one that a link in its place leads to."""
+    interpreters: tuple[tuple[str, str], ...]
+    """Paths of Python on the author's machine that scripts name, each with the program that a link there leads to."""
     python: PythonPlan
     python_tools: PythonTools
     source_version: SourceVersion | None
@@ -205,6 +207,7 @@ def make_plan(
         if config.compatible
         else tuple((each.package, each.script.format(distro=decision.ros_distro)) for each in data_of(decision)),
         header_links=() if config.compatible else decision.header_links,
+        interpreters=decision.interpreters,
         libraries=tuple(of_day(library(source, config), decision.day) for source in libraries),
         rosdep=(
             Rosdep(manifests=decision.packages, skip_keys=decision.skip_keys, rosdistro_tag=rosdistro_tag)

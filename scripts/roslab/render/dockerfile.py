@@ -87,6 +87,7 @@ TODAY = Order(
         cloned.plain_clones,
         system.package_data,
         system.header_links,
+        system.interpreters,
         python.constraints,
         python.locked,
         python.packages,

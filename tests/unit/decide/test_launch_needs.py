@@ -156,25 +156,40 @@ def test_a_lone_launch_file_whose_program_stops_is_no_command(tree: Tree, asked:
     assert tree({**PACKAGE, **files, "README.md": "ROS Noetic\n"}).command == command
 
 
+CONDA = "/home/somebody/anaconda2/bin/python"
+
+
 @pytest.mark.parametrize(
-    ("first", "made", "found"),
+    ("first", "made", "linked", "told"),
     [
-        ("#!/home/somebody/anaconda2/bin/python", "", ["/home/somebody/anaconda2/bin/python"]),
-        ("#! /opt/miniconda3/envs/a/bin/python", "", ["/opt/miniconda3/envs/a/bin/python"]),
-        ("#!/usr/bin/env python", "", []),
-        ("#!/usr/bin/python3", "", []),
-        ("#!/home/somebody/anaconda2/bin/python", "catkin_install_python(PROGRAMS scripts/a.py DESTINATION bin)\n", []),
+        (f"#!{CONDA}", "", [(CONDA, "python3")], []),
+        ("#! /opt/miniconda3/envs/a/bin/python3.8", "", [("/opt/miniconda3/envs/a/bin/python3.8", "python3")], []),
+        ("#!/root/miniconda3/bin/python", "", [], ["/root/miniconda3/bin/python"]),
+        ("#!/home/somebody/bin/run-it", "", [], ["/home/somebody/bin/run-it"]),
+        ("#!/usr/bin/env python", "", [], []),
+        ("#!/usr/bin/python3", "", [], []),
+        (f"#!{CONDA}", "catkin_install_python(PROGRAMS scripts/a.py DESTINATION bin)\n", [], []),
     ],
 )
-def test_an_interpreter_of_the_author_s_machine(tree: Tree, first: str, made: str, found: list[str]) -> None:
+def test_an_interpreter_of_the_author_s_machine(
+    tree: Tree, first: str, made: str, linked: list[tuple[str, str]], told: list[str]
+) -> None:
     files = {**PACKAGE, "scripts/a.py": f"{first}\nprint(1)\n"}
     files["CMakeLists.txt"] += made
     files["launch/b.launch"] = '<launch><node pkg="demo" type="a.py" name="b"/></launch>'
     files["launch/demo.launch"] = f'<launch>{NODE}<include file="$(find demo)/launch/b.launch"/></launch>'
     files["README.md"] = "ROS Noetic\n```\nroslaunch demo demo.launch\n```\n"
-    told = [warning for warning in tree(files).warnings if "first line names" in warning.message]
-    assert [each.message.partition("first line names ")[2].partition(",")[0] for each in told] == found
-    assert all((each.file, each.line) == ("scripts/a.py", 1) for each in told)
+    decision = tree(files)
+    warnings = [warning for warning in decision.warnings if "first line names" in warning.message]
+    assert [each.message.partition("first line names ")[2].partition(",")[0] for each in warnings] == told
+    assert all((each.file, each.line) == ("scripts/a.py", 1) for each in warnings)
+    assert list(decision.interpreters) == linked
+
+
+def test_the_python_of_an_older_ros_stands_for_it(tree: Tree) -> None:
+    files = {**PACKAGE, "scripts/a.py": f"#!{CONDA}\n", "README.md": "ROS Melodic\n"}
+    files["launch/b.launch"] = '<launch><node pkg="demo" type="a.py" name="b"/></launch>'
+    assert tree(files).interpreters == ((CONDA, "python2"),)
 
 
 INCLUDE = '<include file="$(find demo)/launch/{name}.launch"{more}/>\n'

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import shlex
 
 from roslab.config.model import Source
@@ -83,6 +84,16 @@ def header_links(plan: Plan) -> str:
     pairs = ((quote.shell(file), quote.shell(instead)) for file, instead in plan.header_links)
     linked = [f"if [ -e {file} ] && [ -e {instead} ]; then ln -sf {instead} {file}; fi" for file, instead in pairs]
     return shell.run(*linked, comment="Headers that contradict those of another package, which the code includes too")
+
+
+def interpreters(plan: Plan) -> str:
+    """Put links to the image's Python where the first lines of scripts name one of the author's machine."""
+    if not plan.interpreters:
+        return ""
+    made = " ".join(dict.fromkeys(quote.shell(posixpath.dirname(path)) for path, _ in plan.interpreters))
+    linked = [f'ln --symbolic --force "$(command -v {name})" {quote.shell(path)}' for path, name in plan.interpreters]
+    comment = "First lines of scripts name a Python of the author's machine"
+    return shell.run(f"mkdir --parents {made}", *linked, comment=comment)
 
 
 def newer_cmake(plan: Plan) -> str:

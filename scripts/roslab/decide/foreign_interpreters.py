@@ -1,0 +1,31 @@
+"""Interpreters of the author's machine in first lines of scripts: links in their places lead to the image's Python."""
+
+from __future__ import annotations
+
+from roslab.config.model import Config
+from roslab.decide.decision import Choice
+from roslab.decide.reasons import because
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.distros import ubuntus_with_python2
+from roslab.values.origin import Place
+from roslab.values.pattern import pattern
+
+LINKED = 40
+"""Weight of the reason; nothing competes with it."""
+_PYTHON = pattern(r"(?!/root/)(?:/(?!\.\.?/)[\w.+@-]+)+/(python[\d.]*)")
+"""The path of a Python; the image's user cannot look into ``/root``."""
+
+
+def decide_interpreters(evidence: Evidence, config: Config, ubuntu: str | None) -> Choice[tuple[tuple[str, str], ...]]:
+    """Return the paths that first lines of what launch files start name, each with the program that is meant."""
+    if config.compatible:
+        return Choice(answer=())
+    found: dict[str, tuple[str, Place]] = {}
+    for launch in evidence.launch:
+        for file, named in launch.foreign:
+            if match := _PYTHON.fullmatch(named):
+                old = ubuntu in ubuntus_with_python2() and not match[1].startswith("python3")
+                found.setdefault(named, ("python2" if old else "python3", Place(file=file, line=1)))
+    why = "launch files start scripts whose first line names it: a link there leads to the image's Python"
+    reasons = tuple(because("workspace", name, why, place, weight=LINKED) for name, (_, place) in found.items())
+    return Choice(answer=tuple((name, python) for name, (python, _) in found.items()), reasons=reasons)
