@@ -63,6 +63,34 @@ def test_messages_that_nothing_brings(tmp_path: Path) -> None:
     assert f"leave-out-failed --keep mine src/{tmp_path.name}/arm -- " in text
 
 
+@pytest.mark.parametrize(
+    ("more", "found"),
+    [
+        ({"arm/src/a.cpp": "int main() {}\n"}, ()),
+        ({"arm/src/a.cpp": "// #include <arm/led.h>\nint main() {}\n"}, ()),
+        ({"arm/src/a.cpp": "#include <arm/led.h>\nint main() {}\n"}, ("arm",)),
+        ({"arm/src/a.cpp": "#include <arm/all.h>\n", "arm/include/arm/all.h": '#include "led.h"\n'}, ("arm",)),
+        ({"arm/src/a.cpp": "#include <leg/led.h>\n", "leg/include/leg/led.h": "#pragma once\n"}, ()),
+        ({"arm/src/a.cpp": "int main() {}\n", "arm/src/z.cpp": "#include <acme_msgs/Led.h>\n"}, ("arm",)),
+        ({"arm/src/a.cpp": "int main() {}\n", "arm/src/b.tpp": "#include <arm/led.h>\n"}, ("arm",)),
+    ],
+)
+def test_messages_in_a_header_that_nothing_includes(
+    tmp_path: Path, more: dict[str, str], found: tuple[str, ...]
+) -> None:
+    files = {**_package("mine", "roscpp"), **_package("arm", "roscpp"), **more}
+    files["arm/include/arm/led.h"] = "#pragma once\n#include <acme_msgs/Led.h>\n"
+    files["arm/CMakeLists.txt"] += "add_executable(a src/a.cpp)\n"
+    assert planned(tmp_path, files)[0] == found
+
+
+def test_messages_in_a_header_that_a_build_file_names(tmp_path: Path) -> None:
+    files = {**_package("mine", "roscpp"), **_package("arm", "roscpp")}
+    files["arm/include/arm/led.h"] = "#pragma once\n#include <acme_msgs/Led.h>\n"
+    files["arm/CMakeLists.txt"] += "qt5_wrap_cpp(MOC include/arm/led.h)\n"
+    assert planned(tmp_path, files)[0] == ("arm",)
+
+
 @pytest.mark.parametrize(("url", "found"), [("git@gitlab.com:lab/grasp_net.git", ("eye",)), ("", ())])
 def test_what_requires_a_submodule_that_is_not_there_may_be_missing_too(
     tmp_path: Path, url: str, found: tuple[str, ...]

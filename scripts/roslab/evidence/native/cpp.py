@@ -10,6 +10,7 @@ from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.native import x86
 from roslab.evidence.native.generated import package_of
 from roslab.evidence.native.limits import Signs, conditional, tells
+from roslab.evidence.native.message_headers import MessageHeaders
 from roslab.evidence.native.nowhere import Nowhere
 from roslab.knowledge.libraries import library, only_missed
 from roslab.knowledge.windows import shown as shown_by
@@ -49,6 +50,7 @@ def read(
     inside: dict[str, bool] = {}
     settled: set[str] = set()
     """Headers of which another include tells nothing more: most are included by many files."""
+    messages = MessageHeaders()
     for file in _sources(repository):
         text = repository.read(file, limit=MAX_READ)
         if signs:
@@ -61,7 +63,8 @@ def read(
                 signs.header(name, file.path, text, match.start(1))
             if intrinsics:
                 intrinsics.header(name, file.path, text, match.start())
-            perhaps = bool(package_of(name)) and conditional(text, match.start())
+            generated = bool(package_of(name))
+            perhaps = generated and conditional(text, match.start())
             key = name if "/" not in name else "/".join(name.split("/")[:2])
             if name not in outside:
                 inside[name] = not _standard(name) and _local(repository, name)
@@ -70,16 +73,21 @@ def read(
                 (outside[name] or name.startswith(".")) and nowhere and nowhere.header(name, file, text, match.start())
             )
             told = key in found and (perhaps or found[key].strength != "optional")
-            if not (inside[name] or perhaps or lost) and (told or not outside[name]) and _is_settled(name, signs):
+            unsure = generated and key not in messages.certain
+            settles = not (inside[name] or perhaps or lost or unsure) and (told or not outside[name])
+            if settles and _is_settled(name, signs):
                 settled.add(name)
-            if told or not outside[name] or _where_it_is(text, match.start()):
+            if (told and not unsure) or not outside[name] or _where_it_is(text, match.start()):
                 continue
             if only_missed(name) and conditional(text, match.start()):
                 continue
             line += text.count("\n", position, match.start(1))
             position = match.start(1)
             strength: Strength = "optional" if perhaps else "used"
-            found[key] = Dependency(namespace="include", name=name, strength=strength, file=file.path, line=line)
+            place = Dependency(namespace="include", name=name, strength=strength, file=file.path, line=line)
+            messages.add(key, place)
+            found[key] = place
+    messages.settle(found, inside, repository)
     return (*found.values(), *opened.values())
 
 
