@@ -28,3 +28,17 @@ def test_a_package_that_imports_a_framework_needs_it(tree: Tree, folder: str) ->
 def test_one_that_only_its_scripts_import_is_not_the_package_s(tree: Tree, text: str) -> None:
     decision = tree({**PROJECT, "scripts/export.py": "import torch\n", "field/models/base.py": text})
     assert decision.kind == "python"
+
+
+def test_what_a_node_in_python_imports_and_nothing_declares_is_tried(tree: Tree) -> None:
+    manifest = (
+        "<package format='3'><name>relay</name><depend>rclpy</depend><export><build_type>ament_python</build_type>"
+    )
+    setup = "from setuptools import setup\nsetup(name='relay', packages=['relay'], entry_points={'console_scripts': "
+    files = {
+        "relay/package.xml": f"{manifest}</export></package>",
+        "relay/setup.py": f"{setup}['relay = relay.relay:main']}})\n",
+        "relay/relay/__init__.py": "",
+        "relay/relay/relay.py": "import rclpy\nimport zenoh\n",
+    }
+    assert [each.key for each in tree(files).python.pip_guessed] == ["eclipse-zenoh"]
