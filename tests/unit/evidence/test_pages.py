@@ -53,3 +53,9 @@ def test_a_page_that_is_about_something_else(tmp_path: Path, readme: str) -> Non
 )
 def test_a_page_of_another_name_below_the_title(tmp_path: Path, name: str) -> None:
     assert read(tmp_path, {"README.md": f"# Demo\n## Installation\n[this]({name})\n", name: "text"}) == ["README.md"]
+
+
+def test_a_guide_at_the_root_where_no_readme_is(tmp_path: Path) -> None:
+    files = dict.fromkeys(("SIMULATION_GUIDE.md", "docs_guide/GUIDE.md", "TODO.md", "DEVELOPER_GUIDE.md"), "# Demo\n")
+    assert read(tmp_path, files) == ["SIMULATION_GUIDE.md"]
+    assert read(tmp_path, {**files, "INSTALL.md": "# Demo\n"}) == ["INSTALL.md"]

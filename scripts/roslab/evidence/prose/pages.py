@@ -47,6 +47,8 @@ _ASIDE = pattern(
     re.IGNORECASE,
 )
 """What a page is about that an installation also names, and that is none of it."""
+_GUIDE = pattern(r"(?:^|[-_. ])(?:guides?|how[-_ ]?to|instructions?)(?:[-_. ]|$)")
+"""The name of a page at the root that tells how to start the program where no README does."""
 _ABOUT = pattern(r"readme|install")
 
 
@@ -91,6 +93,8 @@ def _pages(repository: Repository) -> tuple[File, ...]:
         docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
         if (page and file.path.count("/") <= 3) or docs:
             found.append(file)
+    if all(file.folder for file in found):
+        found += _guides(repository)
     found += _linked(repository, found)
     places_of = _linked_folders(repository, found)
     found.sort(
@@ -103,6 +107,12 @@ def _pages(repository: Repository) -> tuple[File, ...]:
         )
     )
     return tuple(without_translations(found)[:MAX_PAGES])
+
+
+def _guides(repository: Repository) -> list[File]:
+    """Return the pages at the root that are called like guides; lists of commands are notes, for several machines."""
+    files = (f for f in repository.suffixed(".md", ".rst") if not f.folder and f.size <= MAX_SIZE)
+    return [f for f in files if _GUIDE.search(f.name.rpartition(".")[0].lower()) and not _ASIDE.search(f.name)]
 
 
 def path_of(link: re.Match[str], page: File) -> str:
