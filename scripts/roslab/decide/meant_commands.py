@@ -20,6 +20,10 @@ _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "
 _SAMPLE = pattern(r"(?:^|/)\.?docs?/")
 """Where a launch file is a sample, often for another package, that the page explains."""
 MANY = 8
+FEWEST_OTHERS = 3
+"""Fewest packages beside a demonstration."""
+_SHOWS = pattern(r"(?:^|_)(?:demos?|tutorials?|examples?|samples?)(?:_|$)", re.IGNORECASE)
+"""The name of a package that shows something."""
 FEWEST = 2
 """Fewest launch files that the one for the whole brings."""
 _LAUNCH_FILES = pattern(r"\blaunch[ -]?files?\b", re.IGNORECASE)
@@ -89,9 +93,26 @@ def named_like_it(candidates: Iterable[Candidate], evidence: Evidence) -> Candid
         return None
     brings = brought(evidence)
     launched = [c for c in launched if not _part(c, evidence, brings)]
+    launched = [c for c in launched if not _shows_others(c.argv[-2], evidence)]
     own = [c for c in launched if _like_its_package(c)]
     shown = [c for c in launched if _stem(c) in _DEMONSTRATION]
     return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None
+
+
+def _shows_others(package: str, evidence: Evidence) -> bool:
+    """Tell whether a package is called a demonstration and has nothing to do with the many others of the tree.
+
+    What it shows is then somebody else's: ``tf_demo`` beside a planner and a referee.
+    """
+    if not _SHOWS.search(package):
+        return False
+    asked = {m.name: {d.name for d in m.dependencies} for m in evidence.manifests if m.name and not m.metapackage}
+    started = {
+        d.name for each in evidence.launch if each.package == package for d in (*each.dependencies, *each.reached)
+    }
+    others = asked.keys() - {package}
+    related = others & (started | asked.get(package, set())) or any(package in asked[name] for name in others)
+    return len(others) >= FEWEST_OTHERS and not related
 
 
 def _launched(candidates: Iterable[Candidate]) -> list[Candidate]:

@@ -64,3 +64,23 @@ def test_two_of_a_name_are_told_apart_by_their_packages(tree: Tree) -> None:
     assert " ".join(tree({**robot, **desk}).command) == "roslaunch robot run.launch"
     both = package("both", ("eye.launch", included("robot", "run.launch") + included("desk", "run.launch")))
     assert " ".join(tree({**robot, **desk, **both}).command) == "roslaunch both eye.launch"
+
+
+TF_DEMO = package("tf_demo", ("tf_demo.launch", '<node pkg="turtlesim" type="a" name="a"/>'))
+OTHERS = {**package("planner"), **package("referee"), **package("stopper")}
+STARTS = package("tf_demo", ("tf_demo.launch", '<node pkg="planner" type="a" name="a"/>'))
+
+
+@pytest.mark.parametrize(
+    ("files", "command"),
+    [
+        ({**TF_DEMO, **OTHERS}, "bash"),
+        ({**TF_DEMO, **package("planner")}, "roslaunch tf_demo tf_demo.launch"),
+        ({**STARTS, **OTHERS}, "roslaunch tf_demo tf_demo.launch"),
+        ({**TF_DEMO, **OTHERS, "README.md": "ROS Noetic\n\n    roslaunch tf_demo tf_demo.launch\n"}, None),
+    ],
+    ids=["of others", "one beside it", "of the tree's", "a page runs it"],
+)
+def test_a_demonstration_of_others_is_not_the_program(tree: Tree, files: dict[str, str], command: str | None) -> None:
+    files = {**files, "tf_demo/launch/b.launch": '<launch><node pkg="tf_demo" type="b" name="b"/></launch>'}
+    assert " ".join(tree(files).command) == (command or "roslaunch tf_demo tf_demo.launch")
