@@ -80,7 +80,7 @@ def plan_repository(
     except NothingToBuildError as error:
         from roslab.evidence import matlab  # noqa: PLC0415 - nearly every tree has something to build
 
-        found = _what_is_there(repository)
+        found = _what_is_there(repository) + nothing.of_ros(evidence, repository.suffixed(".rosinstall", ".repos"))
         if number := matlab.files(repository):
             simulink = matlab.simulink(repository)
             raise NothingToBuildError(nothing.of_matlab(number, found, simulink=simulink)) from None

@@ -103,3 +103,12 @@ def test_what_the_refusal_of_matlab_names_is_planned(tmp_path: Path, config: str
     (tmp_path / "main.m").write_text("plot(1)\n", encoding="utf-8")
     (tmp_path / "roslab.yaml").write_text(config, encoding="utf-8")
     assert plan_repository(tmp_path).plan.run.command
+
+
+@pytest.mark.parametrize("beside", ["main.m", "notes.md"])
+def test_what_is_there_for_packages_of_others_is_named(tmp_path: Path, beside: str) -> None:
+    (tmp_path / beside).write_text("% plot(1)\nplot(1)\n", encoding="utf-8")
+    (tmp_path / "robot.launch").write_text('<launch><node pkg="amcl" type="amcl" name="a"/></launch>', encoding="utf-8")
+    (tmp_path / "robot.rosinstall").write_text("[]\n", encoding="utf-8")
+    with pytest.raises(NothingToBuildError, match=r"of ROS \(robot\.launch, robot\.rosinstall\) names packages"):
+        plan_repository(tmp_path)

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from roslab.config.model import Config
 from roslab.decide.ros.source_names import plain
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
+from roslab.repository.checkout import File, printable
+
+MOST = 3
+"""Most files that are named."""
 
 
 def require_something(evidence: Evidence, config: Config, folder_name: str) -> None:
@@ -35,6 +41,16 @@ def require_something(evidence: Evidence, config: Config, folder_name: str) -> N
             hint=hint,
         )
     )
+
+
+def of_ros(evidence: Evidence, lists: Iterable[File]) -> str:
+    """Return which launch files and ``lists`` of repositories there are, ``""`` for none."""
+    files = sorted({*(each.file for each in evidence.launch), *(each.path for each in lists)})
+    if not files:
+        return ""
+    more = f" and {len(files) - MOST} more" if len(files) > MOST else ""
+    named = ", ".join(map(printable, files[:MOST]))
+    return f"; what is there of ROS ({named}{more}) names packages of others alone"
 
 
 def of_matlab(files: int, found: str, *, simulink: bool) -> Problem:
