@@ -19,8 +19,11 @@ from roslab.decide.startable_launches import lacks
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
+from roslab.knowledge.frameworks import imports
+from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.hook_variables import set_by_hooks
 from roslab.knowledge.machine_variables import of_every_image
+from roslab.knowledge.released import released
 from roslab.values.dataclass import replace
 
 
@@ -74,9 +77,30 @@ def decide_launch_needs(
         )
         for package, name, file, line in launch.gone
     ]
+    told += _elsewhere(evidence, launch, ros_distro)
     told += lacking_simulators(evidence, config, launch, given)
     told += lacking_vendors(evidence, config, launch, ros_distro)
     return Choice(answer=None, warnings=tuple(told))
+
+
+def _elsewhere(evidence: Evidence, launch: LaunchFile, ros_distro: str | None) -> Iterator[Warning_]:
+    """Yield a warning for each program that imports what nothing brings from a folder of the author's machine."""
+    brought = imports().keys() | ros_modules() | released(ros_distro or "") | _named_packages(evidence)
+    unknown: dict[str, list[str]] = {}
+    for each in evidence.code:
+        if each.namespace == "import" and each.strength == "used" and each.name not in brought:
+            unknown.setdefault(each.file, []).append(each.name)
+    for file, folder, line in launch.elsewhere:
+        if names := unknown.pop(file, []):
+            message = f"the default command starts {file}, which imports {', '.join(names)} and looks in {folder}, a "
+            hint = "give what is in it under `source` or `custom` in roslab.yaml, or set `command`"
+            told = f"{message}folder of the author's machine: where nothing else brings that, it stops; {hint}"
+            yield Warning_(message=told, file=file, line=line)
+
+
+def _named_packages(evidence: Evidence) -> set[str]:
+    names = {m.name for m in evidence.manifests if m.name}
+    return names | {d.name for m in evidence.manifests for d in m.dependencies}
 
 
 def _named(evidence: Evidence, launch: LaunchFile) -> Iterator[str]:

@@ -38,5 +38,7 @@ class LaunchFile:
     """Variables of the environment without which it does not start, each with its line."""
     foreign: tuple[tuple[str, str], ...] = ()
     """Files that it starts whose first line names an interpreter of the author's machine, each with that."""
+    elsewhere: tuple[tuple[str, str, int], ...] = ()
+    """Programs of Python that it starts, each with a folder of the author's machine that it puts on its path, where."""
     installed: bool = True
     """Not, if it lies in a folder that the build of its package does not name."""

@@ -192,6 +192,25 @@ def test_the_python_of_an_older_ros_stands_for_it(tree: Tree) -> None:
     assert tree(files).interpreters == ((CONDA, "python2"),)
 
 
+@pytest.mark.parametrize(
+    ("program", "told"),
+    [
+        ("import sys\nsys.path.insert(0, '/home/me/rl')\nfrom Manager import Manager\n", True),
+        ("import sys\nrl = '/home/me/rl'\nsys.path.append(rl)\nimport Manager\n", True),
+        ("import sys\nrl = '/home/me/rl'\nrl = find('rl')\nsys.path.append(rl)\nimport Manager\n", False),
+        ("import sys\nsys.path.append('/home/me/rl')\nimport numpy, rospy, other\n", False),
+        ("import sys\nif sys.argv[1:]:\n    sys.path.append('/home/me/rl')\nimport Manager\n", False),
+        ("import sys\nsys.path.append('../rl')\nimport Manager\n", False),
+    ],
+)
+def test_what_a_program_imports_from_a_folder_of_the_author_s(tree: Tree, program: str, told: bool) -> None:
+    files = {**PACKAGE, "scripts/a.py": program, "other/other.py": ""}
+    files["launch/demo.launch"] = '<launch><node pkg="demo" type="a.py" name="b"/></launch>'
+    files["README.md"] = "ROS Noetic\n```\nroslaunch demo demo.launch\n```\n"
+    found = [each for each in tree(files).warnings if "imports Manager and looks in /home/me/rl," in each.message]
+    assert len(found) == told
+
+
 INCLUDE = '<include file="$(find demo)/launch/{name}.launch"{more}/>\n'
 
 

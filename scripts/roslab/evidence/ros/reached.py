@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.always_run import always_run
+from roslab.evidence.ros import author_paths
 from roslab.evidence.ros.gone import included_elsewhere
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -57,6 +58,7 @@ def with_reached(
             each,
             reached=tuple(follow.needs(each)),
             foreign=tuple(follow.foreign(each)) if each.ros == 1 else (),
+            elsewhere=tuple(follow.elsewhere(each.file)),
             gone=tuple(follow.gone(each.file)),
         )
         for each in found
@@ -97,6 +99,13 @@ class _Follow:
                 named = _ELSEWHERE.match(self.repository.read(file))
                 if named and not self._installed(path):
                     yield path, named[1]
+
+    def elsewhere(self, start: str) -> Iterator[tuple[str, str, int]]:
+        """Yield the programs of Python that put folders of the author's machine on their path."""
+        for path in self._loaded(start):
+            file = self._file(path) if path != start and path.endswith(".py") and path not in self.launch else None
+            if file is not None:
+                yield from ((path, folder, line) for folder, line in author_paths.read(self.repository.read(file)))
 
     def _installed(self, path: str) -> bool:
         made = (
