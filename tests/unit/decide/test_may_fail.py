@@ -84,6 +84,13 @@ def test_messages_in_a_header_that_nothing_includes(
     assert planned(tmp_path, files)[0] == found
 
 
+def test_messages_in_a_header_of_a_tree_that_is_not_read_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    files = {**_package("mine", "roscpp"), **_package("arm", "roscpp")}
+    files["arm/include/arm/led.h"] = "#pragma once\n#include <acme_msgs/Led.h>\n"
+    monkeypatch.setattr("roslab.evidence.native.cpp.MAX_SOURCES", 1)
+    assert planned(tmp_path, files)[0] == ("arm",)
+
+
 def test_messages_in_a_header_that_a_build_file_names(tmp_path: Path) -> None:
     files = {**_package("mine", "roscpp"), **_package("arm", "roscpp")}
     files["arm/include/arm/led.h"] = "#pragma once\n#include <acme_msgs/Led.h>\n"

@@ -51,7 +51,8 @@ def read(
     settled: set[str] = set()
     """Headers of which another include tells nothing more: most are included by many files."""
     messages = MessageHeaders()
-    for file in _sources(repository):
+    sources = _sources(repository)
+    for file in sources:
         text = repository.read(file, limit=MAX_READ)
         if signs:
             signs.source(file.path, text)
@@ -87,7 +88,7 @@ def read(
             place = Dependency(namespace="include", name=name, strength=strength, file=file.path, line=line)
             messages.add(key, place)
             found[key] = place
-    messages.settle(found, inside, repository)
+    messages.settle(found, inside if len(sources) < MAX_SOURCES else None, repository)
     return (*found.values(), *opened.values())
 
 

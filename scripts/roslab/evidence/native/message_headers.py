@@ -29,16 +29,17 @@ class MessageHeaders:
         if place.strength != "optional" and not place.file.endswith(HEADERS):
             self.certain.add(key)
 
-    def settle(self, found: dict[str, Dependency], names: Mapping[str, bool], repository: Repository) -> None:
+    def settle(self, found: dict[str, Dependency], names: Mapping[str, bool] | None, repository: Repository) -> None:
         """Give each header its first place that may be compiled, preferably under no condition, else an optional one.
 
-        ``names``: what any file includes, as it is written, and whether the tree has it.
+        ``names``: what any file includes, as it is written, and whether the tree has it; ``None`` where not all files
+        were read.
         """
         last: dict[str, list[str]] = {}
-        for name in names if self.places else ():
+        for name in names or () if self.places else ():
             last.setdefault(name.rpartition("/")[2], []).append(name)
         for key, places in self.places.items():
-            compiled = [each for each in places if _compiled(each.file, last, names, repository)]
+            compiled = [each for each in places if names is None or _compiled(each.file, last, names, repository)]
             always = [each for each in compiled if each.strength != "optional"]
             found[key] = (always or compiled or [replace(places[0], strength="optional")])[0]
 
