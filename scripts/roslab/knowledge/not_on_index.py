@@ -5,9 +5,15 @@ from __future__ import annotations
 from functools import cache
 
 from roslab.knowledge.record import record
+from roslab.knowledge.released import ever_released
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
+
+_ONLY_OF_ROS = pattern(r".+-(?:msgs|srvs|interfaces)|rqt-.+")
+"""Messages and the parts of rqt: where ROS released one, the index has none."""
+_WHY = "it is a package of ROS's"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -29,9 +35,17 @@ def not_on_index() -> dict[str, NotOnIndex]:
 
 
 @cache
-def of_ros() -> dict[str, NotOnIndex]:
-    """Return ROS's own packages by normalised name: the index has none, or another thing of the name."""
+def of_ros(name: str) -> NotOnIndex | None:
+    """Return the row of a package of ROS by normalised name: the index has none, or another thing of the name."""
+    if found := _of_ros().get(name):
+        return found
+    if not _ONLY_OF_ROS.fullmatch(name) or not ever_released(name.replace("-", "_")):
+        return None
+    return NotOnIndex(instead="", why=_WHY, conda=(), source="https://github.com/ros/rosdistro")
+
+
+@cache
+def _of_ros() -> dict[str, NotOnIndex]:
     return {
-        canonicalize_name(row["pip"]): record(NotOnIndex, row, instead="", why="it is a package of ROS's", conda=())
-        for row in rows("of_ros")
+        canonicalize_name(row["pip"]): record(NotOnIndex, row, instead="", why=_WHY, conda=()) for row in rows("of_ros")
     }

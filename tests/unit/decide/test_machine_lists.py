@@ -43,6 +43,7 @@ def test_what_the_code_imports_is_still_guessed(tree: Tree) -> None:
     [
         ("Django==1.11\nrospy\ncv_bridge==1.16.2\n", ["Django==1.11"], False),
         ("Django==1.11\nrospkg==1.5.0\n", [], True),
+        ("Django==1.11\nmy-own-msgs==1.0\n", [], True),
         ("--extra-index-url https://rospypi.github.io/simple/\nDjango==1.11\nrospy\n", [], True),
     ],
 )
@@ -54,3 +55,11 @@ def test_a_few_of_ros_s_own_packages_are_left_out_of_a_list(tree: Tree, text: st
         each.message for each in decision.warnings if "not installed by pip: it is a package of ROS" in each.message
     ]
     assert [message.split()[0] for message in told] == ([] if whole else ["rospy", "cv-bridge"])
+
+
+def test_what_ros_alone_has_is_left_out_without_ros_too(tree: Tree) -> None:
+    text = "numpy==1.24.4\npython-qt-binding==1.1.2\nqt-dotgraph==2.2.3\nstatistics_msgs==1.2.1\nrqt-graph==1.3.0\n"
+    decision = tree({"main.py": "import numpy\n", "requirements.txt": text})
+    assert [each.written for each in decision.python.pip] == ["numpy==1.24.4"]
+    told = [w.message.split()[0] for w in decision.warnings if "it is a package of ROS" in w.message]
+    assert told == ["python-qt-binding", "qt-dotgraph", "statistics-msgs", "rqt-graph"]

@@ -55,7 +55,7 @@ def refused(asked: Requirement) -> NotOnIndex | None:
 
 
 def _row(asked: Requirement) -> NotOnIndex | None:
-    return not_on_index().get(asked.key) or of_ros().get(asked.key)
+    return not_on_index().get(asked.key) or of_ros(asked.key)
 
 
 def in_full(asked: Requirement) -> Requirement:
@@ -134,7 +134,7 @@ def repair(
         taken = [asked for asked in found if _from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
         if any(_FURTHER.match(option) for option in file.options):  # one of ROS's packages for pip, perhaps
-            missing = [asked for asked in missing if asked.key not in of_ros()]
+            missing = [asked for asked in missing if not of_ros(asked.key)]
         short = [asked for asked in found if in_full(asked) is not asked]
         gone = [path for _, path in lacking(evidence, [file])]
         newer = [asked for asked in found if too_new(asked, python)]
@@ -191,7 +191,7 @@ def _in_full(asked: Requirement) -> Warning_:
 
 
 def _warning(asked: Requirement) -> Warning_:
-    if row := of_ros().get(asked.key):
+    if row := of_ros(asked.key):
         message = f"{row.why}, which its own packages bring and pip does not; it is left out here ({row.source})"
         return warn(f"{asked.key} is not installed by pip: {message}", asked)
     row = not_on_index()[asked.key]
