@@ -35,6 +35,8 @@ BUILT = {
         ("export DEVICE={one of these}\n```\n```\nexport DEVICE=imu-1\ncolcon build\n", (("DEVICE", "imu-1"),)),
         ("export DEVICE=imu-2\nexport DEVICE=imu-1\n", (("DEVICE", "imu-2"),)),
         ('$ export ROBOT_MODEL="burger"\n', (("ROBOT_MODEL", "burger"),)),
+        ("export ROBOT_MODEL=burger   # with a camera\n", (("ROBOT_MODEL", "burger"),)),
+        ("export ROBOT_MODEL=burger#1\n", ()),
         ("export ROS_DISTRO=humble\nexport HOME=here\nexport OTHER=1\nexport DEVICE=$1\n", ()),
     ],
 )

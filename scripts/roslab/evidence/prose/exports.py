@@ -18,7 +18,8 @@ DEEPEST = 1
 MAX_READERS = 400
 """Most files that are searched for a variable, those nearest to the root first."""
 _EXPORT = pattern(
-    r"^[ \t>]*(?:[-*$][ \t]+|`{1,3})*export[ \t]+([A-Z][A-Z0-9_]{2,40})=([\"']?)([\w.+-]{1,60})\2[ \t`]*$", re.MULTILINE
+    r"^[ \t>]*(?:[-*$][ \t]+|`{1,3})*export[ \t]+([A-Z][A-Z0-9_]{2,40})=([\"']?)([\w.+-]{1,60})\2[ \t`]*(?:[ \t]#.*)?$",
+    re.MULTILINE,
 )
 ANY = pattern(r"^[ \t$>]*export[ \t]+([A-Z][A-Z0-9_]{2,40})=([\"']?)([^\s\"'#;&|<>]{1,100})\2[ \t]*(?:#.*)?$")
 """A line of a block that exports one variable."""
