@@ -66,6 +66,7 @@ SDK = {"a.cpp": "#include <acme/acme.h>\nint main() {}\n"}
         (project("if(WITH)\ntarget_link_libraries(a acme)\nendif()\n", **SDK), []),
         (project("target_link_libraries(a acme)\n", **SDK, **{"lib/libacme.so": "binary"}), []),
         (project("add_library(acme b.cpp)\ntarget_link_libraries(a acme)\n", **SDK), []),
+        (project("generate_parameter_library(acme src/acme.yaml)\ntarget_link_libraries(a acme)\n", **SDK), []),
         (project("target_link_libraries(a acme)\n", **SDK, **{"README.md": "```\napt install libacme-dev\n```\n"}), []),
     ],
 )  # fmt: skip

@@ -30,7 +30,14 @@ _EXECUTABLE = frozenset(
         "ament_auto_add_executable",
     ]
 )
-_LIBRARY = frozenset(["add_library", "cuda_add_library", "cs_add_library", "ament_auto_add_library"])
+_LIBRARY = frozenset(
+    ["add_library", "cuda_add_library", "cs_add_library", "ament_auto_add_library", "generate_parameter_library"]
+)
+"""What makes a library; the last one a header of its name from a file of YAML.
+
+https://github.com/PickNikRobotics/generate_parameter_library/blob/main/generate_parameter_library/cmake/generate_parameter_library.cmake
+(read 2026-11-26)
+"""
 _TARGETS = _EXECUTABLE | _LIBRARY
 _TESTS = frozenset({"add_test", "gtest_discover_tests", "catch_discover_tests"})
 _NAMES = (
