@@ -36,7 +36,9 @@ def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collectio
 def without_package(written: str, alone: Collection[str]) -> tuple[str, ...]:
     """Return the path of a launch file of no package as it is from the root, ``()`` for none of the tree.
 
-    A page may be in the workspace, of which the repository is ``src/NAME``.
+    A page may be in the workspace, of which the repository is ``src/NAME``, or have its reader go to a folder first:
+    then ``launch/a.launch.py`` is the only one whose path ends so.
     """
     found = [file for file in alone if file == written or written.endswith(f"/{file}")]
-    return (max(found, key=len),) if found else ()
+    below = [file for file in alone if "/" in written and file.endswith(f"/{written}")]
+    return (max(found, key=len),) if found else tuple(below) if len(below) == 1 else ()

@@ -46,12 +46,20 @@ def test_what_nobody_runs_is_called_so_too(tree: Tree) -> None:
         ("roslaunch launch/all.launch", ("roslaunch", "launch/all.launch")),
         ("roslaunch src/paper/launch/none.launch", ("bash",)),
         ("roslaunch overall.launch", ("bash",)),
+        (
+            "cd <the clone>/tools/maze  # yours\nroslaunch launch/maze.launch",
+            ("roslaunch", "tools/maze/launch/maze.launch"),
+        ),
+        ("roslaunch launch/twice.launch", ("bash",)),
+        ("roslaunch maze.launch", ("bash",)),
     ],
 )
 def test_a_launch_file_of_no_package_by_its_path_from_the_workspace(
     tree: Tree, lines: str, command: tuple[str, ...]
 ) -> None:
     others = {f"demo/launch/{name}.launch": "<launch/>\n" for name in ("a", "b")}
+    apart = ("maze/launch/maze", "maze/launch/twice", "hall/launch/twice")
+    others |= {f"tools/{path}.launch": "<launch/>\n" for path in apart}
     files = {**FILES, **others, "launch/all.launch": "<launch/>\n"}
     assert tree({**files, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command == command
 
