@@ -9,7 +9,7 @@ from roslab.decide.author_command import started
 from roslab.decide.chains import Local, local_bases, wanted
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.launch_needs import started_launch
+from roslab.decide.launch_calls import started_launch
 from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
 from roslab.decide.system.code_fits import misfits

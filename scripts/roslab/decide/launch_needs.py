@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Config
 from roslab.decide.command import Command
 from roslab.decide.decision import Choice, Warning_
-from roslab.decide.launch_calls import launch_calls
+from roslab.decide.launch_calls import started_launch
 from roslab.decide.launched_simulators import lacking_simulators
 from roslab.decide.launched_vendors import lacking_vendors
 from roslab.decide.reasons import warn
@@ -136,13 +136,3 @@ def _packages(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_dist
             looked = "one of the cloned repositories may hold it; else "
         what = f"the default command needs the package {asked.name}, which nothing is known to bring, and stops without"
         yield warn(f"{what} it: {looked}give its repository under `source` in roslab.yaml", asked)
-
-
-def started_launch(evidence: Evidence, argv: tuple[str, ...] | str) -> LaunchFile | None:
-    """Return the launch file of the tree that a command starts."""
-    if isinstance(argv, str):
-        return None
-    words = argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
-    calls = launch_calls(evidence)
-    found = (each for each in evidence.launch if (call := calls.get(each.file)) and words[: len(call)] == call)
-    return next(found, None) if words else None

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator
 
 from roslab.config.model import Config
 from roslab.decide.decision import Warning_
+from roslab.decide.launch_calls import with_included
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
@@ -19,7 +20,7 @@ def lacking_simulators(
 
     ``given``: the variables that are set, of which one may name its folder. Not where the author has apt install it.
     """
-    files, told = _included(evidence, launch), set[str]()
+    files, told = {each.file for each in with_included(evidence, launch)}, set[str]()
     for used in evidence.code:
         simulator = launched_simulators().get(used.name) if used.namespace == "import" and used.file in files else None
         if simulator is None or simulator.program in told:
@@ -31,16 +32,3 @@ def lacking_simulators(
                 f"not bring: install it under `custom` in roslab.yaml, from {simulator.address}"
             )
             yield warn(f"{message}, or set `command`", used)
-
-
-def _included(evidence: Evidence, launch: LaunchFile) -> set[str]:
-    """Return the paths of a launch file and of those of the tree that it names, and these in turn."""
-    by_name: dict[str, list[LaunchFile]] = {}
-    for each in evidence.launch:
-        by_name.setdefault(each.file.rpartition("/")[2], []).append(each)
-    found, waiting = {launch.file}, [launch]
-    for each in waiting:
-        more = [other for name in each.includes for other in by_name.get(name, ()) if other.file not in found]
-        found |= {other.file for other in more}
-        waiting += more
-    return found

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Warning_
+from roslab.decide.launched_windows import opened_by_nodes
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.nested_headers import nested_headers
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
@@ -116,8 +117,9 @@ def _drawing(asked: Iterable[Requirement], windows: frozenset[str]) -> Iterator[
 
 def _windows(command: Candidate | None, evidence: Evidence) -> frozenset[str]:
     """Return the libraries by which the file of a command opens windows."""
-    argv = command.argv if command else ()
-    return frozenset(each.name for each in evidence.code if each.namespace == "call" and each.file in argv)
+    argv = command.argv if command else ("",)
+    by_file = (each for each in evidence.code if each.namespace == "call" and each.file in argv)
+    return frozenset(each.name for each in (*by_file, *opened_by_nodes(evidence, argv)))
 
 
 def _conda(evidence: Evidence) -> set[str]:

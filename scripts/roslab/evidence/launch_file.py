@@ -32,6 +32,8 @@ class LaunchFile:
     """The names of other files that it names, as it does to include them: ``map.launch``."""
     included: tuple[tuple[str, str], ...] = ()
     """Those of them that it names as files of a package, each as package and name."""
+    nodes: tuple[tuple[str, str], ...] = ()
+    """Package and program of each node that it starts."""
     demands: tuple[str, ...] = ()
     """Arguments without a default, without which it is not started."""
     variables: tuple[tuple[str, int], ...] = ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from roslab.decide.launch_needs import started_launch
+from roslab.decide.launch_calls import started_launch
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.sought import tried
 from roslab.decide.ros.workspace import Packages

@@ -109,6 +109,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 gui=any(matches_at(_GUI, text, *_VIEWERS)) or opens_window(text, _conditional, python=python),
                 includes=names,
                 included=said,
+                nodes=tuple(dict.fromkeys(launch_programs.nodes(text))),
                 demands=_demanded(text) if xml else _declared(text) if python else (),
                 variables=launch_variables.needed(text, _conditional) if xml else (),
                 **_tested(text, repository if old else None),
@@ -218,9 +219,8 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
         if match[1] not in seen:
             asked = _of_ros(match[1], match, text, file)
             yield replace(asked, strength="optional") if conditional else asked
-    for match in launch_programs.of_parameters(text):
-        if match[1] not in seen:
-            yield _of_ros(match[1], match, text, file)
+    asked_by = launch_programs.of_parameters(text)
+    yield from (_of_ros(match[1], match, text, file) for match in asked_by if match[1] not in seen)
 
 
 def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:

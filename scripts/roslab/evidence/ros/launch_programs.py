@@ -23,6 +23,11 @@ _COMMAND = pattern(
 """A program that makes a parameter: ``command="xacro robot.xacro"``."""
 _COMMANDS = ("<param", "$(command", "Command(", "FindExecutable(")
 """What its matches begin with."""
+_OF_PACKAGE = r"(?:package|pkg)\s?[=:]\s?[\"']([\w-]{1,60})[\"']"
+_PROGRAM = r"(?:exec(?:utable)?|type)\s?[=:]\s?[\"']([\w.-]{1,60})[\"']"
+_NODE = pattern(rf"{_OF_PACKAGE}[^<>()]{{0,160}}?{_PROGRAM}")
+_NODE_AFTER = pattern(rf"{_PROGRAM}[^<>()]{{0,160}}?{_OF_PACKAGE}")
+"""The package and the program of a node in a call or an element, in either order."""
 _TAG = pattern(r"<(arg|param)\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
 _SAID = pattern(r"\b(name|default|value)\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
 _ARGUMENT = pattern(r"\$\(\s*arg\s+(\w+)\s*\)")
@@ -61,3 +66,13 @@ def _window_of_joints(text: str, file: File) -> Iterator[Dependency]:
 def of_parameters(text: str) -> Iterator[re.Match[str]]:
     """Yield the matches, with the package first, of programs that make a parameter: one is called like its package."""
     yield from (match for match in matches_at(_COMMAND, text, *_COMMANDS) if ever_released(match[1]))
+
+
+def nodes(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the package and the program of each node that a launch file starts, whatever the condition is."""
+    if not any(word in text for word in ("exec", "type")):
+        return
+    for match in matches_at(_NODE, text, "package", "pkg"):
+        yield match[1], match[2]
+    for match in matches_at(_NODE_AFTER, text, "exec", "type"):
+        yield match[2], match[1]

@@ -1,0 +1,39 @@
+"""The windows that nodes in Python open, which a command starts by their package and name."""
+
+from __future__ import annotations
+
+from roslab.decide.launch_calls import started_launch, with_included
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+
+
+def opened_by_nodes(evidence: Evidence, argv: tuple[str, ...]) -> tuple[Dependency, ...]:
+    """Return the calls that open a window in the files of the nodes which a command starts.
+
+    A node is called like its file, or it is the only program of its package.
+    """
+    calls = [each for each in evidence.code if each.namespace == "call" and each.role != "build"]
+    nodes = _nodes(evidence, argv) if calls else frozenset()
+    if not nodes:
+        return ()
+    folders = {manifest.name: manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
+    programs = [script.file for script in evidence.programs]
+    files: set[str] = set()
+    for package, program in nodes:
+        folder = folders.get(package)
+        inside = [file for file in programs if folder is not None and file.startswith(f"{folder}/" if folder else "")]
+        files |= {file for file in inside if _stem(file) == _stem(program)} or {*inside[: len(inside) == 1]}
+    return tuple(each for each in calls if each.file in files)
+
+
+def _nodes(evidence: Evidence, argv: tuple[str, ...]) -> frozenset[tuple[str, str]]:
+    """Return the package and the program of each node that a command starts."""
+    words = argv[1:3] if argv[0] == "rosrun" else argv[2:4] if argv[:2] == ("ros2", "run") else ()
+    if len(words) > 1:
+        return frozenset([(words[0], words[1])])
+    launch = started_launch(evidence, argv)
+    return frozenset(node for each in with_included(evidence, launch) for node in each.nodes) if launch else frozenset()
+
+
+def _stem(file: str) -> str:
+    return file.rpartition("/")[2].removesuffix(".py")
