@@ -13,6 +13,7 @@ from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Warning_
 from roslab.decide.foreign_interpreters import decide_interpreters
 from roslab.decide.launch_needs import decide_launch_needs
+from roslab.decide.nodes_without_ros import decide_nodes
 from roslab.decide.old_compiler import decide_compiler
 from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import Platforms
@@ -144,6 +145,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         decide_conflicts(evidence),
         decide_absent_launches(evidence, of.kind.answer),
         *(() if of.own.answer else (decide_outside(evidence, config, of.kind.answer),)),
+        *(() if of.own.answer else (decide_nodes(evidence, config, of.kind.answer, of.base.answer.image),)),
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
         *(() if of.own.answer else (decide_compiler(evidence, config, of.base.answer.ubuntu, _by_apt(of)),)),
     )
