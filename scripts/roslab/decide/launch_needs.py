@@ -16,15 +16,20 @@ from roslab.decide.ros.sought import tried
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.startable_launches import lacks
+from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
+from roslab.knowledge.distros import distros
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.hook_variables import set_by_hooks
 from roslab.knowledge.machine_variables import of_every_image
 from roslab.knowledge.released import released
 from roslab.values.dataclass import replace
+
+MOST = 8
+"""Most packages that are named in one warning."""
 
 
 def decide_launch_needs(
@@ -40,12 +45,14 @@ def decide_launch_needs(
     """Return a warning for each variable, package, interpreter and launch file without which the default command stops.
 
     ``there``: the variables that it has, ``sources``: what is cloned, ``linked``: interpreters that links stand for.
-    For its packages and interpreters, what it starts is read too.
+    For its packages and interpreters, what it starts is read too. One more for the packages of its other launch files.
     """
-    argv = command.command
-    launch = None if isinstance(argv, str) or config.compatible else started_launch(evidence, argv)
-    if launch is None:
+    if config.compatible:
         return Choice(answer=None)
+    launch = started_launch(evidence, command.command)
+    others = tuple(_of_others(evidence, launch, sources, ros_distro)) if ros_distro else ()
+    if launch is None:
+        return Choice(answer=None, warnings=others)
     given = {name for name, _ in (*there, *config.env)} | set_by_hooks(_named(evidence, launch))
     told = [
         Warning_(
@@ -80,7 +87,7 @@ def decide_launch_needs(
     told += _elsewhere(evidence, launch, ros_distro)
     told += lacking_simulators(evidence, config, launch, given)
     told += lacking_vendors(evidence, config, launch, ros_distro)
-    return Choice(answer=None, warnings=tuple(told))
+    return Choice(answer=None, warnings=(*told, *others))
 
 
 def _elsewhere(evidence: Evidence, launch: LaunchFile, ros_distro: str | None) -> Iterator[Warning_]:
@@ -117,6 +124,26 @@ def packages_lacking(
     launch = None if isinstance(command, str) or config.compatible else started_launch(evidence, command)
     found = lacks(evidence, lambda _: False, ros_distro).get(launch.file, ()) if launch else ()
     return tuple(replace(asked, strength="declared") for asked in found)
+
+
+def _of_others(evidence: Evidence, launch: LaunchFile | None, sources: Sources, ros_distro: str) -> Iterator[Warning_]:
+    """Yield a warning for what launch files other than the default command's need, and that no clone may bring."""
+    names = sources.names | {plain(source.name) for source in sources.submodules}
+    where = tried(sources.sought)
+    found = lacks(evidence, lambda name: bool(names & {name, plain(name)}) or sources.may_hold(name), ros_distro)
+    told = {asked.name for asked in found.get(launch.file, ())} if launch else set()
+    needed: dict[str, Dependency] = {}
+    built = {manifest.name for manifest in packages_of(evidence).built}
+    generation = distros()[ros_distro].ros
+    meant = {each.file for each in evidence.launch if each.ros == generation and each.package in built}
+    for file, lacking in found.items():
+        for asked in lacking if file in meant and not places.aside(file) else ():
+            if asked.name not in where and asked.name not in told:
+                needed.setdefault(asked.name, asked)
+    if needed:
+        listed = ", ".join([*needed][:MOST]) + (", …" if len(needed) > MOST else "")
+        message = f"launch files need packages that nothing is known to bring, and stop without them: {listed}"
+        yield warn(f"{message}; give their repositories under `source` in roslab.yaml", next(iter(needed.values())))
 
 
 def _packages(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_distro: str | None) -> Iterator[Warning_]:

@@ -261,3 +261,25 @@ def test_the_window_of_the_joints_is_a_package_of_its_own(tree: Tree, arg: str, 
     older = tree({**PACKAGE, **files, "README.md": "ROS Indigo\n"})
     assert not any("joint-state-publisher-gui" in name for name in older.apt_guessed)
     assert not any("joint_state_publisher_gui" in each.message for each in older.warnings)
+
+
+@pytest.mark.parametrize(
+    ("launch", "more", "named"),
+    [
+        ('<include file="$(find demo_extras)/a.launch"/>', "", "demo_extras"),
+        ('<node pkg="demo_a" type="a" name="b"/><node pkg="demo_b" type="a" name="c"/>', "", "demo_a, demo_b"),
+        ('<node pkg="demo_a" type="a" name="b"/>', "cd src\ngit clone https://github.com/lab/demo_a\n", ""),
+        ('<group if="$(arg b)"><node pkg="demo_a" type="a" name="b"/></group>', "", ""),
+        ('<node pkg="tf" type="a" name="b"/>', "", ""),
+    ],
+)
+def test_packages_of_other_launch_files(tree: Tree, launch: str, more: str, named: str) -> None:
+    page = f"ROS Noetic\n```\n{more}catkin_make\nroslaunch demo demo.launch\n```\n"
+    other = f"<launch>{NODE}\n{launch}</launch>"
+    files = {"launch/demo.launch": f"<launch>{NODE}</launch>", "launch/other.launch": other, "README.md": page}
+    decision = tree({**PACKAGE, **files})
+    assert decision.command == ("roslaunch", "demo", "demo.launch")
+    said = [w for w in decision.warnings if "launch files need packages" in w.message]
+    assert [(w.message.partition("them: ")[2].partition(";")[0], w.file) for w in said] == (
+        [(named, "launch/other.launch")] if named else []
+    )

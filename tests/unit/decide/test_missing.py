@@ -390,6 +390,7 @@ def test_what_a_package_requires_of_another_one_without_saying_so(tree: Tree) ->
     ("code", "more", "names"),
     [
         ("from acme_msgs.msg import Arm\n", {}, ["acme_msgs"]),
+        ("from acme_interfaces.msg import Arm\n", {}, ["acme_interfaces"]),
         ("from std_msgs.msg import String\n", {}, []),
         ("try:\n    from acme_msgs.msg import Arm\nexcept ImportError:\n    Arm = None\n", {}, []),
         ("from acme_msgs.msg import Arm\n", package("acme_msgs"), []),

@@ -20,8 +20,9 @@ from roslab.knowledge.frameworks import imports
 from roslab.knowledge.libraries import header
 
 ROLE = "include"
-_MESSAGES = ("_msgs", "_srvs")
-"""How the names of packages of messages end: https://www.ros.org/reps/rep-0144.html"""
+_MESSAGES = ("_msgs", "_srvs", "_interfaces")
+"""How the names of packages of messages end: https://www.ros.org/reps/rep-0144.html, and in ROS 2
+https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html"""
 
 
 def included(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
