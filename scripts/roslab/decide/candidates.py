@@ -50,7 +50,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     elif not evidence.programs:
         yield from of_notebooks(evidence)
     else:
-        yield from _installed(evidence)
+        yield from _installed(evidence, examples=not said)
 
 
 def _explained(evidence: Evidence) -> Iterator[Candidate]:
@@ -149,25 +149,37 @@ def of_notebooks(evidence: Evidence) -> Iterator[Candidate]:
         yield Candidate(argv=(*NOTEBOOK, *opened), why=why, file=evidence.notebooks[0], line=1, strong=False)
 
 
-def _installed(evidence: Evidence) -> Iterator[Candidate]:
-    """Yield the programs that the project installs, then the files that are made to be run."""
+def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
+    """Yield the programs that the project installs, then the files that are made to be run.
+
+    Where there are none, the ``examples``, of which none is meant before the others.
+    """
+    found = False
     for project in evidence.python:
         if not project.folder:
             for script, line in project.scripts:
+                found = True
                 why = "a program that the project installs"
                 yield Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
     library = any(project.installable and not project.folder and project.requirements for project in evidence.python)
     imported = {(m.file, m.value) for m in evidence.mentions if m.topic == "from_root"}
     tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
+    shown = []
     for program in evidence.programs:
         path = program.file
         if path in tests and len(tests) < len(evidence.programs):
             continue
-        aside = places.vendored(path) or places.example(path) or (library and _TOOLS.match(path))
+        aside = places.vendored(path) or (library and _TOOLS.match(path))
         if program.kind == "main" and path.count("/") <= 1 and not aside:
             why = "it has a __main__ guard"
             argv = ("python3", *(_as_module(path) if (path, path.partition("/")[0]) in imported else (path,)))
-            yield Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
+            each = Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
+            if places.example(path):
+                shown.append(replace(each, cut=True))
+            else:
+                found = True
+                yield each
+    yield from shown if examples and not found else ()
 
 
 def _as_module(path: str) -> tuple[str, ...]:
