@@ -119,6 +119,11 @@ def test_ros_installs_its_pip_packages_of_the_day(tmp_path: Path) -> None:
     own, *dated = text.split('eval "$(index-as-of 2021-01-10 --or-today)"')
     assert "'pip<24.1; python_version < \"3.9\"'" in own
     assert ["'setuptools" in part for part in (own, *dated)] == [False, True, False], "what old sources build with"
+    by_pip = package.replace("</package>", "<exec_depend>python3-networkx-pip</exec_depend></package>")
+    text = dockerfile(
+        committed(tmp_path, {**ros, **lines, "package.xml": by_pip}, "2021-01-10", "base: {ros: noetic}\n").plan
+    )
+    assert '--or-today)" \\\n && install-rosdep-keys' in text, "a key that rosdep gives to pip"
 
 
 def test_pythons_that_had_wheels() -> None:

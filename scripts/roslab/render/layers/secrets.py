@@ -76,10 +76,12 @@ def for_apt(plan: Plan) -> Secrets:
 
 
 def for_both(plan: Plan) -> Secrets:
-    """Return what rosdep needs, which calls apt and pip."""
+    """Return what rosdep needs, which calls apt and, for keys with that ending, pip."""
     lists = caches.apt_lists(plan.name)
     wanted = (APT_AUTH, PIP_INDEX, NETRC, SSH)
-    return _of(plan, wanted, "root", first=(REPEATABLE, *as_of(plan)), mounted=(lists,))
+    by_pip = any(key.endswith("-pip") for key in plan.rosdep_keys)
+    first = (REPEATABLE, *((of_pip_day(plan) if by_pip else ()) or as_of(plan)))
+    return _of(plan, wanted, "root", first=first, mounted=(lists,))
 
 
 def before_pip(plan: Plan) -> tuple[str, ...]:
