@@ -131,3 +131,16 @@ def test_a_list_of_another_tool_is_not_pips(tmp_path: Path) -> None:
 def test_a_list_in_two_bytes_a_letter_is_pips(tmp_path: Path) -> None:
     (tmp_path / "requirements.txt").write_bytes("numpy\n".encode("utf-16"))
     assert [file.file for file in requirements.read(Repository.open(tmp_path))] == ["requirements.txt"]
+
+
+@pytest.mark.parametrize(
+    ("name", "read_as_one"),
+    [
+        ("non_rosdep_requirements.txt", True),
+        ("non-conda-requirements.txt", True),
+        ("rosdep_requirements.txt", False),
+        ("requirements_conda.txt", False),
+    ],
+)
+def test_a_list_of_what_is_not_another_tool_s_is_pip_s(tmp_path: Path, name: str, *, read_as_one: bool) -> None:
+    assert (name in read(tmp_path, {name: "networkx>=2.8.4\n"})) is read_as_one

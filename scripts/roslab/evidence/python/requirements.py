@@ -20,7 +20,7 @@ MAX_LINES = 3_000
 MAX_SIZE = 512 * 1024
 Purpose = Literal["run", "docs", "test", "dev", "vendored"]
 _NAME = pattern(
-    r"^(?!.*(?:apt|conda|rosdep|system|constraint|debian))(?:.*[-_.])?(?:requirements?|"
+    r"^(?!.*(?<!no[-_])(?<!non[-_])(?<!not[-_])(?:apt|conda|rosdep|system|constraint|debian))(?:.*[-_.])?(?:requirements?|"
     r"requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
 )
 _FOLDER = pattern(r"(?:^|/)requirements?$", re.IGNORECASE)
