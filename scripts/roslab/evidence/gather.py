@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 
-from roslab.evidence import links, places, submodules
+from roslab.evidence import links, places, pointers, submodules
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import (
@@ -259,6 +259,7 @@ def gather(repository: Repository) -> Evidence:
             *cpu.read(repository),
             *authors_folders.read(repository),
             *made_elsewhere.read(repository),
+            *pointers.read(repository),
         ),
     )
 
