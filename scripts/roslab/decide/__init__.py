@@ -14,11 +14,12 @@ from roslab.decide.clones_day import decide_clones_day
 from roslab.decide.command import decide_command
 from roslab.decide.cuda.for_extensions import for_extensions
 from roslab.decide.cuda.for_ubuntu import with_an_image_for
+from roslab.decide.cuda.for_wheels import for_wheels
 from roslab.decide.cuda.source_packages import with_too_old_sources
 from roslab.decide.cuda.toolkit import by_script, decide_toolkit
-from roslab.decide.cuda.version import NO_CUDA, decide_cuda
+from roslab.decide.cuda.version import NO_CUDA, Cuda, decide_cuda
 from roslab.decide.day import decide_days
-from roslab.decide.decision import Decision
+from roslab.decide.decision import Choice, Decision
 from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
 from roslab.decide.launch_needs import packages_lacking
@@ -33,7 +34,7 @@ from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
 from roslab.decide.python.other_environments import of_one_environment
-from roslab.decide.python.own import decide_version
+from roslab.decide.python.own import OwnPython, decide_version
 from roslab.decide.python.pins import pins
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
@@ -78,13 +79,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence = with_refs(one_way(evidence, cuda.answer.version), distro)
     mentioned = pins(evidence)
     version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.answer.version)
-    cuda = for_extensions(
-        with_an_image_for(cuda, evidence, config, kind.answer, version.answer.version),
-        evidence,
-        config,
-        kind.answer,
-        version.answer,
-    )
+    cuda = _where_unnamed(cuda, evidence, config, kind.answer, version.answer)
     base = decide_base(
         evidence,
         config,
@@ -279,6 +274,12 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         config,
         folder_name=folder_name,
     )
+
+
+def _where_unnamed(cuda: Choice[Cuda], evidence: Evidence, config: Config, kind: Kind, own: OwnPython) -> Choice[Cuda]:
+    """Return the CUDA, also where nothing names one: of a named Ubuntu, of extensions of torch, of its wheel."""
+    with_image = with_an_image_for(cuda, evidence, config, kind, own.version)
+    return for_wheels(for_extensions(with_image, evidence, config, kind, own), evidence, config, kind, own)
 
 
 def _of_kind(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:

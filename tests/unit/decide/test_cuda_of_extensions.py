@@ -45,3 +45,20 @@ def test_a_free_torch_of_an_old_day_knows_the_gpus_of_the_image(tmp_path: Path, 
     assert decision.cuda == "12.1"
     options = (f"--extra-index-url https://download.pytorch.org/whl/{cuda}",) if cuda else ()
     assert decision.python.options == options
+
+
+IMPORTED = {"train.py": "import torch\nif __name__ == '__main__':\n    print(torch)\n"}
+
+
+@pytest.mark.parametrize(
+    ("more", "day", "image"),
+    [
+        ({}, "2024-12-31", "nvidia/cuda:12.4.1-base"),
+        ({}, "2021-05-04", "nvidia/cuda:11.8.0-base"),
+        ({"README.md": "CUDA 12.1\n"}, "2024-12-31", "nvidia/cuda:12.1.1-base"),
+    ],
+)
+def test_an_image_for_the_wheel_of_a_torch_that_is_only_imported(
+    tmp_path: Path, more: dict[str, str], day: str, image: str
+) -> None:
+    assert of_day(tmp_path, {**IMPORTED, **more}, day).base_image.startswith(image)
