@@ -10,7 +10,8 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Decision
 from roslab.decide.nodes_without_ros import decide_nodes
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, Program
+from roslab.evidence.facts import Evidence
+from roslab.evidence.program import Program
 
 Tree = Callable[[dict[str, str]], Decision]
 MAIN = "if __name__ == '__main__':\n    main()\n"
