@@ -153,6 +153,7 @@ def test_groups_that_a_page_names(tree: Tree, project: str, page: str, more: set
         ("pygame-ce>=2.5", "pygame-ce>=2.5", "imported, only an extra declares it"),
         ("pygame>=2", "pygame>=2", "imported, only an extra declares it"),
         ("viser", "pygame", "imported, declared nowhere"),
+        ("pygame-ce', 'pygame", "pygame", "imported, declared nowhere"),
     ],
 )
 def test_what_is_imported_comes_as_an_extra_asks_for_it(tree: Tree, extra: str, found: str, why: str) -> None:

@@ -13,6 +13,7 @@ from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports, released_together, tabled
 from roslab.knowledge.guesses import ros_modules, same_module, tooling
@@ -88,11 +89,15 @@ def _limits(evidence: Evidence) -> dict[str, str]:
 
 
 def _as_in_extra(guess: Requirement, evidence: Evidence) -> Requirement:
-    """Return a guess as an extra of the project at the root asks for it, under whichever name: ``pygame-ce>=2.5``."""
-    asked = (each for project in evidence.python if not project.folder for each in project.requirements)
-    extra = (each for each in asked if each.role == "extra" and each.package and not (each.url or each.marker))
-    same = next((each for each in extra if each.key == guess.key or same_module(guess.key, each.key)), None)
-    if same is None or guess.limited:
+    """Return a guess as an extra of the project at the root asks for it, under whichever name: ``pygame-ce>=2.5``.
+
+    Not where extras ask for it in several ways, as for a CPU and a GPU.
+    """
+    asked = [each for project in evidence.python if not project.folder for each in project.requirements]
+    asked = [each for each in asked if each.role == "extra" and not each.group.startswith(GROUP)]
+    extra = [each for each in asked if each.key == guess.key or (each.name and same_module(guess.key, each.key))]
+    same = extra[0] if len({each.text for each in extra}) == 1 else None
+    if same is None or guess.limited or not same.package or same.url or same.marker:
         return guess
     return replace(same, origin=guess.origin, role="", file=guess.file, line=guess.line)
 
