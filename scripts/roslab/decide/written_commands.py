@@ -106,7 +106,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         told = {options.get((program, name), "") for name in gap}
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
         if argv is not None and not fetching & {*argv[:2]}:
-            strong = not compiled or not any(places.example(part) for part in argv[:2])
+            strong = not compiled or not any(places.example(part) for part in program_of(argv))
             once = (mention.file, mention.line, mention.value) in tried
             strong = strong and (once or not (compiled and argv[0].startswith("python")))
             strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)

@@ -76,3 +76,29 @@ def test_what_an_option_asks_for_that_is_on_is_required(tree: Tree, cmake: str, 
     files["cmake/options.cmake"] = "option(WITH_ODD 'a solver' ON)\n"
     decision = tree(files)
     assert ([source.name for source in decision.source] == ["eigen-odd"]) == built
+
+
+APPS = {
+    "CMakeLists.txt": "project(x)\nadd_subdirectory(src)\nif(BUILD_EXAMPLES)\nadd_subdirectory(examples)\nendif()\n",
+    "src/CMakeLists.txt": "add_library(x x.cpp)\n",
+    "src/x.cpp": "int x() { return 0; }\n",
+    "examples/CMakeLists.txt": "add_executable(calib_app app.cpp)\n",
+    "examples/app.cpp": "int main() {}\n",
+    "data/samples/param.json": "{}\n",
+    "README.md": "## Run\n\n```\n./build/examples/calib_app ./data/samples/param.json\n```\n",
+}
+
+
+def test_what_a_page_runs_turns_on_the_option_that_nothing_declares(tree: Tree) -> None:
+    decision = tree(APPS)
+    assert decision.command == ("calib_app", "data/samples/param.json")
+    assert decision.cmake_options == ("-DBUILD_EXAMPLES=ON",)
+
+
+def test_a_program_of_both_branches_waits_for_no_option(tree: Tree) -> None:
+    made = "if(USE_GPU)\nadd_executable(calib_app a.cu)\nelse()\nadd_executable(calib_app app.cpp)\nendif()\n"
+    decision = tree(
+        {**APPS, "CMakeLists.txt": "project(x CXX)\nadd_subdirectory(examples)\n", "examples/CMakeLists.txt": made}
+    )
+    assert decision.command == ("calib_app", "data/samples/param.json")
+    assert decision.cmake_options == ()

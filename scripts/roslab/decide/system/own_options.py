@@ -18,6 +18,8 @@ _OWN = pattern(r"-D(?!CMAKE_)[A-Za-z_]\w*?(?<!_DIR)(?<!_ROOT)(?<!_PATH)(?<!_PREF
 
 _COMPILER = pattern(r"-DCMAKE_(C|CXX)_COMPILER(?::[A-Z]+)?=(?:/usr/bin/)?((?:gcc|g\+\+|clang|clang\+\+)-\d+(?:\.\d+)?)")
 _VARIABLES = {"C": "CC", "CXX": "CXX"}
+_UNDECLARED = pattern(r"(?:[A-Z0-9]+_)??(?:BUILD|COMPILE|ENABLE|MAKE|USE|WITH)_(?!TEST)\w+")
+"""What an option is called that no ``option`` declares: unset, it is off."""
 
 
 _OF_ROS: frozenset[BuildTool] = frozenset({"catkin_make", "catkin_make_isolated", "catkin_tools", "colcon"})
@@ -57,8 +59,8 @@ def options_of_program(
     found = [project for project in evidence.cmake if program in dict(project.executables)]
     if build_tool != "cmake" or config.compatible or len(found) != 1:
         return ()
-    waits = (variable for name, variable in found[0].optional if name == program and variable.startswith("OFF "))
-    names = (variable.removeprefix("OFF ") for variable in waits)
+    waits = (variable for name, variable in found[0].optional if name == program)
+    names = (each.removeprefix("OFF ") for each in waits if each.startswith("OFF ") or _UNDECLARED.fullmatch(each))
     return tuple(f"-D{name}=ON" for name in dict.fromkeys(names) if f"-D{name}" not in said)
 
 

@@ -81,6 +81,8 @@ class _Reading:
     """The conditions of options under which its folder is added."""
     by_tool: tuple[str, ...] = ()
     """Those of the build tool."""
+    unset: tuple[str, ...] = ()
+    """Those of variables that no file declares as options."""
     outside: dict[tuple[str, int], None] = field(default_factory=dict)
     name: str | None = None
     minimum: Dependency | None = None
@@ -144,6 +146,8 @@ class _Added:
     """The conditions that an option decides."""
     by_tool: tuple[str, ...] = ()
     """Those that the build tool decides."""
+    unset: tuple[str, ...] = ()
+    """Those of one variable that is no declared option."""
     within: bool = False
     """It is a part of a project that is not about tests alone."""
     top: str | None = None
@@ -155,7 +159,7 @@ class _Added:
 def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CMakeProject:
     """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
     above = added.get(file.folder, _Added())
-    reading = _Reading(switches=above.switches, by_tool=above.by_tool)
+    reading = _Reading(switches=above.switches, by_tool=above.by_tool, unset=above.unset)
     adds: list[str] = []
     options = dict(above.options)
     text = repository.read(file)
@@ -169,7 +173,13 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             by_tool = (*above.by_tool, *filter(of_workspace, call.conditions))
             top = file.folder if above.top is None else above.top
             there = _Added(
-                options=dict(options), switches=switches, by_tool=by_tool, within=within, top=top, always=always
+                options=dict(options),
+                switches=switches,
+                by_tool=by_tool,
+                unset=(*above.unset, *filter(str.isidentifier, call.conditions)),
+                within=within,
+                top=top,
+                always=always,
             )
             added |= dict.fromkeys(here, there) | added
         elif call.name == "include":
@@ -281,9 +291,13 @@ def _program(call: Call, reading: _Reading) -> None:
     reading.written.add(name)
     reading.named.update(word for word in files if _CODE.match(word))
     outside_of_workspaces(name, (*reading.by_tool, *call.conditions), reading.outside, again=before)
+    switches = [condition.removeprefix("ON ") for condition in (*reading.unset, *call.conditions)]
+    waits = {(name, switch): None for switch in switches if _SWITCH.fullmatch(switch)}
+    if before:  # the other branch of a condition makes it too
+        reading.optional = {each: None for each in reading.optional if each[0] != name or each in waits}
+    else:
+        reading.optional |= waits
     for condition in call.conditions:
-        switch = condition.removeprefix("ON ")
-        reading.optional |= {(name, switch): None} if _SWITCH.fullmatch(switch) else {}
         found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
         reading.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
 
