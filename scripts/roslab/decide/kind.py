@@ -221,9 +221,9 @@ def _python(evidence: Evidence) -> list[Reason]:
 def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
     """Return the strongest sign of Python: its place, the reason and its weight."""
     for project in evidence.python:
-        if project.installable and not places.vendored(project.file):
+        if (project.installable or project.stopped) and not places.vendored(project.file):
             weight = Weight.INSTALLABLE_BELOW if project.folder else Weight.INSTALLABLE
-            return project, "pip can install it", weight
+            return project, "pip can install it" if project.installable else "it has a setup.py", weight
     for environment in evidence.conda:
         aside = places.vendored(environment.file) or places.test(environment.file)
         if not (aside or to_compile(evidence, environment)):

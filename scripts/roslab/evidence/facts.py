@@ -70,11 +70,14 @@ class PythonProject:
     """Modules that its setup.py imports; ``.`` for the package that it installs."""
     groups: tuple[Requirement, ...] = ()
     """What uv installs with it by default, which pip does not."""
+    stopped: str = ""
+    """Why its setup.py cannot be installed."""
 
     @property
     def refused(self) -> bool:
-        """Its backend finds no module to install."""
-        return bool(self.name) and not self.installable and self.file.endswith("pyproject.toml")
+        """Its backend finds no module to install, or its setup.py stops."""
+        refused = bool(self.name) and not self.installable and self.file.endswith("pyproject.toml")
+        return refused or bool(self.stopped)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -89,6 +89,7 @@ from roslab.evidence.python import (
     removed,
     requirements,
     siblings,
+    stopped_setup,
     tests,
     version_file,
 )
@@ -214,6 +215,7 @@ def gather(repository: Repository) -> Evidence:
             *from_root.read(own, prose.mentions),
             *at_top.read(own, prose.mentions),
             *siblings.read(own, python_projects),
+            *stopped_setup.folders(python_projects),
             *conflicts.read(own),
             *environments.read(own),
             *own_history.read(own),
@@ -260,6 +262,7 @@ def gather(repository: Repository) -> Evidence:
             *authors_folders.read(repository),
             *made_elsewhere.read(repository),
             *pointers.read(repository),
+            *stopped_setup.problems(python_projects),
         ),
     )
 

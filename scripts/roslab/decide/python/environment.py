@@ -286,7 +286,7 @@ def _reasons(chosen: Chosen) -> Iterator[Reason]:
     for project in chosen.projects:
         yield because("dependencies", project.folder or ".", "installable project", project, weight=Weight.MANIFEST)
     for asked in chosen.declared:
-        why = f"{asked.file} declares it; its backend finds no module to install"
+        why = f"{asked.file} declares it; what builds the project stops at it"
         yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)
     for asked in chosen.guessed:
         why = (

@@ -53,14 +53,16 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
     if not parts:
         return None
     first, *rest = parts
-    ros = any(part.file.endswith("setup.py") and not part.installable for part in parts)
+    ros = any(part.file.endswith("setup.py") and not (part.installable or part.stopped) for part in parts)
+    other = any(part.installable and part.file.endswith("pyproject.toml") for part in parts)
+    stopped = "" if other else next((part.stopped for part in parts if part.stopped), "")
     return PythonProject(
         file=first.file,
         line=first.line,
         folder=folder,
         name=next((part.name for part in parts if part.name), None),
         version=next((part.version for part in parts if part.version), None),
-        installable=first.installable and not ros,
+        installable=first.installable and not ros and not stopped,
         requires_python=next((part.requires_python for part in parts if part.requires_python), None),
         build_requires=tuple(dict.fromkeys(line for part in parts for line in part.build_requires)),
         requirements=tuple(
@@ -72,6 +74,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
         setup_imports=next((part.setup_imports for part in parts if part.setup_imports), ()),
         groups=tuple(each for part in parts for each in part.groups),
+        stopped=stopped,
     )
 
 
@@ -137,6 +140,7 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
     if not _SETUP.search(text):
         return None
     from roslab.evidence.python import setup_py  # noqa: PLC0415 - it imports Python's own parser
+    from roslab.evidence.python.stopped_setup import why_stopped  # noqa: PLC0415 - as above
 
     script = setup_py.read(text)
     line_of = _finder(text)
@@ -149,13 +153,16 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
     package_xml = f"{folder}/package.xml".strip("/")
     manifest = repository.read(package_xml) if repository.has(package_xml) else ""
     ros = script.catkin or bool(manifest and (_AMENT.search(text) or _AMENT.search(manifest)))
+    own = "from setuptools import" in text
+    stopped = "" if ros else why_stopped(repository, folder, script.opened, script.arguments, setuptools=own)
     return PythonProject(
         file=path,
         line=script.line,
         folder=folder,
         name=script.name,
         version=script.version,
-        installable=not ros,
+        installable=not (ros or stopped),
+        stopped=stopped,
         requires_python=script.requires_python,
         build_requires=tuple(_listed(script.build_requires, path, line_of)),
         requirements=tuple(asked),

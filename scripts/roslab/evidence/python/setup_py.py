@@ -12,6 +12,7 @@ from roslab.values.pattern import pattern
 _FILE = pattern(r"^[\w./-]*(?:require|dep)[\w./-]*\.(?:txt|in)$", re.IGNORECASE)
 _KEYS = {"install_requires": "", "requires": "", "tests_require": "test"}
 _STRINGS = pattern(r"[\"']([A-Za-z][^\"'\n]*)[\"']")
+_OPENERS = frozenset({"open", "io.open", "codecs.open"})
 MAX_DEPTH = 12
 _THERE = sys.stdlib_module_names | {"setuptools", "distutils", "pkg_resources", "pip", "wheel", "__future__"}
 """Modules that every build has."""
@@ -38,6 +39,10 @@ class SetupScript:
     """Commands of setuptools for which it has classes of its own."""
     imports: tuple[str, ...] = ()
     """Modules that it imports at the top, without those of the standard library."""
+    opened: tuple[str, ...] = ()
+    """Files that it reads in any case."""
+    arguments: frozenset[str] = frozenset()
+    """Names of the arguments of ``setup``; ``**`` for a dictionary that was not followed."""
 
 
 def read(text: str) -> SetupScript:
@@ -50,11 +55,12 @@ def read(text: str) -> SetupScript:
     names, functions, call = _bound(tree)
     if call is None:
         return script
-    script.imports = _imports(tree)
+    script.imports, script.opened = _imports(tree), _opened(tree)
     keywords = {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}
     for keyword in call.keywords:
         if keyword.arg is None:
-            keywords.update(_dictionary(keyword.value, names))
+            keywords.update(_dictionary(keyword.value, names) or {"**": keyword.value})
+    script.arguments = frozenset(keywords)
     reader = _Reader(names, functions)
     for key, role in _KEYS.items():
         if key in keywords:
@@ -89,6 +95,33 @@ def _imports(tree: ast.Module) -> tuple[str, ...]:
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
             found.append(node.module.partition(".")[0])
     return tuple(name for name in dict.fromkeys(found) if name not in _THERE)
+
+
+def _opened(tree: ast.Module) -> tuple[str, ...]:
+    """Return the files that a script reads in any case: not those in a function, a condition or a ``try``."""
+    found: dict[str, None] = {}
+    written: set[str] = set()
+    for statement in tree.body:
+        always = isinstance(statement, (ast.With, ast.Assign, ast.Expr))
+        for node in ast.walk(statement):
+            if isinstance(node, ast.Call) and ast.unparse(node.func) in _OPENERS and node.args:
+                name, mode = node.args[0], _mode(node)
+                if not isinstance(name, ast.Constant) or not isinstance(name.value, str):
+                    continue
+                if mode.startswith("r"):
+                    found |= {name.value: None} if always and not _guarded(statement) else {}
+                else:
+                    written.add(name.value)
+    return tuple(name for name in found if name not in written)
+
+
+def _mode(call: ast.Call) -> str:
+    given = [*call.args[1:2], *(each.value for each in call.keywords if each.arg == "mode")]
+    return str(given[0].value) if given and isinstance(given[0], ast.Constant) else "r" if not given else ""
+
+
+def _guarded(statement: ast.stmt) -> bool:
+    return any(isinstance(node, (ast.If, ast.IfExp, ast.Try, ast.Lambda)) for node in ast.walk(statement))
 
 
 Bound = tuple[dict[str, ast.expr], dict[str, ast.AST], "ast.Call | None"]

@@ -38,17 +38,19 @@ def without_module(repository: Repository, folder: str, name: str, data: Mapping
         return not _has_module(repository, folder, str(own or name))
     if backend.startswith("setuptools") or not backend:
         told = {"packages", "py-modules", "package-dir"} & _table(tool, "setuptools").keys()
-        return "project" in data and not told and _several(repository, folder)
+        return "project" in data and not told and not _by_setup(repository, folder) and several(repository, folder)
     return False
 
 
-def _several(repository: Repository, folder: str) -> bool:
+def _by_setup(repository: Repository, folder: str) -> bool:
+    return any(repository.has(posixpath.join(folder, name)) for name in ("setup.py", "setup.cfg"))
+
+
+def several(repository: Repository, folder: str) -> bool:
     """Tell whether setuptools finds several packages, or several modules and no package, and so takes none of them.
 
     https://setuptools.pypa.io/en/latest/userguide/package_discovery.html#flat-layout, read 2026-11-26.
     """
-    if any(repository.has(posixpath.join(folder, name)) for name in ("setup.py", "setup.cfg")):
-        return False
     start = f"{folder}/" if folder else ""
     paths = [file.path.removeprefix(start) for file in repository.files if file.path.startswith(start)]
     if any(path.startswith("src/") for path in paths):

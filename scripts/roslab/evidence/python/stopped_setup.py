@@ -1,0 +1,62 @@
+"""A setup.py with which setuptools stops: it reads a file that is not there, or names none of several packages."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Collection, Iterable, Iterator
+
+from roslab.evidence.facts import Mention, PythonProject
+from roslab.repository.checkout import Repository
+
+_TOLD = frozenset({"packages", "py_modules", "ext_modules", "package_dir", "pbr", "**"})
+"""Arguments of ``setup`` beside which setuptools looks for no packages.
+
+https://setuptools.pypa.io/en/latest/history.html#v61-0-0, read 2026-11-26.
+"""
+
+
+def why_stopped(
+    repository: Repository, folder: str, files: Iterable[str], keywords: Collection[str], *, setuptools: bool
+) -> str:
+    """Return what stops setuptools, ``""`` for nothing; ``keywords``: the arguments of ``setup``.
+
+    What lies in a submodule may only not be checked out, and what installs programs is left as it is.
+    """
+    from roslab.evidence.python.without_module import several  # noqa: PLC0415 - few trees need it
+
+    for name in files:
+        path = posixpath.normpath(posixpath.join(folder, name))
+        outside = path.startswith(("/", "../"))
+        if not outside and not repository.may_have(path) and not _in_submodule(repository, path):
+            return f"setup.py reads {path}, which is not there"
+    beside = any(repository.has(posixpath.join(folder, name)) for name in ("setup.cfg", "pyproject.toml"))
+    programs = {"entry_points", "scripts"} & {*keywords}
+    if setuptools and not beside and not programs and not _TOLD & {*keywords} and several(repository, folder):
+        return "setup.py names no packages, and setuptools takes none where several folders could be one"
+    return ""
+
+
+def _in_submodule(repository: Repository, path: str) -> bool:
+    return any(path.startswith(f"{each}/") for each in repository.links())
+
+
+def problems(projects: Iterable[PythonProject]) -> Iterator[tuple[str, str, int]]:
+    """Yield a warning for each such project: what it needs is installed, and it is not."""
+    for project in projects:
+        if project.stopped and not project.folder:
+            message = f"{project.stopped}: what it needs is installed, and its folder is on PYTHONPATH instead"
+            yield message, project.file, project.line
+
+
+def folders(projects: Iterable[PythonProject]) -> Iterator[Mention]:
+    """Yield the folder of each such project at the root, from which Python imports what was not installed."""
+    for project in projects:
+        if project.stopped and not project.folder:
+            yield Mention(
+                topic="python_path",
+                value=".",
+                source="manifest",
+                file=project.file,
+                line=project.line,
+                text=project.stopped,
+            )
