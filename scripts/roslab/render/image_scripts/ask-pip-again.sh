@@ -75,8 +75,8 @@ roslab_older_builder() { # PYTHON
 roslab_newer_beside() { # PYTHON
   local version
   if command "$1" -c "import sys; sys.exit(sys.version_info < (${python/./, }))"; then return 1; fi
-  version="$(command "$1" -m pip show "${package}" 2>/dev/null </dev/null | sed -n 's/^Version: \([0-9]*\).*/\1/p')"
-  [ "${version:-0}" -ge "${below}" ]
+  version="$(command "$1" -m pip show "${package}" 2>/dev/null </dev/null | sed -n 's/^Version: //p')"
+  [ "$(printf '%s\n' "${below}" "${version:-0}" | sort -V | head -n 1)" = "${below}" ]
 }
 # Installs a program that a build lacks, each once
 roslab_program() { # PYTHON
