@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config
+from roslab.decide import decide
 from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
 FIND = "--find-links https://download.pytorch.org/whl/{}/torch_stable.html"
@@ -38,3 +43,12 @@ def test_a_free_one_stays_in_the_series_that_pip_takes_for_the_python(tree: Tree
     assert decision.cuda == "11.1"
     assert [each.written for each in decision.python.bounds if each.key == "torch"] == limit
     assert bool(decision.python.options) is bool(limit)
+
+
+@pytest.mark.parametrize(("asked", "options"), [("1.10", (INDEX.format("cu115"),)), ("1.13", ())])
+def test_one_that_a_page_only_lists(tmp_path: Path, asked: str, options: tuple[str, ...]) -> None:
+    (tmp_path / "train.py").write_text("import torch\ntorch.zeros(1).cuda()\n")
+    (tmp_path / "README.md").write_text(f"# Net\nRequirements: `python>=3.7`, `torch>={asked}`, `numpy`\n")
+    config = Config(pip_date="2022-06-23")
+    decision = decide(gather(Repository.open(tmp_path)), config, folder_name="demo")
+    assert decision.python.options == options

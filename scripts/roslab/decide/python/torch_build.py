@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.decide.cuda.beside_torch import conda_torch
+from roslab.decide.cuda.version import DEFAULT
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.weights import PackageWeight as Weight
@@ -68,7 +69,8 @@ def decide_build(
         return torch_build(wheels, on_page, python, day, "conda is asked for CUDA {cuda} beside it")
     said = (*chosen.options, *(option for file in chosen.files for option in file.options))
     known = any("download.pytorch.org" in option for option in said)
-    return newer_wheel(() if known else _as_locked(wheels, locked, python), cuda, python, day, below)
+    of_image = cuda or DEFAULT  # a page that only lists torch names none
+    return newer_wheel(() if known else _as_locked(wheels, locked, python), of_image, python, day, below)
 
 
 def _as_locked(asked: Iterable[Requirement], locked: Iterable[Locked], python: str | None) -> Iterator[Requirement]:
