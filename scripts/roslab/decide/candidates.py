@@ -142,7 +142,7 @@ def of_notebooks(evidence: Evidence) -> Iterator[Candidate]:
 
     It opens the one notebook, of several the folder.
     """
-    library = any(project.installable for project in evidence.python)
+    library = any(project.meant for project in evidence.python)
     if evidence.notebooks and not (evidence.programs or library):
         opened = evidence.notebooks if len(evidence.notebooks) == 1 else ()
         why = "the tree consists of notebooks"
@@ -161,7 +161,7 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
                 found = True
                 why = "a program that the project installs"
                 yield Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
-    library = any(project.installable and not project.folder and project.requirements for project in evidence.python)
+    library = any(project.meant and not project.folder and project.requirements for project in evidence.python)
     imported = {(m.file, m.value) for m in evidence.mentions if m.topic == "from_root"}
     tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
     shown = []

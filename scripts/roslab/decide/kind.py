@@ -221,7 +221,7 @@ def _python(evidence: Evidence) -> list[Reason]:
 def _python_place(evidence: Evidence) -> tuple[Placed, str, int] | None:
     """Return the strongest sign of Python: its place, the reason and its weight."""
     for project in evidence.python:
-        if (project.installable or project.stopped) and not places.vendored(project.file):
+        if project.meant and not places.vendored(project.file):
             weight = Weight.INSTALLABLE_BELOW if project.folder else Weight.INSTALLABLE
             return project, "pip can install it" if project.installable else "it has a setup.py", weight
     for environment in evidence.conda:

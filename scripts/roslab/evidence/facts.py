@@ -74,6 +74,11 @@ class PythonProject:
     """Why its setup.py cannot be installed."""
 
     @property
+    def meant(self) -> bool:
+        """It was made to be installed, whether it still can be or not."""
+        return self.installable or bool(self.stopped)
+
+    @property
     def refused(self) -> bool:
         """Its backend finds no module to install, or its setup.py stops."""
         refused = bool(self.name) and not self.installable and self.file.endswith("pyproject.toml")

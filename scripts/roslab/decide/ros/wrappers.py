@@ -65,7 +65,7 @@ def _wrapper(evidence: Evidence, manifests: list[str]) -> bool:
         return False
     compiled = any(project.executables and _within(project.file, folders) for project in evidence.cmake)
     depth = 0 if compiled else 2  # packages of C++ nodes count more than requirements of some script
-    own = [p.file for p in evidence.python if p.installable] + [c.file for c in evidence.conda]
+    own = [p.file for p in evidence.python if p.meant] + [c.file for c in evidence.conda]
     own += [r.file for r in evidence.requirements if r.purpose == "run"]
     outside = (f for f in own if f.count("/") <= depth and not _within(f, folders) and not places.vendored(f))
     if not any(outside) and run_by_page(evidence) is None:
@@ -80,7 +80,7 @@ def _of_library(evidence: Evidence, manifests: list[str]) -> bool:
 
     It compiles nothing, setup.py asks for what pip installs, and most programs are none of ROS's.
     """
-    library = any(p.installable and not p.folder and p.requirements for p in evidence.python)
+    library = any(p.meant and not p.folder and p.requirements for p in evidence.python)
     if set(manifests) != {"package.xml"} or not library or any(project.executables for project in evidence.cmake):
         return False
     by_page = any(asked.role == "project" and asked.written in {".", "./"} for asked in _of_pages(evidence))
@@ -91,7 +91,7 @@ def _of_library(evidence: Evidence, manifests: list[str]) -> bool:
 def _by_pip(evidence: Evidence, manifests: list[str]) -> bool:
     """Tell whether pages have pip install the folder of each package, and the page at the root nothing of ROS."""
     folders = {file.rpartition("/")[0] for file in manifests}
-    usable = {project.folder for project in evidence.python if project.installable}
+    usable = {project.folder for project in evidence.python if project.meant}
     piped = {resolve(asked, usable) for asked in _of_pages(evidence) if asked.role == "project"}
     return "" not in folders and folders <= piped and not _of_ros(evidence)
 
