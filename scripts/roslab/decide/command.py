@@ -20,7 +20,7 @@ from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whol
 from roslab.decide.reasons import because, configured
 from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
-from roslab.decide.scripts import ports_of
+from roslab.decide.scripts import ports_in, ports_of
 from roslab.decide.sections import about_running
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
@@ -94,7 +94,7 @@ def decide_command(
     inside = next((c for c in found if c.argv == command and (c.inside or (c.makes and not dockerfile))), None)
     page = by_argv.get(command)
     ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
-    ports = ports or (_ports(page, evidence) if page and not dockerfile else ())
+    ports = ports or (_ports(page, evidence) if page and not dockerfile else ()) or ports_in(command, evidence)
     whole = launched(inside or page, evidence) if page else None
     command = whole.argv if whole else command
     chosen = Command(

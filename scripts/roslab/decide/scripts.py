@@ -6,7 +6,7 @@ import posixpath
 import re
 from collections.abc import Mapping
 
-from roslab.evidence.facts import Mention
+from roslab.evidence.facts import Evidence, Mention
 from roslab.values.pattern import pattern
 
 NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
@@ -59,3 +59,8 @@ def bare(path: str) -> bool:
 def ports_of(argv: tuple[str, ...]) -> tuple[str, ...]:
     """Return the port of the server that a command starts."""
     return (PORT,) if argv[: len(NOTEBOOK)] == NOTEBOOK else (PORT_OF_STREAMLIT,) if argv[:2] == STREAMLIT else ()
+
+
+def ports_in(argv: tuple[str, ...], evidence: Evidence) -> tuple[str, ...]:
+    """Return the ports on which the program of a command says in its code that it listens."""
+    return tuple(dict.fromkeys(m.value for m in evidence.mentions if m.topic == "listens" and m.file in argv))
