@@ -50,7 +50,7 @@ def refused(asked: Requirement) -> NotOnIndex | None:
     row = _row(asked)
     if row is None or asked.url or not ANY.may(asked):
         return None
-    same = bool(row.instead) and asked.key.startswith(canonicalize_name(row.instead))
+    same = bool(row.instead) and asked.key.startswith(f"{canonicalize_name(row.instead)}-")
     return None if asked.specifier and same else row
 
 
