@@ -49,6 +49,36 @@ def test_the_rest_is_left_alone(tree: Tree, asked: str, page: str) -> None:
     assert compiled(tree({**FILES, "ranges/CMakeLists.txt": CMAKE.format(asked), "README.md": page})) == []
 
 
+@pytest.mark.parametrize(
+    ("asked", "heading", "told"),
+    [
+        ("find_package(Pangolin REQUIRED)\n", "Setup", True),
+        ("find_package(Pangolin REQUIRED)\n", "Optional", False),
+        ("find_package(OpenCV REQUIRED)\n", "Setup", False),
+    ],
+)
+def test_what_is_not_compiled_is_told(tree: Tree, asked: str, heading: str, told: bool) -> None:
+    page = f"## {heading}\n```\ncd ranges\n{BUILD}```\n"
+    decision = tree({**FILES, "ranges/CMakeLists.txt": CMAKE.format(asked), "README.md": page})
+    assert any("compile ranges" in each.message and "Pangolin" in each.message for each in decision.warnings) is told
+
+
+@pytest.mark.parametrize(("asked", "left"), [("find_package(OpenCV REQUIRED)\n", True), ("", False)])
+def test_a_copy_gets_no_packages_for_itself(tree: Tree, asked: str, left: bool) -> None:
+    page = f"## Setup\n```\ncd external/ranges\n{BUILD}```\n"
+    files = {f"external/{name}" if "/" in name else name: text for name, text in FILES.items()}
+    decision = tree({**files, "external/ranges/CMakeLists.txt": CMAKE.format(asked), "README.md": page})
+    assert compiled(decision) == ([] if left else ["external/ranges"])
+    assert any("compile external/ranges" in each.message for each in decision.warnings) is left
+
+
+def test_the_page_of_a_copy_is_for_its_own_readers(tree: Tree) -> None:
+    files = {"external/ranges/CMakeLists.txt": CMAKE.format(""), "external/ranges/ranges.cpp": "int main() {}\n"}
+    page = f"# Ranges\n## Install\n```\n{BUILD}```\n"
+    decision = tree({**FILES, **files, "external/ranges/README.md": page})
+    assert (compiled(decision), decision.warnings) == ([], ())
+
+
 def test_the_options_of_the_page_are_given(tree: Tree) -> None:
     page = f"```\ncd ranges\n{BUILD}```\n".replace("cmake", "cmake -DWITH_VIEW=OFF -DPYTHON_EXECUTABLE=/opt/python")
     decision = tree({**FILES, "ranges/CMakeLists.txt": CMAKE.format(""), "README.md": page})

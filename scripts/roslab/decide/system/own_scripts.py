@@ -11,7 +11,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.beside_cpp import of_cpp
 from roslab.decide.decision import Choice, OwnScript
 from roslab.decide.programs import beside_top, found_by, names_of
-from roslab.decide.reasons import because
+from roslab.decide.reasons import because, warn
 from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.inside import meant
@@ -32,6 +32,10 @@ _ASIDE = pattern(
     r"\b(?:docker|docs?|documentation|tests?|wheels?|release|optional|windows?|mac\w*|jetson|real)\b", re.IGNORECASE
 )
 _INSTALL = "its own `install` compiles, which an editable installation does not run"
+_LEFT = (
+    "the page has CMake compile {folder}, which the image does not: it asks for {lacks}, which the image lacks; "
+    "compile it under `custom` in roslab.yaml"
+)
 _PLAIN = pattern(r"[\w./=+-]+")
 _PLAIN_OPTION = pattern(r"-D\w+(?::\w+)?=[\w.+-]+")
 
@@ -83,13 +87,12 @@ def decide_scripts(
         _part(project, found=bool(names_of(project) & wanted)) for project in beside_top(evidence) if kind == "cpp"
     ]
     parts = [part for part in parts if part.folder not in compiled]
-    said_so = compiled_beside(evidence, target) if kind == "python" or (kind == "cuda" and listed) else ()
+    of_pages = compiled_beside(evidence, target) if kind == "python" or (kind == "cuda" and listed) else ()
     itself = kind == "cuda" and of_cpp(evidence)  # CMake compiles the one at the root
-    beside = [
-        (_part(project, found=False, options=m.text), m)
-        for project, m in said_so
-        if not _ASIDE.search(m.heading) and not (itself and "/" not in project.file)
+    said_so = [
+        each for each in of_pages if not _ASIDE.search(each[1].heading) and not (itself and "/" not in each[0].file)
     ]
+    beside = [(_part(project, found=False, options=m.text), m) for project, m, lacks in said_so if not lacks]
     built = list(_by_install(evidence, projects))
     why, other = "the README runs it to compile", "a CMake project beside the one that is compiled"
     return Choice(
@@ -99,6 +102,11 @@ def decide_scripts(
             *(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
             *(because("source", part.folder, other, Place(file=part.path, line=1), weight=WEIGHT) for part in parts),
             *(because("source", part.folder, "the page has CMake compile it", m, weight=WEIGHT) for part, m in beside),
+        ),
+        warnings=tuple(
+            warn(_LEFT.format(folder=project.file.rpartition("/")[0] or "the root", lacks=lacks), m)
+            for project, m, lacks in said_so
+            if lacks
         ),
     )
 
