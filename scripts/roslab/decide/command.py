@@ -12,6 +12,7 @@ from roslab.decide.candidates import candidates_of
 from roslab.decide.contained import only_contained
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upkeep
+from roslab.decide.gone_programs import gone_programs
 from roslab.decide.included import included
 from roslab.decide.launched import launched
 from roslab.decide.launched_windows import opened_by_nodes
@@ -105,7 +106,8 @@ def decide_command(
     elif authored and command == ("bash",) and kind not in {"ros1", "ros2"} and left_to_base(authored):
         chosen = replace(chosen, given=True, entrypoint=False)  # the base's own program is none of the repository
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
-    return Choice(answer=chosen, reasons=reasons, warnings=left_to_reader(page, evidence) if page else ())
+    gone = tuple(gone_programs(evidence, kind)) if command == ("bash",) and not dockerfile else ()
+    return Choice(answer=chosen, reasons=reasons, warnings=left_to_reader(page, evidence) if page else gone)
 
 
 def _started_by(version: str | None, candidate: Candidate, kind: Kind) -> Candidate:
