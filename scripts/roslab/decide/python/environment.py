@@ -19,6 +19,7 @@ from roslab.decide.python.extras import beside_lists
 from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first
 from roslab.decide.python.framework_pins import framework_pins, one_build
+from roslab.decide.python.gone_lists import gone_lists
 from roslab.decide.python.gpu_projects import left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.image_python import Python
@@ -217,6 +218,7 @@ def decide_python(
             *without_history(evidence),
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
+            *(gone_lists(evidence) if kind in {"python", "cuda"} else ()),
             *left_to_parts(evidence, chosen.files),
             *left_to_others(evidence, chosen.files),
             *contradicting(evidence, chosen.files, chosen.contradicting),
