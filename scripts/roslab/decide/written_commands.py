@@ -266,7 +266,8 @@ def _built(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
         argv = (f"./{argv[0]}", *argv[1:])
     name = argv[0].rpartition("/")[2]
     if name in tree.made and argv[0].startswith("./"):  # it lies where make was called, or below
-        return (f"./{posixpath.normpath(posixpath.join(tree.made[name], argv[0]))}", *argv[1:])
+        folder = "" if argv[0].startswith(f"./{tree.made[name]}/") else tree.made[name]
+        return (f"./{posixpath.normpath(posixpath.join(folder, argv[0]))}", *argv[1:])
     if name not in tree.compiled and tree.kind == "cpp" and "/" in argv[0] and argv[0] not in tree.programs:
         name = one_letter_off(name, tree.compiled) or one_of_several(name, tree.compiled) or name
         argv = (posixpath.join(posixpath.dirname(argv[0]), name), *argv[1:])

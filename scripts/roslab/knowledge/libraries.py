@@ -131,3 +131,9 @@ def packaged(ubuntu: str | None) -> frozenset[str]:
     entries = (_entries(naming, name) for naming in _TABLES for name in _table(naming)[1])
     found = (_of_ubuntu(each, ubuntu) for each in entries)
     return frozenset(apt for row in found if row for apt in row["apt"].split())
+
+
+@cache
+def qt_modules() -> dict[str, str]:
+    """Return CMake's names of the modules of Qt 5 by those that qmake has for them: ``opengl`` is ``Qt5OpenGL``."""
+    return {name.removeprefix("Qt5").lower(): name for name in _table("cmake")[1] if name.startswith("Qt5")}

@@ -16,12 +16,14 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.cuda_toolkits import host_compilers
 from roslab.knowledge.frameworks import imports
+from roslab.knowledge.libraries import qt_modules
 from roslab.knowledge.released import ever_released, released
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
 TOOLKIT = "nvidia-cuda-toolkit"
+QMAKE = "qt5-qmake"
 _OF_CODE = frozenset({"called", "configure", "fetch", "linked", "typelib"})
 """Roles of packages that the code itself shows."""
 _HEADERS = pattern(r"lib[a-z-]+-dev")
@@ -59,12 +61,16 @@ def _all(
 
 
 def _made(evidence: Evidence) -> Iterator[Dependency]:
-    """Yield what Makefiles link and ask pkg-config for, and that program itself."""
+    """Yield what Makefiles link and ask pkg-config for, that program itself, and Qt with qmake."""
     for made in evidence.makefiles:
         for name in made.linked:
             yield Dependency(namespace="link", name=name, strength="used", file=made.file, line=1, role="build")
         for name in made.modules:
             yield Dependency(namespace="pkg-config", name=name, strength="used", file=made.file, line=1, role="build")
+        for name in filter(None, (qt_modules().get(each) for each in made.qt)):
+            yield Dependency(namespace="cmake", name=name, strength="used", file=made.file, line=1, role="build")
+        if made.qt:
+            yield Dependency(namespace="apt", name=QMAKE, strength="used", file=made.file, line=1, role="make")
         if made.modules:
             yield Dependency(namespace="apt", name="pkg-config", strength="used", file=made.file, line=1, role="make")
 

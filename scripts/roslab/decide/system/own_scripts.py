@@ -168,7 +168,7 @@ def _made(evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
             OwnScript(
                 folder=each.folder,
                 path=each.file,
-                command=each.script or "make",
+                command=each.script or f"{each.prepare}make",
                 required=each.script is not None and each is made[0],
             )
             for each in made

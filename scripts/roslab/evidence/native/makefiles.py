@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.makefile import Makefile
-from roslab.evidence.native import compile_scripts
+from roslab.evidence.native import compile_scripts, qmake
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -53,6 +53,7 @@ _TASKS = frozenset(
 def read(repository: Repository, mentions: Iterable[Mention] = ()) -> tuple[Makefile, ...]:
     """Return the Makefile at the root, else those of the folders below it, else the scripts that a page compiles with.
 
+    Else the projects of qmake.
     None where CMake or ROS builds the tree, or where it has more Python than C and C++.
     """
     if repository.named("CMakeLists.txt", "package.xml", "manifest.xml", "configure", "configure.ac"):
@@ -61,7 +62,7 @@ def read(repository: Repository, mentions: Iterable[Mention] = ()) -> tuple[Make
         return ()
     found = [each for file in _files(repository) if (each := _makefile(file, repository))]
     own = [each for each in found if not each.folder] or found[:MOST]
-    return tuple(own) or compile_scripts.read(repository, mentions)
+    return tuple(own) or compile_scripts.read(repository, mentions) or tuple(qmake.read(repository))
 
 
 def _number(repository: Repository, *suffixes: str) -> int:
