@@ -78,6 +78,13 @@ def test_what_may_come_from_somewhere_is_built(tree: Tree, more: dict[str, str])
     assert not any("acme_robot_sdk, which CMake requires" in warning.message for warning in decision.warnings)
 
 
+def test_a_clone_that_is_read_and_not_planned_brings_nothing(tree: Tree) -> None:
+    clone = "git clone https://github.com/acme/acme_robot_sdk.git\ncd acme_robot_sdk\nqmake\nmake install\n"
+    decision = tree(ROBOT | {"setup.sh": clone})
+    assert (decision.left_out, decision.source) == (("driver",), ())
+    assert any("nothing is known that brings acme_robot_sdk" in warning.message for warning in decision.warnings)
+
+
 def planned(folder: Path, files: dict[str, str]) -> Plan:
     for path, text in files.items():
         target = folder / path

@@ -12,7 +12,7 @@ from roslab.decide.ros.included import without_headers
 from roslab.decide.ros.nowhere import without_own
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
-from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
@@ -197,13 +197,17 @@ def provided(
 ) -> Iterator[str]:
     """Yield the names of everything that is installed, built or cloned; ``installed`` is what pip and conda bring.
 
-    Not packages of ROS that an install line has for another distribution, and that this one never released.
+    Not packages of ROS that an install line has for another distribution, and that this one never released, nor a clone
+    that was read and that the image does not have.
     """
     said = {each.name for each in evidence.prose}
     guessed = (*system.apt, *system.apt_guessed, *system.brought)
     yield from (name for name in guessed if name in said or _there(name, target))
     yield from (*sources.names, *(source.name for source in (*sources.sources, *sources.submodules)))
-    yield from (git.name for git in evidence.sources if git.kind != "link")
+    planned = {address(source.repo or "") for source in sources.everything}
+    yield from (
+        git.name for git in evidence.sources if git.kind not in {"link", "clone"} or address(git.url) in planned
+    )
     yield from (name for name in said if written_for(name) == target.ros_distro or _there(name, target))
     yield from (each.key for each in installed if each.name)
 
