@@ -71,6 +71,8 @@ class Source:
     """Without a ``ref``: the newest commit not after this date (``YYYY-MM-DD``) is taken, if there is one."""
     unread: bool = False
     """Nobody has read what its own CMakeLists.txt asks for: no table knows the library, and no author configures it."""
+    by_make: bool = False
+    """A page installs it with its own Makefile alone, where that puts its files."""
     unasked: bool = False
     """A page has everybody build it, and nothing that was read asks for it, or only a page below the root clones it,
     or only a link in prose names what CMake links, or it is known by its folder's name alone: where it fails, the image

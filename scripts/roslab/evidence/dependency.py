@@ -57,6 +57,8 @@ class GitSource:
     options: str = ""
     configured: bool = False
     """CMake is called there before it is installed."""
+    by_make: bool = False
+    """A Makefile of its own installs it: nothing is called there before ``make``."""
     below: str = ""
     """The folder of it that CMake is called for, where that is not its own."""
     heading: str = ""

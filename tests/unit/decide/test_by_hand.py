@@ -741,3 +741,53 @@ def test_the_sdk_of_a_camera_is_built_as_the_dockerfile_builds_it(tree: Tree) ->
     assert (library.name, library.ref) == ("librealsense", "v2.35.2")
     assert library.cmake_options.split()[-1] == "-DBUILD_GRAPHICAL_EXAMPLES=true"
     assert "-DBUILD_GRAPHICAL_EXAMPLES=OFF" not in library.cmake_options
+
+
+def ros1_script(cmake: str, install: str, code: str = "int a;\n") -> dict[str, str]:
+    clone = "cd ~\ngit clone https://github.com/lab/pid-control.git\ncd pid-control\n"
+    return {**ros1(f"add_library(demo a.cpp)\n{cmake}", ""), "a.cpp": code, "setup.sh": clone + install}
+
+
+BY_CMAKE = "mkdir build\ncd build\ncmake ..\nmake install\n"
+FILE = "set_target_properties({} PROPERTIES IMPORTED_LOCATION /usr/local/lib/libpid-control.so)\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "code", "built"),
+    [
+        ("add_library(pid-control SHARED IMPORTED)\n" + FILE.format("pid-control"), "int a;\n", ["pid-control"]),
+        ("", "#include <PIDControl.h>\n", ["pid-control"]),
+        ("", "#include <pid_control/loop.h>\n", ["pid-control"]),
+        ("", "#include <PIDController.h>\n", []),
+        ("add_library(pid-control b.cpp)\n" + FILE.format("demo"), "int a;\n", []),
+    ],
+)
+def test_a_library_of_a_script_that_the_code_includes_or_whose_file_it_imports(
+    tree: Tree, cmake: str, code: str, built: list[str]
+) -> None:
+    decision = tree(ros1_script(cmake, BY_CMAKE, code))
+    assert [source.name for source in decision.source] == built
+
+
+@pytest.mark.parametrize(
+    ("install", "by_make"),
+    [
+        ("sudo make -j4 install\n", [True]),
+        ("make\nsudo make install\n", [True]),
+        (BY_CMAKE, [False]),
+        ("./configure\nmake install\n", []),
+        ("qmake\nmake install\n", []),
+        ("make\n", [False]),
+    ],
+)
+def test_a_library_with_a_makefile_of_its_own(tree: Tree, install: str, by_make: list[bool]) -> None:
+    decision = tree(ros1_script("find_package(pid-control REQUIRED)\n", install))
+    assert [source.by_make for source in decision.source] == by_make
+
+
+def test_what_a_makefile_installs_is_copied_from_where_it_lies(tmp_path: Path) -> None:
+    for name, text in ros1_script("find_package(pid-control REQUIRED)\n", "make install\n").items():
+        (tmp_path / name).write_text(text)
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert "COPY --from=scripts /install-by-make /usr/local/bin/\n" in text
+    assert ' && cd /tmp/sources/pid-control \\\n && install-by-make "$(compile-jobs)"' in text

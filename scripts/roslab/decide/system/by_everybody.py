@@ -47,19 +47,23 @@ def named_in(projects: Iterable[CMakeProject]) -> Iterator[str]:
 
 
 def headers_of(evidence: Evidence) -> Mapping[str, Dependency]:
-    """Return the folders of headers that the code includes and no table knows, ``g2o`` of ``g2o/core/factory.h``."""
+    """Return the headers that the code includes and no table knows, by their folders or, without one, their own names.
+
+    ``g2o`` of ``g2o/core/factory.h``, ``pidcontroller`` of ``PIDController.h``.
+    """
     found: dict[str, Dependency] = {}
     for each in evidence.code:
         sure = each.namespace == "include" and each.strength == "used" and not places.aside(each.file)
         folder, inside, _ = each.name.partition("/")
-        if sure and inside and folder != ".." and header(each.name, None) is None:
-            found.setdefault(_bare(folder), each)
+        if sure and folder != ".." and header(each.name, None) is None:
+            found.setdefault(_run_together(folder if inside else folder.rpartition(".")[0]), each)
     return found
 
 
 def includes(git: GitSource, headers: Mapping[str, Dependency]) -> Dependency | None:
-    """Return what includes a header of a library, which lies in a folder of the library's name."""
-    return headers.get(_bare(git.name)) or headers.get(_bare(recipe_at(address(git.url)) or git.name))
+    """Return what includes a header of a library: it, or the folder that it lies in, has the library's name."""
+    recipe = recipe_at(address(git.url))
+    return headers.get(_run_together(git.name)) or headers.get(_run_together(recipe or git.name))
 
 
 def built_by_everybody(
@@ -85,6 +89,10 @@ def built_by_everybody(
 
 def _bare(name: str) -> str:
     return plain(_AFFIXES.sub("", _AFFIXES.sub("", name.lower())))
+
+
+def _run_together(name: str) -> str:
+    return _bare(name).replace("_", "")
 
 
 def _same(name: str, known: str) -> bool:

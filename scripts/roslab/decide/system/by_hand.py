@@ -110,6 +110,8 @@ def by_hand(
         if may_be and _unknown(asked, target, pinned=False):
             found.setdefault(git, asked)
         header = includes(git, headers)
+        if header is not None and _by_script(git):
+            found.setdefault(git, header)
         if git not in found and built_by_everybody(git, kind, target, there, included=header is not None):
             found[git] = header or asked
             if header is None:
@@ -129,10 +131,17 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
     written = (git for group in _written(evidence) for git in group)
     for git in sorted(written, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
-        if ((git.installed and git.configured) or listed or git.kind == "link") and not places.vendored(git.file):
+        built = git.installed and (git.configured or git.by_make)
+        if (built or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)
             offered.setdefault(_bare(git.folder), git)
     return offered
+
+
+def _by_script(git: GitSource) -> bool:
+    """Tell whether a script compiles and installs a clone."""
+    by_hand = git.installed and (git.configured or git.by_make)
+    return by_hand and git.kind == "clone" and not git.aside and git.file.endswith(_SCRIPTS)
 
 
 def _above(git: GitSource, others: Iterable[GitSource], target: Target) -> tuple[str, ...]:
@@ -181,7 +190,8 @@ def _source(git: GitSource, day: str) -> Source:
         build="cmake",
         cmake_options=git.options,
         cmake_folder=f"../{git.below}" if git.below else None,
-        unread=True,
+        unread=not git.by_make,
+        by_make=git.by_make,
         place=Place(file=git.file, line=git.line),
     )
 

@@ -195,6 +195,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     reading.dependencies = [cmake_needs.of_lua(asked, text) for asked in reading.dependencies]
     reading.dependencies += searched(text, file.path, repository)
     own = reading.libraries | reading.executables.keys() | {reading.name}
+    by_itself = own - (reading.libraries - reading.made.keys())  # a target may be no more than the file of a library
     return CMakeProject(
         file=file.path,
         line=1,
@@ -217,7 +218,8 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             dict.fromkeys(
                 d
                 for d in reading.dependencies
-                if d.namespace != "link" or not (d.name in own or held(d.name, repository))
+                if d.namespace != "link"
+                or not (d.name in (by_itself if d.strength == "declared" else own) or held(d.name, repository))
             )
         ),
         sources=tuple(reading.sources),

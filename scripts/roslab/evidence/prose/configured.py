@@ -22,6 +22,7 @@ _NAME = pattern(r"-D(?!CMAKE_|BUILD_SHARED_LIBS|BUILD_TESTING)([A-Za-z_]\w*)")
 """The name of an option that a project declares itself, not CMake or a module of it."""
 MAX_SIZE = 256 * 1024
 PRESET = "--preset="
+_PREPARES = pattern(r"\.{1,2}/|(?:.*/)?(?:configure|qmake|python|ba?sh)\b")
 _SOURCE = frozenset({"-S", "-H"})
 _VALUED = frozenset({"-A", "-B", "-C", "-D", "-G", "-P", "-T", "-U", "--preset", "--toolchain", "--install-prefix"})
 
@@ -83,6 +84,11 @@ def installs(program: str, words: Sequence[str], *, configured: bool) -> bool:
     if program == "dpkg":
         return configured and bool({"-i", "--install"} & {*words})
     return bool({"install", "--install"} & {*words})
+
+
+def prepares(program: str) -> bool:
+    """Tell whether a command may write the Makefile that is called after it: ``qmake``, ``./configure``, a script."""
+    return bool(_PREPARES.match(program))
 
 
 def source_of(folder: str, words: Sequence[str]) -> str:

@@ -13,7 +13,7 @@ from roslab.evidence.prose import blanks, removed_clones, workspaces
 from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
 from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at, titled
-from roslab.evidence.prose.configured import below, folder_of, installs, options_of, preset_of, source_of
+from roslab.evidence.prose.configured import below, folder_of, installs, options_of, prepares, preset_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.runners import by_ros, started
@@ -69,6 +69,8 @@ class Collector:
     """The options of the last ``cmake``."""
     configured: bool = False
     """``cmake`` was called since the last clone."""
+    prepared: bool = False
+    """Something else was that writes a Makefile."""
     below: str = ""
     """The folder that it named by a path."""
     cloned: int | None = None
@@ -230,14 +232,13 @@ class Collector:
         branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
         into, url = workspaces.folder_after(url, words, self.folder), served(url.rstrip(".,;)"))
         name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
-        self.cloned, self.options, self.configured, self.below = len(self.sources), "", False, ""
+        self.cloned, self.options, self.below, self.configured, self.prepared = len(self.sources), "", "", False, False
         self.fresh.add(self.cloned)
-        branch = None if branch is None or UNKNOWN in branch else branch
         self.sources.append(
             GitSource(
                 name=name,
                 url=url,
-                ref=branch,
+                ref=None if branch is None or UNKNOWN in branch else branch,
                 strength="prose",
                 file=self.file,
                 line=command.line,
@@ -268,13 +269,14 @@ class Collector:
         clone = clone_at([*self.folder.split("/"), *self.below.split("/")], self.sources)
         clone = titled(self.heading, self.sources) if clone is None and program != "dpkg" else clone
         if clone is not None:
-            said = self.sources[clone]
-            by_cmake = said.configured or self.configured
-            said = replace(said, below=below(said.folder, self.below))
-            self.sources[clone] = replace(said, installed=True, options=self.options, configured=by_cmake)
+            said = replace(self.sources[clone], installed=True, options=self.options)
+            by_cmake, inside = said.configured or self.configured, below(said.folder, self.below)
+            by_make = program == "make" and not (by_cmake or self.prepared)
+            self.sources[clone] = replace(said, below=inside, configured=by_cmake, by_make=by_make)
 
     def _program(self, program: str, command: Command) -> None:
         words = command.words
+        self.prepared = self.prepared or prepares(words[0])
         if program in _BUILD_TOOLS:
             self._mention("build_tool", program, command)
         elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:

@@ -39,6 +39,7 @@ SIGNS: Signs = tuple(
         ("mamba", r"\b(?:micro)?mamba\b"),
         ("python", r"\bpython[\d.]*\s+\S"),
         ("cmake", r"\bcmake\b"),
+        ("qmake", r"\bqmake(?:-qt\d)?\b"),
         ("/archive/", "/archive/"),
         ("/releases/", r"/releases/download/[^/\s]+/\S+\.zip\b"),
         ("ppa:", r"\bppa:"),

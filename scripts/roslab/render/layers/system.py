@@ -19,6 +19,8 @@ BRANCH = pattern(r"(?![0-9a-f]{7,40}$)(?!.*\d+[._]\d)(?!refs/).+")
 """A ref that is no commit and has no number of a release: a branch, which may be gone."""
 CONFIGURE = "configure-library"
 """A script that calls CMake for a library whose own options nobody has read."""
+INSTALL_BY_MAKE = "install-by-make"
+"""A script that installs a library by its own Makefile."""
 
 
 def first_packages(plan: Plan) -> str:
@@ -133,8 +135,8 @@ def library_stages(plan: Plan) -> str:
         if given.mounts:  # what is compiled has no part in them
             lines.append(shell.run(*_tried(library, fetched), secrets=given))
             fetched = []
-        if library.unread:
-            lines.append(shell.copy_script(CONFIGURE).rstrip())
+        for script in (CONFIGURE,) * library.unread + (INSTALL_BY_MAKE,) * library.by_make:
+            lines.append(shell.copy_script(script).rstrip())
         lines.append(
             shell.run(
                 *_tried(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")]),
@@ -240,6 +242,8 @@ def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
         return [f"python3 -m pip install {caches.pip_option(plan)} {folder}"]
     if library.build != "cmake":
         return []
+    if library.by_make:
+        return [f"cd {folder}", f"{INSTALL_BY_MAKE} {shell.JOBS}"]
     options = "".join(f" {quote.shell(word)}" for word in shlex.split(library.cmake_options))
     make = library.make_command or f"make --jobs={shell.JOBS} install"
     return [
