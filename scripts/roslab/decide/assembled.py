@@ -40,6 +40,7 @@ from roslab.decide.system.names import Target
 from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.packages import SystemPackages
+from roslab.decide.system.spare import spare
 from roslab.decide.uncopied_packages import copied_names
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
@@ -171,6 +172,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         submodules=() if of.own.answer else of.sources.answer.submodules,
         apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),
         may_fail=() if of.own.answer or config.compatible else folders_of(of.packages, failing),
+        spare=()
+        if of.own.answer or config.compatible or not ros
+        else folders_of(of.packages, spare(config, of.command.answer, of.packages, {*of.left_out, *failing})),
         must_build=must_build(
             evidence,
             of.command.answer.command,

@@ -134,6 +134,8 @@ class Decision:
     """Folders of submodules, whose packages a workspace is built without where it fails and needs none of them."""
     may_fail: tuple[str, ...] = ()
     """Folders of packages that are left out where they fail, for nothing is known to bring what they need."""
+    spare: tuple[str, ...] = ()
+    """Folders of packages that no other one needs: a third of them may be left out where they fail."""
     must_build: tuple[str, ...] = ()
     """Packages that are never left out, for the default command does not start without them."""
     large_files: bool = False

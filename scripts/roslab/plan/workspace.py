@@ -112,6 +112,8 @@ class Workspace:
     """Folders of submodules in the repository: the workspace is built without those of their packages that stop it."""
     may_fail: tuple[str, ...] = ()
     """Folders of packages of the repository that are left out where the build fails in them."""
+    spare: tuple[str, ...] = ()
+    """Folders of those of which a third may be left out, for a shell is started and no other package needs them."""
     must_build: tuple[str, ...] = ()
     """Packages that are never left out: the build stops where one of them fails."""
     large_files: bool = False
@@ -155,11 +157,10 @@ def workspace(
     copied = {path.partition("/")[0] for path in manifests}
     ros = decision.kind in ("ros1", "ros2")
     in_workspace = decision.workspace != "none" and not (ros and decision.build_tool not in ROS_TOOLS)
-    folder = name
     if in_workspace and decision.build_tool == "rosmake" and "manifest.xml" in decision.packages:
         name = decision.package_names[0]  # the folder names the package
-    if in_workspace:
-        folder = f"{WORKSPACE}/src/{name}" if decision.workspace == "overlay" else WORKSPACE
+    inside = f"{WORKSPACE}/src/{name}" if decision.workspace == "overlay" else WORKSPACE
+    folder = inside if in_workspace else name
     links = []
     if config.compatible and (in_workspace or sisters):
         links.append(("catkin_ws", WORKSPACE))
@@ -178,6 +179,7 @@ def workspace(
         submodules=decision.submodules,
         apart=decision.apart,
         may_fail=decision.may_fail,
+        spare=decision.spare,
         must_build=decision.must_build,
         large_files=decision.large_files and bool(sisters or decision.submodules),
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),

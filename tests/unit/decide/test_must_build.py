@@ -87,3 +87,27 @@ def test_what_a_launch_file_of_ros_2_includes(tmp_path: Path) -> None:
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text)
     assert plan_repository(tmp_path).plan.workspace.must_build == ("mine", "arm", "driver")
+
+
+SIX = {path: text for number in range(6) for path, text in _package(f"task_{number}").items()}
+
+
+@pytest.mark.parametrize(
+    ("more", "spare"),
+    [
+        ({}, 6),
+        (_package("task_5", needs="task_0"), 5),
+        (_package("task_0", launch=NODE.format("task_0", "")) | {"README.md": "`roslaunch task_0 task_0.launch`"}, 0),
+        ({"roslab.yaml": "format: 3\ntest: rospack list\n"}, 0),
+        ({"task_5/CATKIN_IGNORE": ""}, 0),
+    ],
+)
+def test_what_no_other_package_needs_is_spare_where_a_shell_is_started(
+    tmp_path: Path, more: dict[str, str], spare: int
+) -> None:
+    for path, text in {**SIX, **more}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    plan = plan_repository(tmp_path).plan
+    assert len(plan.workspace.spare) == spare
+    assert (f"leave-out-failed --most {spare // 3} --spare src/" in dockerfile(plan)) == bool(spare)

@@ -91,3 +91,22 @@ def test_what_is_no_clone_stops_the_build(workspace: Path, log: str) -> None:
 
 def test_what_says_nothing_of_packages_stops_the_build(workspace: Path) -> None:
     assert _run(workspace, "no space left on device\n")[:2] == (1, [])
+
+
+SPARE = ("--spare", "src/mine", "--spare", "src/other", "--spare", "src/third")
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "hidden"),
+    [
+        (("--most", "1", *SPARE), 0, ["mine"]),
+        (("--most", "0", *SPARE), 1, []),
+        (("--most", "1", "--spare", "src/other"), 1, []),
+        (("--keep", "mine", "--most", "1", *SPARE), 1, []),
+    ],
+)
+def test_a_spare_package_is_left_out_up_to_a_number(
+    workspace: Path, options: tuple[str, ...], code: int, hidden: list[str]
+) -> None:
+    log = COLCON.replace("camera", "mine")
+    assert _run(workspace, log, *options, failing="mine")[:2] == (code, hidden)

@@ -1,19 +1,24 @@
 #!/bin/bash
-# usage: leave-out-failed [--keep PACKAGE]... FOLDER... -- COMMAND...
+# usage: leave-out-failed [--keep PACKAGE]... [--most N --spare PATH...] [FOLDER...] -- COMMAND...
 # Runs a command that builds the workspace in the current folder. Where it fails in packages below one of these folders, it is
 # run again without them, and they are told. The folders hold what is cloned, or packages that require what nothing brings:
-# one that needs the SDK of a camera stops all others. The packages of --keep still stop the build.
+# one that needs the SDK of a camera stops all others. The packages of --keep still stop the build. Of the packages at the
+# paths of --spare, which nothing needs, so are at most N.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-kept=() cloned=()
+kept=() cloned=() spare=() most=0
 while [ "$1" != -- ]; do
-  if [ "$1" = --keep ]; then
-    kept+=("$2")
-    shift
-  else
-    cloned+=("$1/")
-  fi
-  shift
+  case "$1" in
+    --keep) kept+=("$2") ;;
+    --most) most="$2" ;;
+    --spare) spare+=("$2") ;;
+    *)
+      cloned+=("$1/")
+      shift
+      continue
+      ;;
+  esac
+  shift 2
 done
 shift
 
@@ -34,10 +39,17 @@ failed_in() {
       if [ "${name}" != src ]; then echo "${name}"; fi
     done
 }
-is_cloned() {
+# Tells whether a package may be left out, and counts those that are spare
+may_go() {
   local each
   for each in "${cloned[@]}"; do
     if [[ "$1/" = "${each}"* ]]; then return; fi
+  done
+  for each in "${spare[@]}"; do
+    if [ "$1" = "${each}" ] && [ "${most}" -gt 0 ]; then
+      most=$((most - 1))
+      return
+    fi
   done
   return 1
 }
@@ -47,7 +59,7 @@ until "$@" 2>&1 | tee "${log}"; do
   hidden=()
   while read -r folder; do
     name="$(read-manifest name "${folder}/package.xml")"
-    if ! is_cloned "${folder}" || [ -e "${folder}/CATKIN_IGNORE" ] || [[ " ${kept[*]} " = *" ${name} "* ]]; then continue; fi
+    if [ -e "${folder}/CATKIN_IGNORE" ] || [[ " ${kept[*]} " = *" ${name} "* ]] || ! may_go "${folder}"; then continue; fi
     touch "${folder}/CATKIN_IGNORE" "${folder}/COLCON_IGNORE"
     hidden+=("${name}")
   done < <(failed_in "${log}")

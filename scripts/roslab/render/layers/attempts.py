@@ -16,7 +16,8 @@ def tried(plan: Plan) -> str:
     """Return what stands before the command that builds the workspace, ``""`` where all that is cloned is wanted."""
     place = plan.workspace
     in_src = place.folder.startswith(f"{WORKSPACE}/src/")  # without packages of its own all clones are what is wanted
-    if not (place.sources or place.apart or place.may_fail) or place.ros is None or place.ros.tool == "rosmake":
+    may_go = place.sources or place.apart or place.may_fail or place.spare
+    if not may_go or place.ros is None or place.ros.tool == "rosmake":
         return ""
     if not in_src and place.folder != WORKSPACE:
         return ""
@@ -24,7 +25,9 @@ def tried(plan: Plan) -> str:
     own = f"{place.folder.removeprefix(WORKSPACE)}/".removeprefix("/")
     folders = [f"src/{source.name}" for source in place.sources]
     folders += [f"{own}{folder}" for folder in dict.fromkeys((*place.apart, *place.may_fail))]
-    without = f"{WITHOUT_FAILED}{kept}{''.join(f' {quote.shell(folder)}' for folder in folders)} -- "
+    spare = f" --most {len(place.spare) // 3}" if place.spare else ""  # where more fail, something else is wrong
+    spare += "".join(f" --spare {quote.shell(f'{own}{folder}')}" for folder in place.spare)
+    without = f"{WITHOUT_FAILED}{kept}{spare}{''.join(f' {quote.shell(folder)}' for folder in folders)} -- "
     return f"{without}{_needed(plan, kept)}" if in_src and (place.sources or place.apart) else without
 
 

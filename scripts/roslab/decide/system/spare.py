@@ -1,0 +1,26 @@
+"""Packages of the repository that may be left out of an image that starts a shell, where they do not compile.
+
+A tree of exercises has packages of several years, of which no distribution compiles all. Where something else is
+started, or another package of the tree needs it, a package that fails stops the build.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from roslab.config.model import Config
+from roslab.decide.command import Command
+from roslab.decide.ros.workspace import Packages
+
+FEWEST = 6
+"""Of fewer packages each is most likely what the repository is about."""
+
+
+def spare(config: Config, command: Command, packages: Packages, left_out: Collection[str]) -> tuple[str, ...]:
+    """Return the packages that no other one of the tree needs, where the image starts a shell and nothing is tested."""
+    built = [m for m in packages.built if m.name and m.name not in left_out and not m.metapackage]
+    if command.command != Command().command or command.given or config.command or config.test or len(built) < FEWEST:
+        return ()
+    needed = {d.name for m in packages.built for d in m.dependencies if d.role not in {"test", "doc"}}
+    alone = tuple(m.name for m in built if m.name and m.name not in needed)
+    return alone if len(alone) >= FEWEST // 2 else ()
