@@ -51,3 +51,20 @@ def test_what_another_distribution_has_is_not_the_owners(tree: Tree, key: str, s
     decision = tree(_files(key))
     assert [each.repo for each in decision.source] == sought
     assert any(said in each.message for each in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    ("target", "page", "looks"),
+    [
+        ("add_executable(robot_mover a.cpp)\n", "", []),
+        ("add_library(robot_mover a.cpp)\n", "", []),
+        ("add_executable(other a.cpp)\n", "", ["robot_mover"]),
+        ("add_executable(robot_mover a.cpp)\n", "It needs https://github.com/lab/robot_mover\n", ["robot_mover"]),
+    ],
+)
+def test_a_program_of_the_package_itself_is_no_key(tree: Tree, target: str, page: str, looks: list[str]) -> None:
+    files = _files("robot_mover")
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("ament_package", f"{target}ament_package")
+    files["README.md"] += page
+    decision = tree(files | {"a.cpp": "int main() {}\n"})
+    assert [each.name for each in decision.source] == looks

@@ -10,15 +10,17 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, packaged
 from roslab.decide.ros.own_configs import installing
 from roslab.decide.ros.slips import meant
+from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import distro, ubuntus, ubuntus_with_python2
 from roslab.knowledge.libraries import library
-from roslab.knowledge.released import released, rosdep_keys
+from roslab.knowledge.released import ever_released, released, rosdep_keys
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
@@ -66,13 +68,15 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
     return tuple(found[name] for name in sorted(found))
 
 
-def own_libraries(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ...]:
-    """Return the keys that are no packages but libraries: of the CMake of their own package, or installed by another's.
+def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ...]:
+    """Return the keys that are no packages: libraries or programs of their own package's CMake, or installed by another's.
 
-    The latter has no package.xml.
+    A program may be called like a package that is released, or that a page names. What another project installs has no
+    package.xml.
     """
     here = installing(evidence)
-    made = [(project.file, project.made) for project in evidence.cmake if project.made]
+    named = {plain(git.name) for git in evidence.sources}
+    made = [(project.file, {*project.made, *_programs(project, named)}) for project in evidence.cmake]
     folders = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
 
     def of(file: str) -> str | None:
@@ -85,6 +89,11 @@ def own_libraries(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, 
         if key.name.lower() in here
         or any(key.name in names and of(file) == key.file.rpartition("/")[0] for file, names in made)
     )
+
+
+def _programs(project: CMakeProject, named: Collection[str]) -> Iterator[str]:
+    names = (path.rpartition("/")[2] for path, _ in project.executables)
+    return (name for name in names if plain(name) not in named and not ever_released(name))
 
 
 def own_packages(keys: Iterable[Dependency], evidence: Evidence, target: Target) -> dict[str, tuple[Dependency, ...]]:

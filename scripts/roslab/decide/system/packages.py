@@ -14,8 +14,8 @@ from roslab.decide.ros.keys import (
     Translated,
     declared_keys,
     of_an_apt_source,
-    own_libraries,
     own_packages,
+    own_targets,
     together,
     translate,
 )
@@ -127,7 +127,7 @@ def decide_system(
     own = own_packages((key for key in keys if key.name not in found.skip), evidence, target)
     found.skip |= dict.fromkeys(own)
     unknown = [key for key in keys if not target.knows(key.name) and key.name not in rosdep_keys()]
-    found.skip |= dict.fromkeys((*own_libraries(unknown, evidence), *sorted(by_page(unknown, evidence))))
+    found.skip |= dict.fromkeys((*own_targets(unknown, evidence), *sorted(by_page(unknown, evidence))))
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
     for key in keys:
         if key.name not in found.skip:
