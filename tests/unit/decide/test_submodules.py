@@ -128,6 +128,37 @@ def test_a_commit_without_an_address_is_of_what_a_page_clones(
     assert not (found and any("not cloned" in each.message for each in plan.warnings))
 
 
+@pytest.mark.parametrize(
+    ("recorded", "cloned"),
+    [
+        (("src/planner",), [("src/planner", COMMIT)]),
+        (("old/planner", "src/planner"), [("old/planner", COMMIT)]),
+        (("src/planner", "lib/planner"), [("old/planner", None)]),
+        (("src/other",), [("old/planner", None)]),
+    ],
+)
+def test_a_submodule_that_was_moved_keeps_its_address(
+    tmp_path: Path, recorded: tuple[str, ...], cloned: list[tuple[str, str | None]]
+) -> None:
+    def git(*words: str) -> None:
+        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
+
+    modules = '[submodule "planner"]\n\tpath = old/planner\n\turl = https://github.com/lab/planner.git\n'
+    for path, text in {**FILES, ".gitmodules": modules}.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    git("init")
+    git("add", ".")
+    for path in recorded:
+        git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{path}")
+        (tmp_path / path).mkdir(parents=True)
+    git("commit", "--message", "a")
+    plan = plan_repository(tmp_path).plan
+    assert [(each.name, each.ref) for each in plan.workspace.submodules] == cloned
+    told = " ".join(each.message for each in plan.warnings)
+    assert ("nothing tells its address" in told) == (len(recorded) + (cloned[0][1] is None) > 1)
+
+
 def test_a_library_that_a_submodule_links_is_built(tree: Tree) -> None:
     url = "https://github.com/Livox-SDK/livox_ros_driver"
     modules = f'[submodule "a"]\n\tpath = third_party/livox_ros_driver\n\turl = {url}\n'

@@ -253,6 +253,25 @@ def _line(text: str, needle: str) -> int:
 
 
 def _submodules(repository: Repository, file: File) -> Iterator[GitSource]:
+    """Return each at the path where it lies: one may have been moved without its entry.
+
+    That is the only path of its name at which the commit records a commit, where it records none at that of the entry.
+    """
+    modules = tuple(_of_gitmodules(repository, file))
+    named = {module.name for module in modules}
+    for module in modules:
+        name = f"/{module.name}".rpartition("/")[2]
+        empty = [path for path in repository.listing.empty if f"/{path}".endswith(f"/{name}")]
+        others = [path for path in empty if path not in named]
+        lost = len(others) == 1 and module.name not in empty and not _checked_out(repository, module)
+        if lost and repository.recorded((module.name, *others)).keys() == {*others}:
+            named.add(others[0])
+            yield replace(module, name=others[0])
+        else:
+            yield module
+
+
+def _of_gitmodules(repository: Repository, file: File) -> Iterator[GitSource]:
     """Only the .gitmodules at the root has an effect: nested ones are leftovers of copied trees."""
     if file.path != ".gitmodules":
         return
