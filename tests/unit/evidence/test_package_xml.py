@@ -85,6 +85,24 @@ def test_what_is_malformed_is_named_and_read_as_far_as_it_goes(tmp_path: Path, t
     assert manifest.malformed
 
 
+@pytest.mark.parametrize(
+    ("text", "names", "told"),
+    [
+        ("roscpp  std_msgs\n tf2", ["roscpp", "std_msgs", "tf2"], True),
+        (" roscpp\n", ["roscpp"], False),
+        ("roscpp (see below)", ["roscpp (see below)"], False),
+        ("", [], False),
+    ],
+)
+def test_an_element_with_several_names_is_told_and_names_each(
+    tmp_path: Path, text: str, names: list[str], *, told: bool
+) -> None:
+    xml = f"<package><name>demo</name><build_depend>{text}</build_depend></package>"
+    (manifest,) = read(tmp_path, ("package.xml", xml))
+    assert keys(manifest, "build") == names
+    assert ("several packages" in (manifest.malformed or "")) == told
+
+
 def test_a_stray_text_loses_no_key(tmp_path: Path) -> None:
     text = (
         "<package>\n<name>a</name>\n<build_depend>roscpp</build_depend>pcl_ros>\n<run_depend>tf</run_depend></package>"

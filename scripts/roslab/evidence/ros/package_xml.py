@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import PackageManifest
 from roslab.evidence.lex import xml
 from roslab.evidence.lex.xml import Element
 from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 """Markers that keep a folder from being a package: catkin_pkg and colcon-ros obey all three."""
 MAX_SIZE = 256 * 1024
 """Most bytes read; the longest package.xml of 73 real repositories has 20 kB."""
 _VERSIONS = {"version_eq": "=", "version_gte": ">=", "version_gt": ">", "version_lte": "<=", "version_lt": "<"}
+_NAME = pattern(r"[A-Za-z][\w.+-]*")
 _ROLES: dict[str, tuple[str, ...]] = {
     "depend": ("build", "exec"),
     "build_depend": ("build",),
@@ -56,8 +59,15 @@ def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> Pa
         sources=tuple(_sources(root, file.path)),
         metapackage=any(root.below("export", "metapackage")),
         ignored=_below(file, ignored),
-        malformed=problem,
+        malformed=problem or next(_together(root), None),
     )
+
+
+def _together(root: Element) -> Iterator[str]:
+    """Yield what is wrong with each element that names several packages, which tools take for one name."""
+    for element in root.children:
+        if element.tag in _ROLES and len(_names(element)) > 1:
+            yield f"line {element.line}: <{element.tag}> names several packages, and each needs one of its own"
 
 
 def _empty(file: File, ignored: bool, malformed: str) -> PackageManifest:
@@ -88,6 +98,12 @@ def _text(element: Element) -> str | None:
     return element.text.strip() or None
 
 
+def _names(element: Element) -> list[str]:
+    """Return the packages that an element names: one, or several divided by blanks."""
+    words = element.text.split()
+    return words if all(map(_NAME.fullmatch, words)) else [element.text.strip()]
+
+
 def _build_types(root: Element) -> tuple[tuple[str, str | None], ...]:
     found = tuple(
         (name, element.get("condition")) for element in root.below("export", "build_type") if (name := _text(element))
@@ -97,11 +113,10 @@ def _build_types(root: Element) -> tuple[tuple[str, str | None], ...]:
 
 def _dependencies(root: Element, path: str) -> Iterator[Dependency]:
     for element in root.children:
-        name = _text(element)
-        if element.tag not in _ROLES or name is None:
+        if element.tag not in _ROLES:
             continue
         version = next((f"{sign}{value}" for key, sign in _VERSIONS.items() if (value := element.get(key))), None)
-        for role in _ROLES[element.tag]:
+        for name, role in product(_names(element), _ROLES[element.tag]):
             yield Dependency(
                 namespace="rosdep",
                 name=name,
