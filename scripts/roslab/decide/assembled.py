@@ -26,6 +26,7 @@ from roslab.decide.python.paths import python_path
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.in_tree import apart
+from roslab.decide.ros.keys import stopping
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
@@ -93,6 +94,11 @@ def _by_apt(of: Choices) -> tuple[str, ...]:
     return (*of.system.answer.apt, *of.system.answer.apt_guessed)
 
 
+def _as_needed(of: Choices, evidence: Evidence, needed: tuple[str, ...]) -> Choice[SystemPackages]:
+    """Return the system packages with what is told of those without which the default command does not start."""
+    return replace(of.system, warnings=tuple(stopping(of.system.warnings, of.packages, needed, evidence)))
+
+
 def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     """Return the decision, with the reasons and the warnings of every choice.
 
@@ -102,6 +108,16 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     ros = of.kind.answer in _ROS
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     interpreters = decide_interpreters(evidence, config, of.base.answer.ubuntu)
+    failing = may_fail(evidence, of.packages, of.target, of.sources.answer, of.left_out)
+    needed = must_build(
+        evidence,
+        of.command.answer.command,
+        of.packages,
+        of.sources.answer,
+        left_out={*of.left_out, *failing},
+        ros_distro=distro,
+    )
+    system = of.system if of.own.answer else _as_needed(of, evidence, needed)
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),
@@ -119,7 +135,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             of.test,
             of.platforms,
         ),
-        *((replace(choice, warnings=()) if of.own.answer else choice) for choice in (of.sources, of.system, of.inside)),
+        *((replace(choice, warnings=()) if of.own.answer else choice) for choice in (of.sources, system, of.inside)),
         *(
             ()
             if of.own.answer
@@ -152,7 +168,6 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
         *(() if of.own.answer else (decide_compiler(evidence, config, of.base.answer.ubuntu, _by_apt(of)),)),
     )
-    failing = may_fail(evidence, of.packages, of.target, of.sources.answer, of.left_out)
     return Decision(
         kind=of.kind.answer,
         ros_distro=distro,
@@ -175,14 +190,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         spare=()
         if of.own.answer or config.compatible or not ros
         else folders_of(of.packages, spare(config, of.command.answer, of.packages, {*of.left_out, *failing})),
-        must_build=must_build(
-            evidence,
-            of.command.answer.command,
-            of.packages,
-            of.sources.answer,
-            left_out={*of.left_out, *failing},
-            ros_distro=distro,
-        ),
+        must_build=needed,
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,
         python_path=python_path(evidence, config, of.kind.answer, of.python.answer.projects, of.command.answer.page),

@@ -111,3 +111,24 @@ def test_what_no_other_package_needs_is_spare_where_a_shell_is_started(
     plan = plan_repository(tmp_path).plan
     assert len(plan.workspace.spare) == spare
     assert (f"leave-out-failed --most {spare // 3} --spare src/" in dockerfile(plan)) == bool(spare)
+
+
+@pytest.mark.parametrize(
+    ("code", "run", "said"),
+    [
+        ("#include <acme_tools/a.h>\n", "rosrun mine node", "stops without it at mine"),
+        ("#include <other_tools/a.h>\n", "rosrun mine node", "goes on without it"),
+        ("#include <acme_tools/a.h>\n", "", "goes on without it"),
+    ],
+)
+def test_what_the_code_of_the_command_includes_stops_the_build(tmp_path: Path, code: str, run: str, said: str) -> None:
+    git = {
+        ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/demo\n',
+        ".git/HEAD": "ref: refs/heads/a\n",
+    }
+    page = {"README.md": f"ROS Noetic\n```\ncatkin_make\n{run}\n```\n"}
+    for path, text in {**_package("mine", needs="acme_tools"), "mine/a.cpp": code, **git, **page}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    warnings = [each.message for each in plan_repository(tmp_path).plan.warnings]
+    assert [said in each for each in warnings if "no key acme_tools" in each] == [True]

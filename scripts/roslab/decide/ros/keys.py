@@ -25,8 +25,10 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 _NO_KEY = pattern(r"rosdep has no key (\S+) for ROS (\S+): (.+)")
-_LOOKS = "the build looks for it in {}, and goes on without it where it is not there"
+_GOES_ON = ", and goes on without it where it is not there"
+_LOOKS = f"the build looks for it in {{}}{_GOES_ON}"
 _STOPS = "the build looks for it in {}, and stops where it is not there"
+_STOPS_AT = ", and stops without it at {}, which the default command needs and whose code includes its headers"
 _NOWHERE = "nothing here says where it comes from"
 _MOST_MEANT = 3
 """Most names that a warning proposes for one."""
@@ -69,7 +71,7 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
 
 
 def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ...]:
-    """Return the keys that are no packages: libraries or programs of their own package's CMake, or installed by another's.
+    """Return the keys that are libraries or programs of their own package's CMake, or installed by another's.
 
     A program may be called like a package that is released, or that a page names. What another project installs has no
     package.xml.
@@ -210,6 +212,20 @@ def not_tried(
     for warning in warnings:
         found = next((each for each in changed if each in warning.message), "")
         yield replace(warning, message=warning.message.replace(found, changed[found])) if found else warning
+
+
+def stopping(
+    warnings: Iterable[Warning_], packages: Packages, needed: Collection[str], evidence: Evidence
+) -> Iterator[Warning_]:
+    """Yield the warnings, with what it means that a ``needed`` package does not compile without a key."""
+    folders = {each.name.partition("/")[0] for each in evidence.code if each.namespace == "include"}
+    asking = [m for m in packages.built if m.name in needed]
+    stopped = {d.name: m.name for m in asking for d in m.dependencies if d.name in folders}
+    for warning in warnings:
+        match = _NO_KEY.fullmatch(warning.message)
+        package = stopped.get(match[1]) if match else None
+        said = warning.message.replace(_GOES_ON, _STOPS_AT.format(package)) if package else warning.message
+        yield replace(warning, message=said)
 
 
 def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:
