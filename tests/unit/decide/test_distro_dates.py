@@ -216,3 +216,22 @@ def test_one_condition_may_compare_the_distribution_with_several(tmp_path: Path,
     )
     (tmp_path / "CMakeLists.txt").write_text(f"project(a)\nfind_package(catkin REQUIRED)\nif{condition}\nendif()\n")
     assert decide(gather(Repository.open(tmp_path)), Config(), folder_name="a").ros_distro == name
+
+
+@pytest.mark.parametrize(
+    ("page", "distro"),
+    [("old/README.md", "melodic"), ("a/README.md", "kinetic"), ("README.md", "kinetic"), ("docs/README.md", "kinetic")],
+)
+def test_a_date_tells_more_than_an_address_on_a_page_about_no_package(tmp_path: Path, page: str, distro: str) -> None:
+    files = {
+        "a/package.xml": "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "a/CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\n",
+        page: "Code derived from https://github.com/lab/ros-cal/tree/kinetic-devel/cal\n",
+    }
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    evidence = gather(Repository.open(tmp_path))
+    date = Mention(topic="date", value="2021-02-23", source="commit", file=".git/HEAD", line=1, text="")
+    evidence = replace(evidence, mentions=(*evidence.mentions, date))
+    assert decide(evidence, Config(), folder_name="a").ros_distro == distro

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distros
 from roslab.values.pattern import pattern
 
@@ -15,6 +17,14 @@ _DOCUMENTATION = pattern(r"https?://docs\.ros\.org/[^\s<>()\[\]\"']*", re.IGNORE
 def only_read(sentence: str, name: str) -> bool:
     """Tell whether a sentence names a distribution only in the address of a file, or of a message's page."""
     return name in sentence.lower() and name not in _READ_THERE.sub("", sentence).lower()
+
+
+def beside_packages(page: str, evidence: Evidence) -> bool:
+    """Tell whether a page is about a folder in which no package lies, and which lies in none: it is of another time."""
+    folder = page.rpartition("/")[0]
+    folders = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
+    within = any(f"{each}/".startswith(f"{folder}/") or f"{folder}/".startswith(f"{each}/") for each in folders)
+    return bool(folder and folders) and not (within or "" in folders or places.documentation(page))
 
 
 def only_general(sentence: str, name: str) -> bool:

@@ -6,6 +6,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import Placed, because, configured, ranked, warn
+from roslab.decide.ros.addresses import beside_packages
 from roslab.decide.ros.by_python import by_python
 from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated, of_its_time, supported
@@ -59,7 +60,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     every = [*reasons_for(evidence, ros), *by_gazebo(evidence, ros), *by_comparison(evidence, ros)]
     every += on_machines(evidence, ros)
     named = [reason for reason in there(evidence, every) if not stale(reason, evidence.day)]
-    if dated(evidence) and all(_tells_nothing(reason, unknown) for reason in named):
+    if dated(evidence) and all(_tells_nothing(reason, unknown, evidence) for reason in named):
         named = []
     older = with_older(evidence, ros)
     included = {n: m | headers.get(n, frozenset()) | older.get(n, frozenset()) for n, m in unknown.items()}
@@ -85,9 +86,10 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     return Choice(answer=chosen, reasons=ranked(reasons, chosen.name), warnings=told)
 
 
-def _tells_nothing(reason: Reason, unknown: dict[str, frozenset[str]]) -> bool:
-    """Tell whether the date of the last commit tells more: an example, or an address for what lacks a key."""
-    return reason.weight <= (Weight.ADDRESS if unknown.get(reason.answer) else Weight.EXAMPLE)
+def _tells_nothing(reason: Reason, unknown: dict[str, frozenset[str]], evidence: Evidence) -> bool:
+    """Tell whether the date of the last commit tells more: an example, or an address for what is old or lacks a key."""
+    weak = unknown.get(reason.answer) or beside_packages(reason.file or "", evidence)
+    return reason.weight <= (Weight.ADDRESS if weak else Weight.EXAMPLE)
 
 
 def _too_new(rolling: Distro, lacking: dict[str, tuple[str, ...]]) -> tuple[Warning_, ...]:
