@@ -133,7 +133,8 @@ def gather(repository: Repository) -> Evidence:
     manifests = package_xml.read(repository) or rosbuild.read(repository)
     repository = marked.without(repository, manifests)
     fetched = fetching.read(repository)
-    signs, intrinsics, nowhere = Signs(), x86.Intrinsics(), Nowhere(repository, manifests)
+    signs, intrinsics = Signs(), x86.Intrinsics()
+    nowhere = Nowhere(repository, manifests, vcs.submodules(repository))
     cmake_projects = _without_python(cmake.read(repository), manifests)
     own = submodules.without(repository)
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):

@@ -10,7 +10,6 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import PackageManifest
 from roslab.evidence.native.limits import HEADERS, conditional
 from roslab.evidence.native.unlisted import Unlisted
-from roslab.evidence.ros import vcs
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -30,6 +29,7 @@ class Nowhere:
 
     repository: Repository
     manifests: tuple[PackageManifest, ...]
+    submodules: tuple[str, ...] = ()
     found: dict[tuple[str, str], Dependency] = field(default_factory=dict)
     """By the header and the package that includes it."""
     known: dict[str, bool] = field(default_factory=dict)
@@ -81,7 +81,7 @@ class Nowhere:
     def _within(self, path: str, package: str) -> bool:
         """Tell whether a path is inside of a package, where it may be generated, or in a submodule."""
         inside = self._package(path) == package and not path.startswith("..")
-        return inside or any(path.startswith(f"{folder}/") for folder in vcs.submodules(self.repository))
+        return inside or any(path.startswith(f"{folder}/") for folder in self.submodules)
 
     def _makes_messages(self, folder: str) -> bool:
         return any(
