@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from roslab.knowledge.frameworks import framework
 from roslab.knowledge.table import rows
 from roslab.values.version import Version
 
-OLDEST = Version(rows("libtorch")[0]["first"])
-"""Archives of earlier releases do not link with libraries of Ubuntu: they have the ABI from before C++11."""
+
+@cache
+def oldest() -> Version:
+    """Return the first release whose archive links with libraries of Ubuntu: earlier ones have the ABI before C++11."""
+    return Version(rows("libtorch")[0]["first"])
 
 
 def libtorch_archive(release: str, cuda: str | None) -> str:
     """Return the address for a release, that for a CUDA (``11.8``) if the release has one, else that for the CPU.
 
-    Raises ``ValueError`` for a release before ``OLDEST``.
+    Raises ``ValueError`` for a release before ``oldest``.
     """
     fitting = [row for row in rows("libtorch") if Version(row["first"]) <= Version(release)]
     if not fitting:

@@ -12,7 +12,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import newest_framework
-from roslab.knowledge.libtorch import OLDEST, libtorch_archive
+from roslab.knowledge.libtorch import libtorch_archive, oldest
 from roslab.values.origin import Place
 from roslab.values.version import Version, version_of
 
@@ -72,5 +72,5 @@ def _release(evidence: Evidence) -> str | None:
     date = dated(evidence)
     newest = newest_framework("torch", date.value if date else None)
     if release is None:
-        release = Version(newest.first) if newest else OLDEST
-    return ".".join(map(str, (*max(release, OLDEST).release, 0, 0)[:3]))
+        release = Version(newest.first) if newest else oldest()
+    return ".".join(map(str, (*max(release, oldest()).release, 0, 0)[:3]))

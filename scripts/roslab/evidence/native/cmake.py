@@ -44,7 +44,6 @@ _NAMES = (
     cmake_needs.CALLS
     | _TESTS
     | cmake_needs.BRINGING
-    | cmake_since.NAMES
     | _EXECUTABLE
     | _LIBRARY
     | frozenset(
@@ -163,7 +162,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     adds: list[str] = []
     options = dict(above.options)
     text = repository.read(file)
-    for call in calls(text, _NAMES, options):
+    for call in calls(text, _NAMES | cmake_since.names(), options):
         cmake_since.note(call, file.path, reading.newer)
         if folders := cmake_needs.folders(call):
             adds += (here := [_joined(file.folder, folder) for folder in folders])

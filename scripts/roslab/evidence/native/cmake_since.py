@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import cache
 
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
@@ -15,10 +16,6 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
-NAMES = frozenset(since())
-"""The calls that are looked at."""
-OF_INCLUDED = frozenset(name for name, each in since().items() if not each[0].words)
-"""Those that tell as much in a file that is included."""
 _DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:]+)", re.IGNORECASE | re.MULTILINE)
 _VERSION = pattern(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)")
 _DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRARY")
@@ -29,9 +26,21 @@ MAX_SIZE = 256 * 1024
 MAX_FILES = 400
 
 
+@cache
+def names() -> frozenset[str]:
+    """Return the calls that are looked at."""
+    return frozenset(since())
+
+
+@cache
+def of_included() -> frozenset[str]:
+    """Return those that tell as much in a file that is included."""
+    return frozenset(name for name, each in since().items() if not each[0].words)
+
+
 def note(call: Call, path: str, into: dict[str, Dependency]) -> None:
     """Note what a call needs that the first releases of CMake do not have; one that may not be made needs nothing."""
-    if call.name not in NAMES or call.conditions or call.in_function:
+    if call.name not in since() or call.conditions or call.in_function:
         return
     found = [each for each in since()[call.name] if _has(call, each.words)]
     best = max(found, key=lambda each: Version(each.release), default=None)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native.cmake_needs import BRINGING
-from roslab.evidence.native.cmake_since import OF_INCLUDED
+from roslab.evidence.native.cmake_since import of_included
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -37,7 +37,7 @@ def needing(
     if module is None or module.path in seen or len(seen) >= MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
         return
     seen.add(module.path)
-    for inner in calls(repository.read(module), _FINDS | BRINGING | OF_INCLUDED, options):
+    for inner in calls(repository.read(module), _FINDS | BRINGING | of_included(), options):
         told = replace(inner, conditions=(*call.conditions, *inner.conditions))
         if inner.name == "include":
             yield from needing(told, repository, module, seen, options)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.prose_names import package_of, said_names
@@ -30,7 +31,6 @@ _MORE = r"(\.x|\+|\s*(?:or|and)\s+(?:newer|later|above|higher|greater|up))?"
 _LISTED = pattern(
     rf"^([A-Za-z][\w.-]*?(?:\s[A-Za-z][\w-]+)?)[\s(]*(?:{_VERSION}{_MORE})?(?=$|[\s),.;:])", re.IGNORECASE
 )
-_SAID = pattern(rf"\b({said_names()})[\s(-]*{_VERSION}{_MORE}(?![\w.]*\d)", re.IGNORECASE)
 _SENTENCE = pattern(r"(?<=[.!?;])\s+(?=[A-Z\[(])")
 """Where one ends; a page may have a whole paragraph on one line."""
 _MEANT = pattern(
@@ -125,7 +125,7 @@ def said(text: str, file: str) -> Iterator[Requirement]:
             continue
         for sentence in _SENTENCE.split(_plain(line)):
             if len(sentence) <= MAX_LINE and _MEANT.search(sentence) and not _NOT.search(sentence):
-                for match in _SAID.finditer(sentence):
+                for match in _said().finditer(sentence):
                     yield from _asked(match[1], match, file, number)
 
 
@@ -177,6 +177,12 @@ def _listed(item: str, file: str, line: int) -> Iterator[Requirement]:
         if not package_of(name) or (name != match[1] and words[1:2] and not match[3]):
             return  # the rest of the item is a sentence
         yield from _asked(name, match, file, line)
+
+
+@cache
+def _said() -> re.Pattern[str]:
+    """Return the pattern of a package's name with a version, in a sentence."""
+    return pattern(rf"\b({said_names()})[\s(-]*{_VERSION}{_MORE}(?![\w.]*\d)", re.IGNORECASE)
 
 
 def _asked(name: str, match: re.Match[str], file: str, line: int) -> Iterator[Requirement]:
