@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import datetime as dt
 import os
 import posixpath
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslab.config import Config, Override, configure, locate
@@ -29,6 +27,8 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from roslab.engine.preflight import Finding
 
 READMES = ("README.md", "Readme.md", "readme.md", "README.markdown", "README.rst", "README.txt", "README")
@@ -233,7 +233,9 @@ def write_bases(plan: Plan, folder: Path) -> Path | None:
 
 def preflight(plan: Plan, platforms: Sequence[str]) -> tuple[Finding, ...]:
     """Return what is wrong with the base and the package source of a plan, where the network tells, with what to do."""
-    from roslab.engine import preflight as ask  # noqa: PLC0415 - only a build asks
+    import datetime as dt  # noqa: PLC0415 - only a build asks
+
+    from roslab.engine import preflight as ask  # noqa: PLC0415 - as above
     from roslab.knowledge.keys import expires  # noqa: PLC0415 - only a build, or a key of ROS, asks
 
     found = ask.base(plan.base_image, platforms) if not plan.author_dockerfile else ()

@@ -6,6 +6,7 @@ import json
 import os
 import re
 import textwrap
+from pathlib import Path
 
 from roslab.config.vocabulary import SCHEMA
 from roslab.knowledge.distros import releases_of
@@ -15,10 +16,10 @@ def test_the_schema_names_the_distributions_of_the_table() -> None:
     names = list(releases_of())
     if os.environ.get("REPRO_REFRESH") == "1":
         listed = textwrap.fill(json.dumps(names)[1:-1], 118, initial_indent=" " * 8, subsequent_indent=" " * 8)
-        text = SCHEMA.read_text(encoding="utf-8")
+        text = Path(SCHEMA).read_text(encoding="utf-8")
         text = re.sub(r'("ros_distro": \{[^}]*?"enum": \[\n)[^]]*(\n      \])', rf"\g<1>{listed}\g<2>", text)
         text = re.sub(r'("pattern": "\^\(\?:)indigo[a-z|]*', rf"\g<1>{'|'.join(names)}", text)
-        SCHEMA.write_text(text, encoding="utf-8")
-    definitions = json.loads(SCHEMA.read_text(encoding="utf-8"))["$defs"]
+        Path(SCHEMA).write_text(text, encoding="utf-8")
+    definitions = json.loads(Path(SCHEMA).read_text(encoding="utf-8"))["$defs"]
     assert definitions["ros_distro"]["enum"] == names
     assert definitions["ros"]["pattern"].startswith(f"^(?:{'|'.join(names)})(?:-")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from pathlib import Path
 
 from roslab.cli.planning import named, planned_of, warnings_of
 from roslab.config import locate
@@ -83,6 +82,8 @@ def migrate(options: argparse.Namespace) -> int:
 
 def create(options: argparse.Namespace) -> int:
     """Write the generated files to the repository's root or to ``--output``."""
+    from pathlib import Path  # noqa: PLC0415 - the other commands do without
+
     from roslab.files import write_all  # noqa: PLC0415
     from roslab.pipeline import rendered  # noqa: PLC0415
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
-
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice
 from roslab.decide.filled_in import PLACEHOLDER
@@ -24,6 +22,10 @@ def decide_absent_launches(evidence: Evidence, kind: Kind) -> Choice[None]:
             program, package, name = mention.value.split()
             if program == start and package in own and not PLACEHOLDER.search(name):
                 found.setdefault((package, name), mention)
+    if not found:
+        return Choice(answer=None)
+    from difflib import get_close_matches  # noqa: PLC0415 - few pages start what is not there
+
     told = []
     for (package, name), mention in [*found.items()][:MOST]:
         names = [each.file.rpartition("/")[2] for each in evidence.launch if each.package == package]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import datetime as dt
 from typing import ClassVar
 
 from roslab.config.model import Config, Kind
@@ -12,7 +11,7 @@ from roslab.decide.day import existed
 from roslab.decide.decision import Choice, MendedBase, Reason
 from roslab.decide.python.base import base_for, cuda_ubuntus
 from roslab.decide.reasons import CONFIGURED, because, configured, ranked, strongest
-from roslab.decide.ros.distro_dates import ADOPTED, dated
+from roslab.decide.ros.distro_dates import ADOPTED, dated, later
 from roslab.decide.ros.lower_bounds import bounds
 from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
@@ -235,12 +234,9 @@ def _by_date(evidence: Evidence) -> Reason:
     """Return the default Ubuntu, or an older one that code of its last commit's time was written for."""
     date = dated(evidence)
     released = ubuntu_released()
-    later = (dt.date.fromisoformat(released[DEFAULT_UBUNTU]) + ADOPTED).isoformat()
-    if date is None or date.value >= later:
+    if date is None or date.value >= later(released[DEFAULT_UBUNTU], ADOPTED):
         return because("ubuntu", DEFAULT_UBUNTU, "no Ubuntu is named: the default", weight=Weight.DEFAULT)
-    adopted = [
-        name for name, day in released.items() if (dt.date.fromisoformat(day) + ADOPTED).isoformat() <= date.value
-    ]
+    adopted = [name for name, day in released.items() if later(day, ADOPTED) <= date.value]
     answer = max((OLDEST_BY_DATE, *adopted), key=lambda name: released[name])
     return because(
         "ubuntu", answer, f"no Ubuntu is named; the last commit is of {date.value}", date, weight=Weight.DATE

@@ -20,3 +20,10 @@ class AptSource:
     """Why there is no key."""
     file: str
     line: int
+
+
+def host_of(url: str) -> str | None:
+    """Return the host of an address, ``None`` if it has none."""
+    from urllib.parse import urlsplit  # noqa: PLC0415 - few trees add a source
+
+    return urlsplit(url).hostname

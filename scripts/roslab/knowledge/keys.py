@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 
-from roslab.knowledge.table import rows
-
-_FOLDER = Path(__file__).parent / "keys"
+from roslab.knowledge.table import rows, text_of
 
 
 @cache
@@ -15,7 +12,7 @@ def key(name: str) -> str:
     """Return the armoured key of a row of ``keys.csv``. Raises ``KeyError`` for another name."""
     if not any(row["name"] == name for row in rows("keys")):
         raise KeyError(name)
-    return (_FOLDER / f"{name}.asc").read_text(encoding="ascii")
+    return text_of(f"keys/{name}.asc")
 
 
 def expires(name: str) -> str:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from functools import cache
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from roslab.knowledge.table import text_of
 from roslab.values import toml
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -23,7 +23,7 @@ NO_BOUNDS: Mapping[str, tuple[Bound, ...]] = MappingProxyType({})
 
 @cache
 def _text() -> str:
-    return Path(__file__).with_name("recipes.toml").read_text(encoding="utf-8")
+    return text_of("recipes.toml")
 
 
 @cache

@@ -39,5 +39,10 @@ def row(name: str, key: str) -> dict[str, str] | None:
 @cache
 def whole(name: str) -> str:
     """Return the text of ``NAME.csv``, for a search in a large one."""
-    with open(f"{_FOLDER}/{name}.csv", encoding="utf-8") as stream:  # noqa: PTH123 - as above
+    return text_of(f"{name}.csv")
+
+
+def text_of(file: str) -> str:
+    """Return the text of another file beside the tables."""
+    with open(f"{_FOLDER}/{file}", encoding="utf-8") as stream:  # noqa: PTH123 - as above
         return stream.read()

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-import datetime as dt
 import os
 import re
 from codecs import BOM_UTF8
 from collections.abc import Callable, Collection, Iterable
 from functools import cached_property
-from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.repository import git, listing
 from roslab.repository.listing import File, Listing, list_tree
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
+
+if TYPE_CHECKING:  # to import them takes as long as forty modules of ours, and most plans do without
+    import datetime as dt
+    from pathlib import Path
 
 _HEAD = pattern(r"ref: refs/heads/(.+)")
 _ORIGIN = pattern(r'\[remote "origin"\][^\[]*?\burl\s*=\s*(\S+)')
@@ -33,13 +35,13 @@ Made = TypeVar("Made")
 
 @dataclass(frozen=True)
 class Repository:
-    """A folder on disk, listed once.
+    """A folder on disk, listed once: its absolute path, without links.
 
     ``branch`` is given by the caller if ``.git`` does not tell it (a tarball, an action's shallow checkout); ``top`` is
     the checkout that the folder is a part of, whose ``.git`` is then used.
     """
 
-    root: Path
+    path: str
     branch_hint: str | None = None
     top: Path | None = None
     _texts: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
@@ -52,18 +54,11 @@ class Repository:
         Raises ``ConfigurationError`` if the path is not a folder or cannot be read, ``NothingToBuildError`` if it is
         empty.
         """
-        root = Path(path)
         try:
-            if not root.is_dir():
-                why = "it is a file" if root.exists() else "there is nothing at that path"
-                raise ConfigurationError(
-                    Problem(
-                        message=f"not a directory: {printable(str(path))}: {why}",
-                        hint="give the root of a repository",
-                    )
-                )
-            root = root.resolve()
-            if next(root.iterdir(), None) is None:
+            if not os.path.isdir(path):  # noqa: PTH112 - `Path` would be slower, here and below
+                raise _no_folder(path)
+            root = os.path.realpath(path)
+            if not os.listdir(root):  # noqa: PTH208
                 raise NothingToBuildError(
                     Problem(message=f"{printable(str(path))} is empty", hint="check the repository out first")
                 )
@@ -72,9 +67,21 @@ class Repository:
         return cls(root, branch, top)
 
     @cached_property
+    def root(self) -> Path:
+        """The folder."""
+        from pathlib import Path  # noqa: PLC0415 - as above
+
+        return Path(self.path)
+
+    @property
+    def folder_name(self) -> str:
+        """The folder's name."""
+        return self.path.rpartition("/")[2]
+
+    @cached_property
     def listing(self) -> Listing:
         """Everything in the tree, sorted by path; folders that cannot be listed are left out and named."""
-        return list_tree(self.root)
+        return list_tree(self.path)
 
     def once(self, make: Callable[[Repository], Made]) -> Made:
         """Return what a function makes of this repository, which it makes at the first call."""
@@ -87,7 +94,7 @@ class Repository:
         """Return the same folder without some of its files: no reader sees them."""
         if not paths:
             return self
-        other = Repository(self.root, self.branch_hint, self.top, self._texts)
+        other = Repository(self.path, self.branch_hint, self.top, self._texts)
         kept = tuple(file for file in self.listing.files if file.path not in paths)
         other.__dict__["listing"] = replace(self.listing, files=kept)  # fills the cached property
         return other
@@ -195,7 +202,7 @@ class Repository:
             # O_NOFOLLOW guards the last part; the listing never descended through a link.
             # O_NONBLOCK: never wait for the other end of a pipe.
             descriptor = os.open(
-                f"{self.root}/{path}",
+                f"{self.path}/{path}",
                 os.O_RDONLY | os.O_NONBLOCK | (0 if path in self.listing.links else os.O_NOFOLLOW),
             )
             try:
@@ -207,16 +214,13 @@ class Repository:
             return b""
 
     @cached_property
-    def git_folder(self) -> Path | None:
+    def git_folder(self) -> str | None:
         """The git directory of the checkout: ``.git`` itself, or where a ``.git`` file points to."""
-        entry = (self.top or self.root) / ".git"
-        try:
-            if entry.is_dir():
-                return entry
-            if entry.is_file() and (match := re.match(r"gitdir: (.+)", entry.read_text(errors="replace"))):
-                return (entry.parent / match[1].strip()).resolve()
-        except OSError:
-            pass
+        entry = f"{self.top or self.path}/.git"
+        if os.path.isdir(entry):  # noqa: PTH112 - as above
+            return entry
+        if os.path.isfile(entry) and (match := re.match(r"gitdir: (.+)", _text(entry))):  # noqa: PTH113
+            return os.path.realpath(os.path.join(self.top or self.path, match[1].strip()))  # noqa: PTH118
         return None
 
     @cached_property
@@ -236,13 +240,17 @@ class Repository:
     @cached_property
     def name(self) -> str:
         """Its name in the origin's URL, else the folder's: on a runner the folder may be called anything."""
-        return self.origin.rstrip("/").rpartition("/")[2].removesuffix(".git") if self.origin else self.root.name
+        return self.origin.rstrip("/").rpartition("/")[2].removesuffix(".git") if self.origin else self.folder_name
 
     @cached_property
     def committed(self) -> dt.datetime | None:
         """Time of the checkout's commit in UTC; ``None`` if there is no commit or no git."""
         seconds = git.head(self.root)[1] if self.git_folder else None
-        return None if seconds is None else dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc)
+        if seconds is None:
+            return None
+        import datetime as dt  # noqa: PLC0415 - as above
+
+        return dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc)
 
     def recorded(self, paths: tuple[str, ...]) -> dict[str, str]:
         """Return the commit that the checkout's commit records for each submodule at one of the paths, if git tells."""
@@ -253,10 +261,26 @@ class Repository:
         return git.links(self.root) if self.git_folder else ()
 
     def _git_text(self, name: str) -> str:
-        try:
-            return (self.git_folder / name).read_text(errors="replace")[:65536] if self.git_folder else ""
-        except OSError:
-            return ""
+        return _text(f"{self.git_folder}/{name}")[:65536] if self.git_folder else ""
+
+
+def _no_folder(path: str | Path) -> ConfigurationError:
+    """Return why a path cannot be opened. Raises ``OSError`` where it cannot be looked at."""
+    from pathlib import Path  # noqa: PLC0415 - as above
+
+    why = "it is a file" if Path(path).exists() else "there is nothing at that path"
+    return ConfigurationError(
+        Problem(message=f"not a directory: {printable(str(path))}: {why}", hint="give the root of a repository")
+    )
+
+
+def _text(path: str) -> str:
+    """Return the text of a file of git's, ``""`` if it cannot be read."""
+    try:
+        with open(path, encoding="utf-8", errors="replace") as stream:  # noqa: PTH123 - as above
+            return stream.read()
+    except OSError:
+        return ""
 
 
 def nearest(files: Iterable[File]) -> list[File]:

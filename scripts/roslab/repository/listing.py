@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import stat
-from pathlib import Path
 
 from roslab.values.dataclass import dataclass
 
@@ -59,7 +58,7 @@ class Listing:
     """There are more than ``MAX_FILES`` files: the rest is not in ``files``."""
 
 
-def list_tree(root: Path) -> Listing:
+def list_tree(root: str) -> Listing:
     """Walk a tree; folders that cannot be listed are named, links to folders are left out."""
     files: list[File] = []
     links: set[str] = set()
@@ -100,13 +99,15 @@ def list_tree(root: Path) -> Listing:
     )
 
 
-def _follow(root: Path, path: str, files: list[File], links: tuple[set[str], set[str]], outside: list[str]) -> None:
+def _follow(root: str, path: str, files: list[File], links: tuple[set[str], set[str]], outside: list[str]) -> None:
     """Keep a link to a regular file of the tree; one to a folder is only noted, so no walk can run in circles.
 
     ``links``: those to files, and those to folders.
     """
+    from pathlib import Path  # noqa: PLC0415 - few trees have links
+
     try:
-        target = (root / path).resolve(strict=True)
+        target = Path(root, path).resolve(strict=True)
         inside = target.is_relative_to(root) and ".git" not in target.relative_to(root).parts
         status = target.stat()
     except (OSError, RuntimeError):

@@ -38,7 +38,7 @@ VALUES: list[Any] = [
 
 @pytest.fixture(scope="module")
 def schema() -> Any:
-    return json.loads(vocabulary.SCHEMA.read_text(encoding="utf-8"))
+    return json.loads(pathlib.Path(vocabulary.SCHEMA).read_text(encoding="utf-8"))
 
 
 @pytest.fixture(scope="module")
@@ -185,7 +185,7 @@ def test_the_words_of_schema_and_model_are_the_same(schema: Any) -> None:
 
 
 def test_every_table_has_its_source_and_date() -> None:
-    for name, table in json.loads(vocabulary.WORDS.read_text(encoding="utf-8")).items():
+    for name, table in json.loads(pathlib.Path(vocabulary.WORDS).read_text(encoding="utf-8")).items():
         assert {"about", "source", "date", "rows"} == table.keys(), name
         assert len(table["date"].split("-")) == 3, name
 

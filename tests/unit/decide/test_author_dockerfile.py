@@ -198,7 +198,7 @@ def test_what_a_copied_package_requires_is_copied_too(
     for path, text in files.items():
         (tmp_path / path).parent.mkdir(exist_ok=True)
         (tmp_path / path).write_text(text)
-    choice = decide_dockerfile(gather(Repository(tmp_path)), Config(), "ros1", "noetic")
+    choice = decide_dockerfile(gather(Repository.open(tmp_path)), Config(), "ros1", "noetic")
     why = "it copies arm and not arm_helpers, which arm/CMakeLists.txt:2 requires"
     assert [why in each.reason for each in choice.reasons] == [refused]
     assert not (refused and choice.answer)
@@ -290,6 +290,6 @@ def test_the_image_has_what_is_started_in_it(tmp_path: Path, lines: str, why: st
     for path, text in files.items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text)
-    choice = decide_dockerfile(gather(Repository(tmp_path)), Config(), "ros2", "humble")
+    choice = decide_dockerfile(gather(Repository.open(tmp_path)), Config(), "ros2", "humble")
     assert bool(choice.answer) is not bool(why)
     assert choice.reasons[0].reason.startswith(why or "the author's Dockerfile: it copies ")

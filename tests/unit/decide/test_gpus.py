@@ -59,7 +59,7 @@ FLAGS = "set(FLAGS -gencode arch=compute_35,code=sm_35)"
 )
 def test_the_gpus_of_an_option_that_is_off_tell_nothing(tmp_path: Path, lines: tuple[str, ...], found: bool) -> None:
     (tmp_path / "CMakeLists.txt").write_text("\n".join(["project(demo CXX)", *lines, ""]))
-    assert [limit.what for limit in gpus.read(Repository(tmp_path))] == (["sm_35"] if found else [])
+    assert [limit.what for limit in gpus.read(Repository.open(tmp_path))] == (["sm_35"] if found else [])
 
 
 def test_the_reason_names_the_line_of_the_gpu(tree: Tree) -> None:

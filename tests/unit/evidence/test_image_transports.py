@@ -29,4 +29,4 @@ from roslab.repository.checkout import Repository
 def test_transports(tmp_path: Path, file: str, text: str, found: list[str]) -> None:
     (tmp_path / file).parent.mkdir(exist_ok=True)
     (tmp_path / file).write_text(text)
-    assert [each.name for each in image_transports.read(Repository(tmp_path))] == found
+    assert [each.name for each in image_transports.read(Repository.open(tmp_path))] == found

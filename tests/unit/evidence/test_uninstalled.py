@@ -56,5 +56,5 @@ def test_what_a_build_names(tmp_path: Path, folder: str, place: str, build: str,
     for path, written in files.items():
         (tmp_path / folder / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / folder / path).write_text(written)
-    (found,) = launch.read(Repository(tmp_path))
+    (found,) = launch.read(Repository.open(tmp_path))
     assert found.installed is installed

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import datetime as dt
-
 from roslab.config.model import Kind
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import Distro, default_distro, distros
 
-ADOPTED = dt.timedelta(days=365)
-"""From a release until code is written for it: four of four repositories that name one distribution, and whose last
-commit fell into the first year of a newer one, had not moved to it."""
+ADOPTED = 365
+"""Days from a release until code is written for it: four of four repositories that name one distribution, and whose
+last commit fell into the first year of a newer one, had not moved to it."""
 
 
 def dated(evidence: Evidence) -> Mention | None:
@@ -41,5 +39,11 @@ def supported(name: str, date: str) -> bool:
 
 
 def _open(distro: Distro, date: str) -> bool:
-    begin = dt.date.fromisoformat(distro.released) + ADOPTED
-    return begin.isoformat() <= date <= (distro.eol or date)
+    return later(distro.released, ADOPTED) <= date <= (distro.eol or date)
+
+
+def later(date: str, days: int) -> str:
+    """Return the date that is some days later."""
+    import datetime as dt  # noqa: PLC0415 - for trees with a commit
+
+    return (dt.date.fromisoformat(date) + dt.timedelta(days=days)).isoformat()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import datetime as dt
 import re
 from collections.abc import Iterator
 from typing import ClassVar
@@ -10,7 +9,7 @@ from typing import ClassVar
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.decide.ros.addresses import only_general, only_read
-from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.distro_dates import dated, later
 from roslab.decide.ros.lower_bounds import bounds, least
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
@@ -20,7 +19,7 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 FAMILY = 2  # Dockerfiles for more distributions are a family: none of them tells which distribution is meant
-LEFT_BEHIND = dt.timedelta(days=182)  # from a distribution's end on, so long CI and Dockerfiles may still be for it
+LEFT_BEHIND = 182  # days, from a distribution's end on, so long CI and Dockerfiles may still be for it
 QUOTED = 160  # most characters of a sentence that are quoted
 _AGAINST = pattern(
     r"not (?:been )?(?:tested|supported|recommended|work)|n't work|unsupported|no longer|deprecated|"
@@ -144,7 +143,7 @@ def stale(reason: Reason, day: str | None) -> bool:
         return False
     if reason.reason.startswith("Ubuntu "):
         return True
-    left_behind = (dt.date.fromisoformat(end) + LEFT_BEHIND).isoformat()
+    left_behind = later(end, LEFT_BEHIND)
     return reason.reason.startswith(("CI", "the author's image")) and left_behind < day
 
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from urllib.parse import urlsplit
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.evidence import places
-from roslab.evidence.apt_source import AptSource
+from roslab.evidence.apt_source import AptSource, host_of
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_sources import added_sources, keys_of_sources, known_sources
 from roslab.knowledge.distros import ubuntus
@@ -39,7 +38,7 @@ def decide_apt_sources(
     for source in (*evidence.apt_sources, *_ppas(evidence)):
         asked = _asked(source, evidence, installed)
         url = source.url.replace("{codename}", ubuntu)
-        host = urlsplit(url).hostname or ""
+        host = host_of(url) or ""
         if not asked or places.vendored(source.file) or host in known_sources():
             continue
         suite = source.suite.format(codename=ubuntu) if "{" in source.suite else source.suite
@@ -60,7 +59,7 @@ def decide_apt_sources(
         added.setdefault(line, because("dependencies", url, why, source, weight=WEIGHT))
     for each in added_sources():
         name = next((name for name in sorted(installed) if each.packages.fullmatch(name)), None)
-        there = any(urlsplit(each.url).hostname == urlsplit(line.split()[-3]).hostname for line in added if " " in line)
+        there = any(host_of(each.url) == host_of(line.split()[-3]) for line in added if " " in line)
         if name and not there and ubuntu in each.ubuntu:
             line = f"deb [signed-by={each.key}] {each.url} {ubuntu} {each.components}"
             added[line] = because(

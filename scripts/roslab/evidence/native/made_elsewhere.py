@@ -36,7 +36,7 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
 
     Not of what was compiled here: that is no part of the repository, and is hidden all the same.
     """
-    here = f"{repository.root}/"
+    here = f"{repository.path}/"
     found = [cache for cache in _caches(repository) if f"{cache[1]}/" != f"{here}{cache[0].removesuffix(CACHE)}"]
     for path, folder, line in found[:1]:
         more = f", and so are {len(found) - 1} more" if len(found) > 2 else ", and so is one more" if found[1:] else ""

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from urllib.parse import urlsplit
 
-from roslab.evidence.apt_source import AptSource
+from roslab.evidence.apt_source import AptSource, host_of
 from roslab.evidence.prose import author_dockerfile, ci
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.knowledge.apt_sources import keys_of_sources
@@ -52,7 +51,7 @@ def read(repository: Repository) -> tuple[AptSource, ...]:
     found = [each for file in pages(repository) for each in said(text_of(repository, file), file.path)]
     recipes = (each for file in author_dockerfile.files(repository) for each in said(repository.read(file), file.path))
     found += [each for path in ci.files(repository) for each in said(repository.read(path), path)]
-    found += [each for each in recipes if urlsplit(each.url).hostname in keys_of_sources()]
+    found += [each for each in recipes if host_of(each.url) in keys_of_sources()]
     return tuple({(each.url, each.suite, each.components): each for each in reversed(found)}.values())[::-1]
 
 

@@ -268,5 +268,5 @@ def _collect(collector: Collector, instruction: Instruction) -> None:
 
 def _itself(repository: Repository, clone: GitSource) -> bool:
     origin = (repository.origin or "").rstrip("/").removesuffix(".git").rpartition("/")[2].lower()
-    folder = repository.root.name.rpartition("__")[2].lower()
+    folder = repository.folder_name.rpartition("__")[2].lower()
     return clone.name.lower() in {origin, folder} - {""}

@@ -54,7 +54,7 @@ def _manifest(repository: Repository, file: File) -> PackageManifest | None:
     return PackageManifest(
         file=file.path,
         line=root.sourceline or 1,
-        name=file.folder.rpartition("/")[2] or _brief(root) or repository.root.name,
+        name=file.folder.rpartition("/")[2] or _brief(root) or repository.folder_name,
         format=0,
         build_types=((BUILD_TYPE, None),),
         dependencies=() if stack else tuple(_dependencies(root, file.path)),  # a stack's are what its packages name
