@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
@@ -42,11 +42,12 @@ def not_found(
     made = {name for project in evidence.cmake for name in project.made}
     fetched = {plain(name) for project in evidence.cmake for name in project.brought}
     told: set[str] = set()
+    headers = _headers(evidence) if evidence.cmake else {}
     for asked in code_needs(evidence, packages):
         if asked.name in told or asked.name in made or plain(asked.name) in fetched:
             continue
         looked = asked.role == SEARCHED
-        shown = _included(asked, evidence) if not looked else ""
+        shown = _included(asked, headers) if not looked else ""
         if not (looked or shown):
             continue
         of_build = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
@@ -63,14 +64,21 @@ def not_found(
             yield warn(f"{what}: {_tool(build_tool)} will stop there; {then}", asked)
 
 
-def _included(asked: Dependency, evidence: Evidence) -> str:
+def _headers(evidence: Evidence) -> dict[str, tuple[int, str]]:
+    """Return the headers that the code includes by how their names begin, ``box2d``: the first, with its number."""
+    found: dict[str, tuple[int, str]] = {}
+    for number, each in enumerate(evidence.code):
+        if each.namespace == "include" and each.strength == "used" and not places.aside(each.file):
+            found.setdefault(re.split(r"[/.]", each.name.lower(), maxsplit=1)[0], (number, each.name))
+    return found
+
+
+def _included(asked: Dependency, headers: Mapping[str, tuple[int, str]]) -> str:
     """Return a header that has the name of a library which is always linked: ``Box2D/Box2D.h`` of ``Box2D``."""
     if asked.namespace != "link" or asked.strength != "used" or asked.role == "test":
         return ""
-    names = {asked.name.lower(), f"lib{asked.name.lower()}"}
-    code = (each for each in evidence.code if each.namespace == "include" and each.strength == "used")
-    said = (each.name for each in code if not places.aside(each.file))
-    return next((name for name in said if re.split(r"[/.]", name.lower(), maxsplit=1)[0] in names), "")
+    names = (asked.name.lower(), f"lib{asked.name.lower()}")
+    return min((headers[name] for name in names if name in headers), default=(0, ""))[1]
 
 
 def _tool(build_tool: BuildTool) -> str:
