@@ -162,7 +162,8 @@ def _init(cls: type, found: dict[str, Any], *, by_position: bool) -> Callable[..
             if name not in given:
                 values[name] = make()
         values.update(given)
-        if values.keys() != shape.filled or (shape.refused and not shape.refused.isdisjoint(given)):
+        all_there = len(values) == shape.number and shape.required <= given.keys()  # quicker than to compare the names
+        if not all_there or (shape.refused and not shape.refused.isdisjoint(given)):
             missing, unknown = sorted(shape.required - given.keys()), sorted(given.keys() - set(shape.taken))
             raise TypeError(f"{cls.__qualname__}: missing fields {missing}, unknown fields {unknown}")
         if shape.after:
@@ -179,7 +180,7 @@ class _Shape:
         self.factories = [(name, each.default_factory) for name, each in found.items() if each.default_factory]
         self.taken = [name for name, each in found.items() if each.init]
         self.required = {name for name in self.taken if not (name in self.defaults or found[name].default_factory)}
-        self.filled = self.required | self.defaults.keys() | {name for name, _ in self.factories}
+        self.number = len(self.required | self.defaults.keys() | {name for name, _ in self.factories})
         self.refused = found.keys() - self.taken
         self.after = getattr(cls, "__post_init__", None)
 

@@ -42,6 +42,7 @@ def folders(git: GitSource) -> set[str]:
     return {git.name, git.folder, *([f"{git.name}-{git.ref.removeprefix('v')}"] if git.ref else [])}
 
 
+@cache
 def address(url: str) -> str:
     """Return an address in the one spelling in which two are compared."""
     return https(url).removesuffix(".git").rstrip("/").lower()
