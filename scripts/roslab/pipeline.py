@@ -15,7 +15,6 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.evidence.native import made_elsewhere, unread, written_beside
 from roslab.evidence.ros import vcs
-from roslab.knowledge.days import rosdistro_ref
 from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan.locked import NAME as LOCK
 from roslab.plan.plan import Plan, make_plan
@@ -114,6 +113,8 @@ def lock_file(config: Config) -> str:
 def _tables(decision: Decision) -> str | None:
     """Return the ref of ros/rosdistro with the tables of the decision's day, else those that know its distribution."""
     if decision.day and decision.ros_distro:
+        from roslab.knowledge.days import rosdistro_ref  # noqa: PLC0415 - most images are of no day
+
         return rosdistro_ref(decision.ros_distro, decision.day)[0]
     return rosdistro_tag(decision.ros_distro)
 

@@ -10,10 +10,8 @@ from roslab.decide.chains import Local, local_bases, wanted
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.launch_calls import started_launch
-from roslab.decide.mended_bases import nearest
 from roslab.decide.reasons import because, configured
 from roslab.decide.system.code_fits import misfits
-from roslab.decide.unbrought_modules import unbrought
 from roslab.decide.uncopied_packages import empty_folders, only_manifest, uncopied_by_command, uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import codename_of, distro, distros, ubuntus
@@ -115,6 +113,8 @@ def _uncopied(
     authored: AuthorDockerfile, evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None
 ) -> str | None:
     """Return why the image lacks packages of the tree: what it builds, or what would be started in it, needs them."""
+    from roslab.decide.unbrought_modules import unbrought  # noqa: PLC0415 - most trees have no Dockerfile
+
     if kind not in {"ros1", "ros2"}:
         return uncopied_package(authored, evidence, ros_distro) or unbrought(authored, evidence, config, kind)
     if why := uncopied_package(authored, evidence, ros_distro) or only_manifest(authored, evidence):
@@ -210,6 +210,8 @@ def _chained(authored: AuthorDockerfile, evidence: Evidence, locals_: Mapping[st
 
 def _base_doubt(base: str, kind: Kind, ros_distro: str | None, *, mended: bool) -> str | None:
     """Return why an image is unsuitable as a base: it no longer exists, or it is for something else."""
+    from roslab.decide.mended_bases import nearest  # noqa: PLC0415 - as above
+
     named = _ROS.search(base)
     if (gone := _gone(base)) and not (mended and (nearest(base) or has_ended(release_of(base)))):
         return gone

@@ -15,7 +15,6 @@ from roslab.decide.ros.distro_dates import ADOPTED, dated, later
 from roslab.decide.ros.lower_bounds import bounds
 from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
-from roslab.decide.system.old_packages import with_old_packages
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.knowledge.distros import Distro, codename_of, python_of_ubuntu, ubuntu_released, ubuntus, variants
@@ -245,6 +244,8 @@ def _by_date(evidence: Evidence) -> Reason:
 
 def _by_packages(evidence: Evidence, dated_: Reason) -> Reason:
     """Return an older Ubuntu than that of the last commit's time, if pages and scripts install what only it has."""
+    from roslab.decide.system.old_packages import with_old_packages  # noqa: PLC0415 - few trees are only compiled
+
     if (found := with_old_packages(evidence, dated_.answer)) is None:
         return dated_
     older, package = found

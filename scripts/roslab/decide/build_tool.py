@@ -6,10 +6,8 @@ from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.beside_cpp import of_cpp
 from roslab.decide.decision import Choice
 from roslab.decide.programs import top_of
-from roslab.decide.python.build_tool import tool_of_python
 from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import because, configured
-from roslab.decide.ros.build_tool import tool_of_ros1
 from roslab.evidence.facts import Evidence
 
 
@@ -41,12 +39,16 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
     if config.build:
         return Choice(answer=config.build, reasons=(configured(config, "build_tool", config.build, "build"),))
     if kind == "ros1":
+        from roslab.decide.ros.build_tool import tool_of_ros1  # noqa: PLC0415 - of one kind
+
         return tool_of_ros1(evidence)
     if kind == "ros2":
         why = because("build_tool", "colcon", "ROS 2 is built by colcon", weight=Weight.ROS2)
         return Choice(answer="colcon", reasons=(why,))
     if kind == "cpp":
         return _of_cpp(evidence)
+    from roslab.decide.python.build_tool import tool_of_python  # noqa: PLC0415 - as above
+
     choice = tool_of_python(evidence, python)
     top = top_of(evidence)
     no_python = choice.answer == "none" and not evidence.programs

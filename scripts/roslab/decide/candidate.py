@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from typing import Literal
 
 from roslab.values.dataclass import dataclass
-from roslab.values.python_options import program_of_python
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -81,5 +80,7 @@ def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
     if argv[0] in {"bash", "sh", "make"}:
         return argv[:2]
     if argv[0].startswith("python"):
+        from roslab.values.python_options import program_of_python  # noqa: PLC0415 - not for ROS
+
         return ("python3", *program_of_python(argv)[0])
     return argv[:words]

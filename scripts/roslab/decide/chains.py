@@ -10,7 +10,6 @@ from collections.abc import Sequence
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, MendedBase, Reason
-from roslab.decide.mended_bases import mended
 from roslab.decide.reasons import because
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.values.dataclass import dataclass
@@ -69,6 +68,7 @@ def wanted(words: Sequence[str]) -> str:
 
 
 def _problem(base: AuthorDockerfile, said: Mention) -> str | None:  # noqa: PLR0911 - one reason a line
+    from roslab.decide.mended_bases import mended  # noqa: PLC0415 - most trees have no Dockerfile
     from roslab.knowledge.ended_bases import ended  # noqa: PLC0415 - most trees have no Dockerfile
     from roslab.knowledge.official_images import published  # noqa: PLC0415 - as above
 
@@ -93,6 +93,8 @@ def decide_bases(evidence: Evidence, config: Config, dockerfile: str | None) -> 
     authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
     if authored is None:
         return Choice(answer=())
+    from roslab.decide.mended_bases import mended  # noqa: PLC0415 - as above
+
     found = [
         (base, line)
         for name, line in dict(authored.bases).items()

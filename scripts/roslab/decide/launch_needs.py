@@ -8,8 +8,6 @@ from roslab.config.model import Config
 from roslab.decide.command import Command
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.launch_calls import started_launch
-from roslab.decide.launched_simulators import lacking_simulators
-from roslab.decide.launched_vendors import lacking_vendors
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.sought import tried
@@ -53,6 +51,9 @@ def decide_launch_needs(
     others = tuple(_of_others(evidence, launch, sources, ros_distro)) if ros_distro else ()
     if launch is None:
         return Choice(answer=None, warnings=others)
+    from roslab.decide.launched_simulators import lacking_simulators  # noqa: PLC0415 - few default commands launch
+    from roslab.decide.launched_vendors import lacking_vendors  # noqa: PLC0415 - as above
+
     given = {name for name, _ in (*there, *config.env)} | set_by_hooks(_named(evidence, launch))
     told = [
         Warning_(

@@ -15,7 +15,6 @@ from roslab.decide.made_folders import made_before
 from roslab.decide.pages_of_tools import of_a_tool
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
-from roslab.decide.python_calls import module_of, program_here
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import bare, script_of, task_of
 from roslab.decide.sections import about_trouble
@@ -201,6 +200,8 @@ def _runnable(
     if not argv[0].startswith("python"):
         installed = argv if (argv[0] in tree.installed and not ros) or argv[0] == "make" else None
         return (_built(argv, tree) if ros or compiled else None) or installed or script_of(argv, mention, ros, compiled)
+    from roslab.decide.python_calls import module_of, program_here  # noqa: PLC0415 - not for ROS
+
     named = (file for file in mention.files if file.endswith(".py") or bare(file))  # a script needs no guard to be run
     programs = tuple(dict.fromkeys((*tree.programs, *named)))
     if argv[1:2] == ("-m",):

@@ -9,7 +9,6 @@ from types import MappingProxyType
 from typing import Any
 
 from roslab.knowledge.table import text_of
-from roslab.values import toml
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
@@ -29,6 +28,8 @@ def _text() -> str:
 @cache
 def _table(name: str) -> dict[str, Any] | None:
     """Return the table of one library, ``None`` if there is none; the others are not parsed."""
+    from roslab.values import toml  # noqa: PLC0415 - few trees need one
+
     start = _text().find(f"\n[{name}]\n")
     if start < 0:
         return None

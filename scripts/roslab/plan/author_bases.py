@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from roslab.decide.decision import Decision
-from roslab.decide.mended_bases import distro_of
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus_with_python2
 from roslab.knowledge.os_releases import release_of
 from roslab.knowledge.tools import python2_installers, python_tools
@@ -31,6 +30,8 @@ class Base:
 
 def author_bases(decision: Decision) -> tuple[Base, ...]:
     """Return the replaced bases, in the order of the file."""
+    from roslab.decide.mended_bases import distro_of  # noqa: PLC0415 - most trees have no Dockerfile
+
     found = []
     for base in decision.bases:
         release = distro_of(base.image)

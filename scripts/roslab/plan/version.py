@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable
 
 from roslab.evidence.facts import PythonProject
-from roslab.knowledge.version_tools import version_tools
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -36,6 +35,8 @@ def of_projects(projects: Iterable[PythonProject], folders: Iterable[str]) -> di
     wanted = {"" if folder == "." else folder for folder in folders}
     found = {}
     for project in projects:
+        from roslab.knowledge.version_tools import version_tools  # noqa: PLC0415 - few trees compute their version
+
         reads = next((way for name in _tools(project) if (way := version_tools().get(name))), None)
         if reads and project.folder in wanted:
             found[project] = reads

@@ -8,10 +8,11 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
 from roslab.values.specifier import Allowed, Specifiers
 from roslab.values.version import Version, version_of
-from roslab.values.wheel import Wheel, wheel_of
 
 if TYPE_CHECKING:
     from packaging.markers import Marker
+
+    from roslab.values.wheel import Wheel
 
 RequirementOrigin = Literal["manifest", "conda", "prose", "import", "build", "configuration", "table", "lock"]
 """Who asks: a file made for pip, a conda environment, an install line for humans or for another machine, the code, the
@@ -99,7 +100,11 @@ class Requirement:
     @property
     def wheel(self) -> Wheel | None:
         """The wheel that its URL names."""
-        return wheel_of(self.url) if self.url else None
+        if not self.url:
+            return None
+        from roslab.values.wheel import wheel_of  # noqa: PLC0415 - most have no URL
+
+        return wheel_of(self.url)
 
     @property
     def release(self) -> str | None:

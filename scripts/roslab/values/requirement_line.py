@@ -10,7 +10,6 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import FREE, Requirement, RequirementOrigin, Role
 from roslab.values.specifier import PLAIN, specifiers
-from roslab.values.wheel import wheel_of
 
 if TYPE_CHECKING:
     from packaging.markers import Marker
@@ -161,6 +160,8 @@ def _repaired(text: str) -> Requirement | None:
 
 def _named(url: str) -> str:
     """Return the package name in a bare URL: from its ``#egg=``, its wheel, or its last part."""
+    from roslab.values.wheel import wheel_of  # noqa: PLC0415 - few addresses are those of wheels
+
     if egg := _EGG.search(url):
         return egg[1]
     if wheel := wheel_of(url):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from roslab.config.model import Config, Kind
 from roslab.decide.base import named_ubuntus
-from roslab.decide.cuda.gpus import gpu_limits, knows_gpus
 from roslab.decide.cuda.version import DEFAULT, Cuda, Weight
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because, outweighed
@@ -27,6 +26,8 @@ def with_an_image_for(
         return cuda
     if best is None or best.weight > Weight.SOURCES or best.answer != DEFAULT or usual is None:
         return cuda
+    from roslab.decide.cuda.gpus import gpu_limits, knows_gpus  # noqa: PLC0415 - few trees need CUDA
+
     images = [image for image in cuda_images() if image.tag and knows_gpus(image.cuda, gpu_limits(evidence))]
     order = images.index(usual) if usual in images else len(images)
     nearest = (*reversed(images[: order + 1]), *images[order + 1 :])

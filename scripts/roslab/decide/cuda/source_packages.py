@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import warn
-from roslab.knowledge.cuda_sources import newest_cuda
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 from roslab.values.version import Version
@@ -15,6 +14,8 @@ from roslab.values.version import Version
 
 def with_too_old_sources(cuda: Choice[Cuda], installed: Iterable[Requirement]) -> Choice[Cuda]:
     """Return the choice with a warning for each such package: what the image has no older CUDA for cannot be built."""
+    from roslab.knowledge.cuda_sources import newest_cuda  # noqa: PLC0415 - few trees need CUDA
+
     version = cuda.answer.version
     pinned = {(each.key, each.release): each for each in installed if each.release and not each.url} if version else {}
     told = []

@@ -9,10 +9,8 @@ from typing import ClassVar
 from roslab.config.model import Config
 from roslab.decide.cuda.above_lock import above, cuda_of_lock
 from roslab.decide.cuda.beside_torch import conda_torch
-from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows, unknown_gpu
 from roslab.decide.cuda.imported import imported
 from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
-from roslab.decide.cuda.upstream_images import of_upstream
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.decide.python.version import python_version
@@ -108,6 +106,8 @@ def decide_cuda(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Ch
     shown = [reason for reason, _ in found[:_SHOWN]]
     reasons = outweighed(shown if best in shown else [best, *shown], best)
     choice = _fitted(best.answer, config.base.cudnn or _cudnn(evidence), reasons, others)
+    from roslab.decide.cuda.gpus import gpu_limits, unknown_gpu  # noqa: PLC0415 - few trees need CUDA
+
     lost = unknown_gpu(choice.answer.version, gpu_limits(evidence))
     return replace(choice, warnings=(*choice.warnings, lost)) if lost else choice
 
@@ -120,6 +120,8 @@ def _has_image(cuda: str) -> bool:
 
 def _known_to_compiler(found: list[Candidate], evidence: Evidence) -> Candidate:
     """Return the best answer whose compiler knows every GPU that the code names, else the nearest to the best."""
+    from roslab.decide.cuda.gpus import gpu_limits, knows_gpus, nearest_that_knows  # noqa: PLC0415 - as above
+
     limits, best = gpu_limits(evidence), found[0]
     named = (each for each in found if each is best or each[0].weight > Weight.SOURCES)
     fitting = next((each for each in named if knows_gpus(each[0].answer, limits)), None)
@@ -242,6 +244,8 @@ def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:
     for authored in evidence.dockerfiles:
         match = _IMAGE.search(authored.base or "")
         if match and authored.purpose in {"project", "deploy", "broken"}:
+            from roslab.decide.cuda.upstream_images import of_upstream  # noqa: PLC0415 - few trees have an image of CUDA
+
             own = authored.purpose == "project" and not of_upstream(evidence, authored)
             weight = Weight.AUTHORS_IMAGE if own else Weight.OTHER_IMAGE
             weight += Weight.COPIES if authored.copies_repository else 0

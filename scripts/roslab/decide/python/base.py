@@ -10,7 +10,6 @@ from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.decision import Reason
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.knowledge.frameworks import cuda_image, nearest_cuda_image
-from roslab.knowledge.python_images import python_images
 from roslab.values.version import Version
 
 PREFERRED = ("focal", "jammy", "noble", "bionic", "xenial")
@@ -55,6 +54,8 @@ def base_for(
         chosen = ubuntu or ("bionic" if python_version else "jammy")
         image = f"ubuntu:{version_of(chosen)}"
         return image, chosen, (_reason(image, "asked for" if ubuntu else "the default"),)
+    from roslab.knowledge.python_images import python_images  # noqa: PLC0415 - most trees are built on Ubuntu
+
     image = f"python:{python_version}-slim-{python_images().get(python_version, 'bookworm')}"
     return image, None, (_reason(image, f"no Ubuntu has Python {python_version}"),)
 

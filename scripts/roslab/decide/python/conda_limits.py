@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from roslab.decide.decision import Choice
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import CondaEnvironment, Evidence
-from roslab.knowledge.conda_limits import CondaLimit, conda_limits
 from roslab.values.conda import CondaPackage, conda_package
 from roslab.values.version import Version, version_of
+
+if TYPE_CHECKING:
+    from roslab.knowledge.conda_limits import CondaLimit
 
 _WITH_MOST = frozenset({"conda-forge", "defaults", "main", "anaconda"})
 """Channels with packages of every kind; others have a few of their own."""
@@ -32,6 +35,8 @@ def limits_of(evidence: Evidence, conda: str | None) -> Choice[tuple[str, ...]]:
 
 
 def _found(environment: CondaEnvironment) -> Iterator[tuple[str, str]]:
+    from roslab.knowledge.conda_limits import conda_limits  # noqa: PLC0415 - few trees have an environment of conda
+
     stated = {package.name for package in environment.packages if package.version}
     for row in conda_limits():
         limited = conda_package(row.limit)

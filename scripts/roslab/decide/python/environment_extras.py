@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Set
 
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.environment_extras import environment_extras
 from roslab.knowledge.native_parts import series_of
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -19,6 +18,8 @@ def for_environments(evidence: Evidence, guessed: Iterable[Requirement], known: 
     made = next((each for each in evidence.mentions if each.topic == "environment"), None)
     if made is None:
         return
+    from roslab.knowledge.environment_extras import environment_extras  # noqa: PLC0415 - few trees make an environment
+
     guessed = tuple(guessed)
     named = {*known, *(each.key for each in guessed)}
     for each in guessed:

@@ -13,7 +13,6 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject
 from roslab.evidence.old_code import OldCode
 from roslab.evidence.removed_name import Removed
-from roslab.knowledge.extension_code import dropped
 from roslab.knowledge.frameworks import newest_framework
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
@@ -73,6 +72,8 @@ def _compiled(evidence: Evidence, chosen: Iterable[PythonProject]) -> Iterator[O
 
 def _unread(evidence: Evidence, aged: str) -> Iterator[OldCode]:
     """Yield all that macros bring back of what a torch still had, for the first submodule that is not checked out."""
+    from roslab.knowledge.extension_code import dropped  # noqa: PLC0415 - few trees compile for Python
+
     absent = next((git for git in evidence.sources if git.kind == "submodule" and git.absent), None)
     for row in dropped() if absent else ():
         if absent and row.package == "torch" and row.define and Version(aged) < Version(row.below):

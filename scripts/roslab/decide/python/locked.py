@@ -18,7 +18,6 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.version import Version
-from roslab.values.wheel import wheel_of
 
 _CPYTHON = pattern(r"cp3(\d{1,2})")
 
@@ -129,6 +128,8 @@ def _has_wheel(each: Locked, python: str) -> bool:
 
 
 def _fits(name: str, python: str) -> bool:
+    from roslab.values.wheel import wheel_of  # noqa: PLC0415 - few trees have a lock
+
     wheel = wheel_of(name)
     minor = Version(python).minor
     for tag in wheel.tags if wheel else ():

@@ -15,7 +15,6 @@ from roslab.decide.reasons import Placed, because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.days import ended
-from roslab.knowledge.ended_packages import ended_packages
 from roslab.knowledge.frameworks import Framework, framework, last_below
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -167,6 +166,8 @@ def _newest_allowed(pin: Pin) -> Framework | None:
 
 def _ended(pin: Pin) -> Iterator[Range]:
     """Yield the Pythons of a package that a manifest or an environment names and that is released no more."""
+    from roslab.knowledge.ended_packages import ended_packages  # noqa: PLC0415 - few trees pin
+
     newest = ended_packages().get(pin.name) if pin.trust >= _TRUSTED - 1 else None
     if newest:
         why = f"{pin.name} ended, and has wheels up to Python {newest}"

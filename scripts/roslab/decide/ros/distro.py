@@ -7,7 +7,6 @@ from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import Placed, because, configured, ranked, warn
 from roslab.decide.ros.addresses import beside_packages
-from roslab.decide.ros.by_python import by_python
 from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated, of_its_time, supported
 from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
@@ -256,6 +255,7 @@ def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[
 
 def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None]:
     """Return the distribution of the last commit's time, else the default; if that lacks a key, one with every key."""
+    from roslab.decide.ros.by_python import by_python  # noqa: PLC0415 - nearly every tree says more
     from roslab.decide.ros.lost_keys import with_every_package  # noqa: PLC0415 - nearly every tree says more
 
     date = dated(evidence)

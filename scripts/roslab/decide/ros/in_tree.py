@@ -10,7 +10,6 @@ from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
-from roslab.evidence.prose.checkouts import COMMIT
 from roslab.evidence.prose.copies import below
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
@@ -48,6 +47,8 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
 
 def _of_ci(git: GitSource, evidence: Evidence) -> GitSource:
     """Return what a page clones at the commit that CI takes of the same repository, if CI takes one."""
+    from roslab.evidence.prose.checkouts import COMMIT  # noqa: PLC0415 - few pages clone
+
     for other in evidence.sources:
         same = other.kind == "clone" and other.file.startswith(".") and address(other.url) == address(git.url)
         if same and COMMIT.fullmatch(other.ref or ""):

@@ -9,7 +9,6 @@ from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, packaged
 from roslab.decide.ros.own_configs import installing
-from roslab.decide.ros.slips import meant
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
@@ -229,6 +228,8 @@ def stopping(
 
 
 def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:
+    from roslab.decide.ros.slips import meant  # noqa: PLC0415 - for a key that nobody knows
+
     if folder:
         return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
     known = rosdep_keys() | released(target.ros_distro or "")

@@ -12,7 +12,6 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import newest_framework
-from roslab.knowledge.libtorch import libtorch_archive, oldest
 from roslab.values.origin import Place
 from roslab.values.version import Version, version_of
 
@@ -44,6 +43,8 @@ def libtorch(
     asked = next((each for each in code_needs(evidence, packages) if _asks(each) and _entered(each, folders)), None)
     if asked is None or (release := _release(evidence)) is None:
         return ()
+    from roslab.knowledge.libtorch import libtorch_archive  # noqa: PLC0415 - few trees need it
+
     source = Source(
         name=NAME,
         zip=libtorch_archive(release, cuda),
@@ -65,6 +66,8 @@ def _entered(each: Dependency, folders: tuple[str, ...]) -> bool:
 
 def _release(evidence: Evidence) -> str | None:
     """Return the release in full, ``1.8.0``."""
+    from roslab.knowledge.libtorch import oldest  # noqa: PLC0415 - as above
+
     named = [mention.value for mention in evidence.mentions if mention.topic == NAME]
     named += [each.release or "" for each in evidence.listed if each.key == "torch"]
     named += [git.ref or "" for git in evidence.sources if git.url.removesuffix(".git").endswith("/pytorch/pytorch")]

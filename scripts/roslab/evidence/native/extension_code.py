@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from roslab.evidence import places
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.native.cpp import MAX_READ, MAX_SIZE
 from roslab.evidence.old_code import OldCode
-from roslab.knowledge.extension_code import Dropped, dropped
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
+
+if TYPE_CHECKING:
+    from roslab.knowledge.extension_code import Dropped
 
 MAX_SOURCES = 300
 """Most files that are read for one build script."""
@@ -34,6 +37,8 @@ def read(repository: Repository, projects: Iterable[PythonProject]) -> tuple[Old
 
 
 def _of(repository: Repository, script: str, folder: str, folders: set[str]) -> Iterator[OldCode]:
+    from roslab.knowledge.extension_code import dropped  # noqa: PLC0415 - few trees compile for Python
+
     text = repository.read(script)
     if not any(row.package in text for row in dropped()):
         return

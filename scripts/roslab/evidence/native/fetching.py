@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import first_line, matching_lines
-from roslab.knowledge.rosbuild_makefiles import program_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -64,6 +63,8 @@ def _called(text: str, *, makefile: bool) -> Iterator[tuple[str, int]]:
     """Yield the packages of the programs, each with its position."""
     if makefile:
         for match in matching_lines(_INCLUDED, text, "include"):
+            from roslab.knowledge.rosbuild_makefiles import program_of  # noqa: PLC0415 - few trees have a Makefile of rosbuild
+
             if name := program_of(match[1]):
                 yield name, match.start()
                 yield "ca-certificates", match.start()

@@ -12,7 +12,7 @@ from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.lines import matching_lines
 from roslab.evidence.lex.truth import cmake_holds
-from roslab.evidence.native import cmake_since, old_standard
+from roslab.evidence.native import cmake_since
 from roslab.evidence.native.unlisted import Unlisted
 from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.knowledge.hints import Search
@@ -142,6 +142,8 @@ class Signs:
         """Add the headers that a newer library refuses to the standard of their files."""
         packages = frozenset(file.folder for file in repository.named("package.xml"))
         for library in dict.fromkeys(limit.library for limit, _, _ in self.newer):
+            from roslab.evidence.native import old_standard  # noqa: PLC0415 - few trees use what a newer library refuses
+
             standards = old_standard.read(repository, library)
             for limit, path, line in self.newer:
                 if limit.library == library and old_standard.is_old(path, standards, packages):

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.makefile import Makefile
-from roslab.evidence.native import compile_scripts, qmake
+from roslab.evidence.native import qmake
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -60,6 +60,8 @@ def read(repository: Repository, mentions: Iterable[Mention] = ()) -> tuple[Make
         return ()
     if _number(repository, ".py") > _number(repository, *_SOURCES):
         return ()
+    from roslab.evidence.native import compile_scripts  # noqa: PLC0415 - CMake or ROS builds most trees
+
     found = [each for file in _files(repository) if (each := _makefile(file, repository))]
     own = [each for each in found if not each.folder] or found[:MOST]
     return tuple(own) or compile_scripts.read(repository, mentions) or tuple(qmake.read(repository))
@@ -82,6 +84,8 @@ def _files(repository: Repository) -> list[File]:
 
 
 def _makefile(file: File, repository: Repository) -> Makefile | None:
+    from roslab.evidence.native import compile_scripts  # noqa: PLC0415 - as above
+
     text = repository.read(file)
     if _OTHERS.search(text) or not _COMPILES.search(text):
         return None

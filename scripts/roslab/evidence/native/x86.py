@@ -8,7 +8,6 @@ from collections.abc import Collection, Iterable, Iterator
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.lex.lines import end_of_line, lines_with, matches_at
-from roslab.evidence.lex.preprocessor import reached
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.evidence.x86_only import X86Only
 from roslab.knowledge.x86_only import x86_only
@@ -87,6 +86,8 @@ def _used(repository: Repository, intrinsics: Intrinsics, included: Collection[s
         name = path.rpartition("/")[2]
         if name.endswith(_HEADERS) and name not in included and not places.vendored(path):
             continue  # nothing compiles it
+        from roslab.evidence.lex.preprocessor import reached  # noqa: PLC0415 - few trees have them
+
         if reached(text, position, lambda macro: _defined(repository, macro)):
             yield X86Only(header, "header", path, text.count("\n", 0, position) + 1)
 

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import posixpath
 import re
+from typing import TYPE_CHECKING
 
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import AuthorDockerfile, Mention
-from roslab.evidence.lex.balance import unbalanced
-from roslab.evidence.lex.dockerfile import Instruction, argv, instructions, sources
 from roslab.evidence.lex.shell import Command, expand
 from roslab.evidence.prose import mentions, other_dockerfiles
-from roslab.evidence.prose.build_context import build_context
 from roslab.evidence.prose.build_values import Values, secret_of
-from roslab.evidence.prose.composed import services
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
@@ -21,6 +18,9 @@ from roslab.evidence.ros import vcs
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
+
+if TYPE_CHECKING:
+    from roslab.evidence.lex.dockerfile import Instruction
 
 MAX_SIZE = 256 * 1024
 _NAME = pattern(r"^(?:dockerfile(?:[-_.].*)?|.*\.dockerfile|.*[-_.]dockerfile|containerfile)$")
@@ -68,6 +68,8 @@ def _files(repository: Repository) -> list[File]:
 
 
 def _built(text: str, path: str) -> tuple[Mention, ...]:
+    from roslab.evidence.lex.dockerfile import instructions  # noqa: PLC0415 - most trees have no Dockerfile
+
     collector = Collector(path, "dockerfile")
     for instruction in instructions(text):
         if instruction.name in {"RUN", "CMD"}:
@@ -112,6 +114,8 @@ class _Reading:
 
     def take(self, instruction: Instruction) -> None:
         """Read one instruction."""
+        from roslab.evidence.lex.balance import unbalanced  # noqa: PLC0415 - most trees have no Dockerfile
+
         name, body, line = instruction.name, instruction.text, instruction.line
         self.needs = self.needs or self.values.missing(name, body, line)
         if not name:
@@ -146,6 +150,8 @@ class _Reading:
                 self.collector.command(Command(("cd", self.inside), (line, line)))
 
     def _start(self, name: str, body: str, line: int) -> None:
+        from roslab.evidence.lex.dockerfile import argv  # noqa: PLC0415 - as above
+
         start = self.start
         if name == "WORKDIR":
             start.workdir = posixpath.join(start.workdir, expand(body.strip().strip("\"'"), self.known))
@@ -158,6 +164,8 @@ class _Reading:
             start.command, start.line = argv(body), line
 
     def _copy(self, body: str, line: int) -> None:
+        from roslab.evidence.lex.dockerfile import sources  # noqa: PLC0415 - as above
+
         copied = sources(body)
         self.copied += [(source, line) for source in copied]
         words = [word for word in body.split() if not word.startswith("--")]
@@ -187,6 +195,9 @@ class _Reading:
 
 
 def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
+    from roslab.evidence.lex.dockerfile import instructions  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.build_context import build_context  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.composed import services  # noqa: PLC0415 - as above
     from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above

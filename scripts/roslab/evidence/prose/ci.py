@@ -7,22 +7,22 @@ not YAML (a Jenkinsfile, a broken file) is searched line by line.
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.lex.yaml import Scalar, scalars
 from roslab.evidence.prose import mentions
-from roslab.evidence.prose.ci_conditions import titled
-from roslab.evidence.prose.ci_hooks import hooks
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.other_branches import told
 from roslab.evidence.prose.pages import pages
-from roslab.evidence.prose.taken_out import conditional, taken_out
 from roslab.knowledge.distros import ever
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
+
+if TYPE_CHECKING:
+    from roslab.evidence.lex.yaml import Scalar
 
 MAX_SIZE = 128 * 1024
 _NAMES = (
@@ -90,6 +90,9 @@ def _all(repository: Repository) -> tuple[dict[str, Prose], frozenset[str]]:
     others: set[str] = set()
     for file in sorted(files, key=lambda file: file.path):
         if file.size < MAX_SIZE:
+            from roslab.evidence.lex.yaml import scalars  # noqa: PLC0415 - many trees have no CI
+            from roslab.evidence.prose.ci_hooks import hooks  # noqa: PLC0415 - many trees have no CI
+
             text = repository.read(file)
             values = None if file.path.endswith("Jenkinsfile") else scalars(text)
             found[file.path] = merge((_read(text, values, file.path), *hooks(repository, values or (), file.path)))
@@ -126,6 +129,8 @@ def _for_others(values: tuple[Scalar, ...], branch: str) -> bool:
 
 def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
     """Read the values of a YAML file as shell, and those of some keys as package lists or images."""
+    from roslab.evidence.prose.ci_conditions import titled  # noqa: PLC0415 - many trees have no CI
+    from roslab.evidence.prose.taken_out import conditional, taken_out  # noqa: PLC0415 - many trees have no CI
     from roslab.evidence.prose.upstream import upstream  # noqa: PLC0415 - many trees have no CI
 
     collector = Collector(path, "ci")

@@ -7,9 +7,11 @@ import re
 from collections.abc import Sequence
 from itertools import pairwise
 
+from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 _OPTION = pattern(r"-D(?!CMAKE_INSTALL_PREFIX=/usr/local/stow/)[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
@@ -84,6 +86,14 @@ def installs(program: str, words: Sequence[str], *, configured: bool) -> bool:
     if program == "dpkg":
         return configured and bool({"-i", "--install"} & {*words})
     return bool({"install", "--install"} & {*words})
+
+
+def by_hand(said: GitSource, program: str, options: str, folder: str, *, configured: bool, prepared: bool) -> GitSource:
+    """Return a clone as a text compiles and installs it: with which options, in which folder of it, by CMake or make."""
+    by_cmake = said.configured or configured
+    by_make = program == "make" and not (by_cmake or prepared)
+    inside = below(said.folder, folder)
+    return replace(said, installed=True, options=options, below=inside, configured=by_cmake, by_make=by_make)
 
 
 def prepares(program: str) -> bool:

@@ -9,10 +9,8 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.fixtures import of_tests
-from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.shell import fill_placeholders
-from roslab.evidence.prose import author_dockerfile, only_on, package_lists
-from roslab.evidence.prose.cloners import spelled_out
+from roslab.evidence.prose import author_dockerfile, package_lists
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.pages import pages, text_of
@@ -66,6 +64,8 @@ def read(repository: Repository) -> Prose:
     for file in nearest(shells)[:MAX_SCRIPTS]:
         text = repository.read(file)
         if any(word in text for word in _TOLD):
+            from roslab.evidence.prose.cloners import spelled_out  # noqa: PLC0415 - few scripts install
+
             collector = Collector(file.path, "script")
             _assignments(text, collector)
             collector.text(spelled_out(text))
@@ -73,6 +73,8 @@ def read(repository: Repository) -> Prose:
             found = replace(found, requirements=_of_one_branch(found.requirements, text))
             kept = (*(m for m in found.mentions if m.topic in _KEPT), *_distros(found.dependencies))
             if file.path.count("/") <= 1:
+                from roslab.evidence.prose import only_on  # noqa: PLC0415 - few scripts install
+
                 kept = (*kept, *only_on.read(text, file.path))
             parts.append(replace(found, mentions=kept))
         given += package_lists.given_to_apt(repository, text, file)
@@ -90,7 +92,11 @@ def read(repository: Repository) -> Prose:
 
 def _run_by_images(repository: Repository) -> frozenset[str]:
     """Return the names of the shell scripts that a Dockerfile runs, or starts its containers with."""
-    authored = (file for file in author_dockerfile.files(repository) if not places.vendored(file.path))
+    authored = [file for file in author_dockerfile.files(repository) if not places.vendored(file.path)]
+    if not authored:
+        return frozenset()
+    from roslab.evidence.lex.dockerfile import instructions  # noqa: PLC0415 - most trees have no Dockerfile
+
     found = (each for file in authored for each in instructions(repository.read(file, limit=MAX_SIZE)))
     return frozenset(name for each in found if each.name in _RUNNING for name in _SCRIPT.findall(each.text))
 

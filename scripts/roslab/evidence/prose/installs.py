@@ -10,10 +10,8 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose import blanks, removed_clones, workspaces
-from roslab.evidence.prose.archives import archives
 from roslab.evidence.prose.by_other_means import Topic, steps
-from roslab.evidence.prose.checkouts import called_in, checked_out, clone_at, titled
-from roslab.evidence.prose.configured import below, folder_of, installs, options_of, prepares, preset_of, source_of
+from roslab.evidence.prose.configured import by_hand, folder_of, installs, options_of, prepares, preset_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.runners import by_ros, started
@@ -216,6 +214,8 @@ class Collector:
             self.sources_at = self.folder
 
     def _git(self, command: Command) -> None:
+        from roslab.evidence.prose.checkouts import called_in, checked_out  # noqa: PLC0415 - few pages clone
+
         words = command.words
         ref = checked_out(words)
         if ref is not None:
@@ -252,6 +252,9 @@ class Collector:
 
     def _by_hand(self, program: str, command: Command) -> None:
         """Note what CMake is told, and, where something is installed, the clone in whose folder the text is now."""
+        from roslab.evidence.prose.archives import archives  # noqa: PLC0415 - few pages compile by hand
+        from roslab.evidence.prose.checkouts import clone_at, titled  # noqa: PLC0415 - as above
+
         words = command.words
         if removed_clones.note(words, self.sources):
             return
@@ -269,10 +272,8 @@ class Collector:
         clone = clone_at([*self.folder.split("/"), *self.below.split("/")], self.sources)
         clone = titled(self.heading, self.sources) if clone is None and program != "dpkg" else clone
         if clone is not None:
-            said = replace(self.sources[clone], installed=True, options=self.options)
-            by_cmake, inside = said.configured or self.configured, below(said.folder, self.below)
-            by_make = program == "make" and not (by_cmake or self.prepared)
-            self.sources[clone] = replace(said, below=inside, configured=by_cmake, by_make=by_make)
+            said, how = self.sources[clone], (self.options, self.below)
+            self.sources[clone] = by_hand(said, program, *how, configured=self.configured, prepared=self.prepared)
 
     def _program(self, program: str, command: Command) -> None:
         words = command.words

@@ -10,8 +10,6 @@ from typing import Literal
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matches_at
 from roslab.evidence.prose import gazebo
-from roslab.evidence.prose.denied import denied
-from roslab.evidence.prose.labels import is_label
 from roslab.knowledge.distros import english_words, ever, ubuntus
 from roslab.values.pattern import pattern
 
@@ -120,7 +118,7 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
                 value = f"{value[:-1]}.{value[-1]}"
             line += text.count("\n", position, match.start())
             position = match.start()
-            left = denied(text, match.start(), match.end()) if topic == "python" and source == "readme" else ""
+            left = _denied(text, match) if topic == "python" and source == "readme" else ""
             said: Topic = "no_python" if left else topic
             for stated in (f"{left}{value}", *(() if left else _further(topic, text, match.end()))):
                 yield Mention(topic=said, value=stated, source=source, file=file, line=line, text=context)
@@ -129,8 +127,16 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
                 break
 
 
+def _denied(text: str, match: re.Match[str]) -> str:
+    from roslab.evidence.prose.denied import denied  # noqa: PLC0415 - few pages name a Python
+
+    return denied(text, match.start(), match.end())
+
+
 def _means_ros(match: re.Match[str], context: str, source: str) -> bool:
     """Tell whether an ordinary word is a distribution: ROS, a branch or an Ubuntu is near it, or it labels a block."""
+    from roslab.evidence.prose.labels import is_label  # noqa: PLC0415 - few pages have such a word
+
     labels = source == "readme" and is_label(match.string, match.start(), match.end())
     return bool(_CONTEXT.search(context)) or labels
 

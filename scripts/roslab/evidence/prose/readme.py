@@ -27,13 +27,11 @@ from roslab.evidence.prose import (
     libtorch,
     links,
     mentions,
-    presets,
     python_path,
 )
 from roslab.evidence.prose.absent_launches import absent_launch
 from roslab.evidence.prose.blanks import BLANK, distros_of, with_examples
 from roslab.evidence.prose.comments import commented_out
-from roslab.evidence.prose.configured import of_another
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
 from roslab.evidence.prose.host_scripts import in_container
@@ -174,6 +172,14 @@ def of_page(repository: Repository, file: File) -> Prose:
     return replace(prose, mentions=told, dependencies=(*prose.dependencies, *asked))
 
 
+def _compiled(mention: Mention, repository: Repository) -> Iterator[Mention]:
+    from roslab.evidence.prose import presets  # noqa: PLC0415 - few pages compile by hand
+    from roslab.evidence.prose.configured import of_another  # noqa: PLC0415 - as above
+
+    if not of_another(mention, repository):
+        yield presets.with_variables(mention, repository)
+
+
 def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     if mention.topic == "build_script":
         yield from checked(mention, repository)
@@ -182,9 +188,7 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     elif mention.topic == "data":
         yield from () if repository.named(mention.value.partition("?")[0].rpartition("/")[2]) else (mention,)
     elif mention.topic != "command":
-        compiled = mention.topic == "compiled"
-        if not compiled or not of_another(mention, repository):
-            yield presets.with_variables(mention, repository) if compiled else mention
+        yield from _compiled(mention, repository) if mention.topic == "compiled" else (mention,)
     elif started := in_container(told := with_files(mention, repository), repository):
         yield from (with_files(started, repository),) if started.value else ()
     elif not leads_elsewhere(told, repository):

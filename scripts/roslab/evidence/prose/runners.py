@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from roslab.evidence.lex.shell import Command
 from roslab.values.pattern import pattern
-from roslab.values.python_options import program_of_python
 
 _PYTHON = pattern(r"^i?python\d?(?:\.\d+)?$")
 _MANAGERS = frozenset({"uv", "poetry", "pipenv", "pdm", "rye", "hatch", "conda", "mamba", "micromamba"})
@@ -72,6 +71,8 @@ def _plain(command: Command) -> Command:
     words, lines = command.words, command.lines
     if words[1:2] == ("-m",) or not _PYTHON.match(words[0].rpartition("/")[2]):
         return command
+    from roslab.values.python_options import program_of_python  # noqa: PLC0415 - not for ROS
+
     program, rest = program_of_python(words)
     if program[:1] != ("-m",) or len(program) == 1:
         return command

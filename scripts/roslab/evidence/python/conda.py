@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable
 
 from roslab.evidence.facts import CondaEnvironment
-from roslab.evidence.lex.yaml import load
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
 from roslab.values.pattern import pattern
@@ -60,6 +59,8 @@ def _list(
 
 
 def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
+    from roslab.evidence.lex.yaml import load  # noqa: PLC0415 - few trees have one
+
     text = repository.read(file, limit=MAX_SIZE)
     if not _SHAPE.search(text):
         return None

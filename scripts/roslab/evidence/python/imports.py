@@ -16,10 +16,8 @@ from roslab.evidence.python.modules import MAX_READ, Module, modules
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
 from roslab.evidence.python.rendered import rendered
-from roslab.evidence.python.told import told
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
-from roslab.knowledge.typelibs import typelibs
 from roslab.knowledge.windows import shown
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -110,7 +108,11 @@ def _started(file: File, text: str) -> Dependency | None:
 def _told(module: Module, statements: Iterable[tuple[re.Match[str], list[str]]]) -> dict[str, Dependency]:
     """Return what a module imports inside a function or a ``try`` and tells to install; no test's."""
     file, text = module.file, module.text
-    if "install" not in module.words or not (said := told(text)) or places.test(file.path):
+    if "install" not in module.words or places.test(file.path):
+        return {}
+    from roslab.evidence.python.told import told  # noqa: PLC0415 - few modules say so
+
+    if not (said := told(text)):
         return {}
     found: dict[str, Dependency] = {}
     for match, tops in statements:
@@ -153,6 +155,8 @@ def _typelibs(module: Module) -> Iterator[Dependency]:
     file, text = module.file, module.text
     if "require_version" not in module.words or places.test(file.path):
         return
+    from roslab.knowledge.typelibs import typelibs  # noqa: PLC0415 - few modules ask for one
+
     for match in _TYPELIB.finditer(text):
         if apt := typelibs().get((match[1], match[2])):
             line = text.count("\n", 0, match.start()) + 1

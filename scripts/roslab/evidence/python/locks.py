@@ -15,7 +15,6 @@ from typing import Any
 from roslab.evidence import places
 from roslab.evidence.locked import Locked
 from roslab.repository.checkout import Repository
-from roslab.values import toml
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement_line import stated
@@ -52,6 +51,8 @@ def read(repository: Repository) -> tuple[Locked, ...]:
     file = next((name for name in LOCKS if repository.has(name)), None) or _of_the_project(repository)
     if file is None:
         return ()
+    from roslab.values import toml  # noqa: PLC0415 - few trees have a lock
+
     text = repository.read(file)
     try:
         packages = toml.parsed(_thinned(text)).get("package")

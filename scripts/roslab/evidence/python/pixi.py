@@ -10,7 +10,6 @@ from typing import Any
 
 from roslab.evidence.facts import CondaEnvironment
 from roslab.repository.checkout import File, Repository
-from roslab.values import toml
 from roslab.values.conda import conda_package
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement
@@ -30,6 +29,7 @@ def read(repository: Repository) -> tuple[CondaEnvironment, ...]:
 
 def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     from roslab.evidence.python.pixi_lock import releases  # noqa: PLC0415 - few trees use pixi
+    from roslab.values import toml  # noqa: PLC0415 - few trees use pixi
 
     text = repository.read(file, limit=MAX_SIZE)
     if file.name != "pixi.toml" and "[tool.pixi" not in text:

@@ -11,7 +11,6 @@ from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import requirements
 from roslab.evidence.python.manager_lines import GROUP
 from roslab.repository.checkout import Repository
-from roslab.values import toml
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement, Role
@@ -236,6 +235,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     from roslab.evidence.python import poetry, uv  # noqa: PLC0415 - many trees have no project of Python
     from roslab.evidence.python.extensions import extensions  # noqa: PLC0415 - as above
     from roslab.evidence.python.without_module import without_module  # noqa: PLC0415 - as above
+    from roslab.values import toml  # noqa: PLC0415 - many trees have none
 
     try:
         data = toml.parsed(text)

@@ -8,7 +8,6 @@ from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.facts import RequirementFile
-from roslab.evidence.python import conda_list
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -93,6 +92,8 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
 
     Of a list that conda wrote, only what pip had installed is pip's.
     """
+    from roslab.evidence.python import conda_list  # noqa: PLC0415 - few trees have a list of requirements
+
     found: list[Requirement] = []
     includes: list[str] = []
     constraints: list[str] = []
@@ -127,6 +128,8 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
 
 def _by_pip(line: str) -> list[str]:
     """Return what pip had installed of a line in a list that conda wrote, which may hold a line of pip's own."""
+    from roslab.evidence.python import conda_list  # noqa: PLC0415 - as above
+
     return [line] if "==" in line else [each for each in [conda_list.of_pip(line)] if each]
 
 

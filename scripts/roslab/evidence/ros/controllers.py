@@ -5,7 +5,6 @@ from __future__ import annotations
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matching_lines
-from roslab.knowledge.controller_types import controller_package
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -23,6 +22,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
         for match in matching_lines(_TYPE, text, "_controllers/"):
+            from roslab.knowledge.controller_types import controller_package  # noqa: PLC0415 - few trees have controllers
+
             name = controller_package(match[1], 2 if _OF_ROS2 in text else 1)
             if name and name not in found:
                 line = text.count("\n", 0, match.start(1)) + 1

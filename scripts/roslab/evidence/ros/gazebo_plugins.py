@@ -7,7 +7,6 @@ import re
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matches_at
-from roslab.knowledge.gazebo_plugins import gazebo_plugins
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -33,6 +32,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         named = [(match.start(), match[0]) for match in matches_at(_LIBRARY, text, "lib")]
         named += [(match.start(), f"lib{match[1]}.so") for match in matches_at(_BARE, text, "filename")]
         for start, library in sorted(named):
+            from roslab.knowledge.gazebo_plugins import gazebo_plugins  # noqa: PLC0415 - few trees load a library by its file
+
             if (name := gazebo_plugins().get(library)) and name not in found:
                 line = text.count("\n", 0, start) + 1
                 found[name] = Dependency(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.knowledge.image_transports import image_transports
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -33,6 +32,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
         for match in _NAMED.finditer(text) if _WORD in text else ():
+            from roslab.knowledge.image_transports import image_transports  # noqa: PLC0415 - few trees name one
+
             name = image_transports()[match["topic"] or match["parameter"] or match["value"]]
             if name not in found and not _commented(text, match.start()):
                 line = text.count("\n", 0, match.start()) + 1

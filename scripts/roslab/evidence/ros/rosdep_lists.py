@@ -9,7 +9,6 @@ import re
 from collections.abc import Iterator
 
 from roslab.evidence import places
-from roslab.evidence.lex.yaml import load
 from roslab.evidence.own_key import OwnKey
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -32,6 +31,8 @@ def read(repository: Repository) -> tuple[OwnKey, ...]:
 
 
 def _keys(repository: Repository, file: File) -> Iterator[OwnKey]:
+    from roslab.evidence.lex.yaml import load  # noqa: PLC0415 - few trees have one
+
     text = repository.read(file, limit=MAX_SIZE)
     data = load(text)
     for name, systems in data.items() if isinstance(data, dict) else ():

@@ -14,7 +14,6 @@ from functools import cache
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.fixtures import of_tests
-from roslab.evidence.lex.yaml import load
 from roslab.knowledge.compiled import public_hosts
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -177,6 +176,8 @@ def _is_list(repository: Repository, file: File) -> bool:
 
 
 def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
+    from roslab.evidence.lex.yaml import load  # noqa: PLC0415 - few trees have one
+
     text = repository.read(file)
     data = load(text)
     entries = (
