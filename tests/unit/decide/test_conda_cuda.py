@@ -52,7 +52,7 @@ def test_pip_needs_none(tree: Tree) -> None:
 
 
 FREEZE = ("pytorch=1.8.0=py3.9_cuda11.1_cudnn8.0.5_0", "torchvision=0.9.0=py39_cu111", "pyyaml=6.0")
-OWN = "from setuptools import setup\nsetup(name='demo', install_requires=['torch', 'pyyaml'])\n"
+OWN = "from setuptools import setup\nsetup(name='demo', packages=['demo'], install_requires=['torch', 'pyyaml'])\n"
 
 
 def _frozen(*packages: str, folder: str = "conda/") -> dict[str, str]:
