@@ -791,3 +791,12 @@ def test_what_a_makefile_installs_is_copied_from_where_it_lies(tmp_path: Path) -
     text = dockerfile(plan_repository(tmp_path).plan)
     assert "COPY --from=scripts /install-by-make /usr/local/bin/\n" in text
     assert ' && cd /tmp/sources/pid-control \\\n && install-by-make "$(compile-jobs)"' in text
+
+
+@pytest.mark.parametrize(
+    ("asked", "built"), [("acme", ["acme_sdk"]), ("acme_sdk", ["acme_sdk"]), ("sdk", []), ("acm", [])]
+)
+def test_a_library_is_asked_for_by_the_name_of_its_sdk(tree: Tree, asked: str, built: list[str]) -> None:
+    page = f"```\ngit clone https://github.com/lab/acme_sdk\ncd acme_sdk\n{BY_CMAKE}```\n"
+    decision = tree(ros1(f"find_package({asked} REQUIRED)\nadd_library(demo a.cpp)\n", f"## Optional\n{page}"))
+    assert [source.name for source in decision.source] == built

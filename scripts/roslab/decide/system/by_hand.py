@@ -23,6 +23,7 @@ from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
+_SDK = pattern(r"_(?:sdk|cpp|library)$")
 _LIB = pattern(r"^lib(?=[a-z])")
 
 _SCRIPTS = (".sh", ".bash", ".zsh")
@@ -135,6 +136,8 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
         if (built or listed or git.kind == "link") and not places.vendored(git.file):
             offered.setdefault(_bare(git.name), git)
             offered.setdefault(_bare(git.folder), git)
+    for git in [git for git in offered.values() if git.installed]:  # what it installs may be called without that
+        offered.setdefault(_SDK.sub("", _bare(git.name)), git)
     return offered
 
 
