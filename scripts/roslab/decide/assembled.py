@@ -43,6 +43,7 @@ from roslab.decide.system.own_options import options_of_program, own_compilers, 
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.spare import spare
 from roslab.decide.uncopied_packages import copied_names
+from roslab.decide.unknown_packages import decide_unknown_packages
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
 from roslab.evidence.prose.large_files import PACKAGE as LARGE_FILES
@@ -92,6 +93,11 @@ class Choices:
 
 def _by_apt(of: Choices) -> tuple[str, ...]:
     return (*of.system.answer.apt, *of.system.answer.apt_guessed)
+
+
+def _unknown_packages(of: Choices, evidence: Evidence, config: Config) -> Choice[None]:
+    apt = (*_by_apt(of), *config.apt)
+    return decide_unknown_packages(evidence, config, of.kind.answer, sources=of.sources.answer, there=apt)
 
 
 def _as_needed(of: Choices, evidence: Evidence, needed: tuple[str, ...]) -> Choice[SystemPackages]:
@@ -163,8 +169,15 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         decide_conflicts(evidence),
         decide_absent_launches(evidence, of.kind.answer),
         decide_absent_programs(evidence, config, of.command.answer.command),
-        *(() if of.own.answer else (decide_outside(evidence, config, of.kind.answer),)),
-        *(() if of.own.answer else (decide_nodes(evidence, config, of.kind.answer, of.base.answer.image),)),
+        *(
+            ()
+            if of.own.answer
+            else (
+                decide_outside(evidence, config, of.kind.answer),
+                _unknown_packages(of, evidence, config),
+                decide_nodes(evidence, config, of.kind.answer, of.base.answer.image),
+            )
+        ),
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
         *(() if of.own.answer else (decide_compiler(evidence, config, of.base.answer.ubuntu, _by_apt(of)),)),
     )

@@ -1,0 +1,49 @@
+"""Packages of ROS from which the README runs something, and that nothing is known to bring."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslab.config.model import Config, Kind
+from roslab.decide.decision import Choice
+from roslab.decide.reasons import warn
+from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.sought import tried
+from roslab.decide.ros.source_names import plain
+from roslab.decide.system.needs import started
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.libraries import library
+from roslab.knowledge.released import ever_released
+from roslab.values.pattern import pattern
+
+MOST = 5
+"""Most packages that a message names."""
+_PLACEHOLDER = pattern(r"(?:^|_)(?:your|my|pkg|package|name|foo|bar|xxx+)(?:_|$)")
+"""A name that stands for another: `rosrun your_package your_node`."""
+
+
+def decide_unknown_packages(
+    evidence: Evidence, config: Config, kind: Kind, *, sources: Sources, there: Iterable[str]
+) -> Choice[None]:
+    """Return a warning that names those which no package of the tree, no distribution and no clone is called like.
+
+    ``there``: packages of apt. Not where a clone may hold them, whose packages nobody knows.
+    """
+    names = {name for name in (manifest.name for manifest in evidence.manifests) if name}
+    names |= sources.names | tried(sources.sought).keys() | {source.name for source in sources.everything}
+    known, apt = {plain(name) for name in names}, " ".join(there)
+    unread = any(source.absent for source in evidence.sources) or sources.with_unknown_packages
+    found = {
+        each.name: each
+        for each in (() if unread or config.compatible else started(evidence, kind))
+        if each.strength == "prose" and each.file.startswith("README")
+        if plain(each.name) not in known and not ever_released(each.name) and each.name.replace("_", "-") not in apt
+        if not (_PLACEHOLDER.search(each.name) or library("cmake", each.name, None))
+    }
+    if not found:
+        return Choice(answer=None)
+    more = f" and {len(found) - MOST} more" if len(found) > MOST else ""
+    what = f"{', '.join([*found][:MOST])}{more}: nothing is known to bring a package of that name"
+    hint = "these commands do not start; give its repository under `source` in roslab.yaml"
+    first = next(iter(found.values()))
+    return Choice(answer=None, warnings=(warn(f"the README runs programs of {what}, and {hint}", first),))
