@@ -431,3 +431,21 @@ def test_a_project_that_another_one_finds_is_installed_before_it(tree: Tree) -> 
     found = tree(projects("a_tool", "b_app", "z_core") | finds | core)
     assert [script.folder for script in found.scripts] == ["z_core", "b_app"]
     assert [script.command.endswith(" install") for script in found.scripts] == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("code", "page", "distro"),
+    [
+        ("void goal_response_callback(std::shared_future<GoalHandle::SharedPtr> future)", "", "galactic"),
+        ("void goal_response_callback(std::shared_future<G> future)", "Tested with ROS 2 Foxy\n", "foxy"),
+        ("void goal_response_callback(const GoalHandle::SharedPtr & goal)", "", "humble"),
+        ("void goal_response_callback(const GoalHandle::SharedPtr & goal)", "Tested with ROS 2 Jazzy\n", "jazzy"),
+        ("// void goal_response_callback(std::shared_future<G> future)", "", "humble"),
+        ("#if OLD\nvoid goal_response_callback(std::shared_future<G> future)\n#endif", "", "humble"),
+    ],
+)
+def test_the_callback_of_an_actions_client_tells_the_distribution(
+    tree: Tree, code: str, page: str, distro: str
+) -> None:
+    files = {"package.xml": PACKAGE.format("ament_cmake"), "CMakeLists.txt": CMAKE.format("ament_cmake", "")}
+    assert tree({**files, "src/a.cpp": f"{code}\n{{}}\n", "README.md": page}).ros_distro == distro
