@@ -40,6 +40,7 @@ from roslab.decide.system.must_build import must_build
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
+from roslab.decide.system.own_packages import own_packages
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.spare import spare
 from roslab.decide.uncopied_packages import copied_names
@@ -242,6 +243,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command),
         ),
         cuda_options=host_options(of.system.answer.apt_guessed, of.base.answer.ubuntu),
+        own_packages=() if of.own.answer else own_packages(evidence, config),
         header_links=linked_headers(evidence, of.base.answer.ubuntu),
         interpreters=() if of.own.answer else interpreters.answer,
         native=told(evidence.problems) and not config.compatible,

@@ -161,6 +161,8 @@ class Decision:
     """What a page tells CMake for the repository itself, where it is no ROS package."""
     cuda_options: tuple[str, ...] = ()
     """What tells CMake the compiler that the image's toolkit of CUDA takes."""
+    own_packages: tuple[str, ...] = ()
+    """Packages of Debian that the repository holds and a page or a script of it installs, by their paths."""
     header_links: tuple[tuple[str, str], ...] = ()
     """Headers of the Ubuntu that links take the place of, each with where its link leads to."""
     interpreters: tuple[tuple[str, str], ...] = ()

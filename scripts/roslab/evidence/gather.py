@@ -56,6 +56,7 @@ from roslab.evidence.prose import (
     named_ports,
     named_weights,
     notebook_installs,
+    own_packages,
     page_lists,
     pointed,
     readme,
@@ -139,7 +140,7 @@ def gather(repository: Repository) -> Evidence:
     own = submodules.without(repository)
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
         own = repository  # of what is compiled, the submodules are a part
-    prose = merge(reader(own) for reader in PROSE)
+    prose = own_packages.found(merge(reader(own) for reader in PROSE), own)
     said = pointed.read(own)
     python_projects = project.read(repository)
     by_pip = [each for each in python_projects if not places.vendored(each.file)]

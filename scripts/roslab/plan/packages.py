@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from roslab.config.model import Config, Source
 from roslab.decide.decision import Decision
 from roslab.decide.ros.source_names import wraps
@@ -26,6 +28,11 @@ class ImagePackages:
     tools: tuple[str, ...] = ()
     """Installed if the base's apt has them; if one is missing, the step that uses it fails and says so."""
     named: tuple[str, ...]
+
+
+def own_files(paths: Iterable[str]) -> tuple[tuple[str, str], ...]:
+    """Return packages that the repository holds, each with the path by which apt is asked for it."""
+    return tuple((path, f"/tmp/packages/{path.rpartition('/')[2]}") for path in paths)  # noqa: S108 - of the image
 
 
 def image_packages(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> ImagePackages:

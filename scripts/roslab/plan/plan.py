@@ -84,6 +84,8 @@ class Plan:
     """Tools that the base may already have, or that its apt may lack: installed if possible, reported if not."""
     apt: tuple[str, ...]
     apt_guessed: tuple[str, ...]
+    own_packages: tuple[str, ...]
+    """Packages of Debian that the repository holds, by their paths: installed if possible, reported if not."""
     libraries: tuple[Source, ...]
     """Built from source before the workspace, in this order."""
     rosdep: Rosdep | None
@@ -203,6 +205,7 @@ def make_plan(
         apt_tools=packages.tools,
         apt=packages.named,
         apt_guessed=decision.apt_guessed,
+        own_packages=decision.own_packages,
         package_data=()
         if config.compatible
         else tuple((each.package, each.script.format(distro=decision.ros_distro)) for each in data_of(decision)),

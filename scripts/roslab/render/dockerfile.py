@@ -71,6 +71,7 @@ TODAY = Order(
     image=(
         system.packages,  # 2. what the repository declares …
         system.tools,
+        system.own_packages,
         system.guessed_packages,  # … and what was guessed
         system.icub,
         system.newer_cmake,
@@ -169,7 +170,7 @@ def question(plan: Plan) -> str:
     Its first steps are those of the image, which need not be repeated. The argument ASKED makes the question a new one.
     """
     order = OLD_FORMATS if plan.compatible else TODAY
-    lines = locks.apt_lines(plan, lambda package: package.step != "base")
+    lines = locks.apt_lines(plan, lambda package: package.step not in {"base", "own"})
     ask = (
         f"{shell.heredoc('/asked', lines)}{shell.copy_script('missing-packages')}ARG ASKED\n"
         "RUN : ${ASKED} && missing-packages /asked >/missing"

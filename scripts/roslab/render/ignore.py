@@ -69,7 +69,9 @@ def _needed(plan: Plan) -> tuple[str, ...]:
     folders = (folder for folder in plan.workspace.python_projects if folder not in ("", "."))
     program = plan.workspace.program
     cmake = (posixpath.join(program.folder, "CMakeLists.txt"),) if program else ()
-    return tuple(sorted({*python.manifests, *python.requirements, *conda, *folders, *manifests, *cmake}))
+    return tuple(
+        sorted({*python.manifests, *python.requirements, *conda, *folders, *manifests, *cmake, *plan.own_packages})
+    )
 
 
 def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:

@@ -15,17 +15,17 @@ def by_page(asked: Iterable[Dependency], evidence: Evidence) -> frozenset[str]:
     """
     apt = {each.name for each in evidence.prose if each.namespace == "apt"}
     built = {git.name for git in evidence.sources if git.installed}
-    return frozenset(each.name for each in asked if each.name in built or not apt.isdisjoint(_packages(each.name)))
+    return frozenset(each.name for each in asked if each.name in built or not apt.isdisjoint(packages_of(each.name)))
 
 
 def by_own_source(names: Iterable[str], evidence: Evidence) -> frozenset[str]:
     """Return the names of what apt brings from a source that the same page adds, whatever else compiles it."""
     pages = {source.file for source in evidence.apt_sources}
     apt = {each.name for each in evidence.prose if each.namespace == "apt" and each.file in pages}
-    return frozenset(name for name in names if not apt.isdisjoint(_packages(name)))
+    return frozenset(name for name in names if not apt.isdisjoint(packages_of(name)))
 
 
-def _packages(name: str) -> set[str]:
+def packages_of(name: str) -> set[str]:
     """Return the names that a package of Ubuntu with a library and its configuration for CMake may have."""
     plain = name.replace("_", "-")
     return {f"{prefix}{plain}-dev" for prefix in ("", "lib")}

@@ -35,7 +35,7 @@ _SCRIPT = pattern(r"([\w+.-]+\.(?:sh|bash))\b")
 _RUNNING = frozenset({"RUN", "ENTRYPOINT", "CMD"})
 _TOLD = ("install", "clone", "cmake", "docker", "catkin", "colcon")
 """What stands in every script that is read."""
-_KEPT = frozenset({"build_tool", "compiled", "step", "image_built", "image_pulled"})
+_KEPT = frozenset({"build_tool", "compiled", "step", "image_built", "image_pulled", "own_package"})
 """What is believed of a script that nobody may run."""
 _ASSIGNED = pattern(
     r"^[ \t]*(?:export[ \t]+|readonly[ \t]+|local[ \t]+)?([A-Za-z_]\w*)=(\"[^\"`]*\"|'[^'$`]*'|[\w./:${}~-]+)",

@@ -6,6 +6,7 @@ import posixpath
 import shlex
 
 from roslab.config.model import Source
+from roslab.plan.packages import own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import caches, locks, secrets, shell
@@ -41,6 +42,22 @@ def packages(plan: Plan) -> str:
 def tools(plan: Plan) -> str:
     """Install the tools of the workspace, and the pip of Python 2 that old images had."""
     return _where_known(plan, plan.apt_tools, "Tools, where this base's apt knows them", "tools")
+
+
+def own_packages(plan: Plan) -> str:
+    """Install the packages that the repository itself holds; what is for another machine or Ubuntu is told."""
+    if not plan.own_packages:
+        return ""
+    files = own_files(plan.own_packages)
+    mounts = (f"--mount=type=bind,source={quote.checked(path)},target={into}" for path, into in files)
+    given, around = secrets.for_apt(plan), locks.apt(plan, "own")
+    return shell.call(
+        "install-own-packages",
+        shell.words(into for _, into in files),
+        comment="Packages that the repository holds: none of them stops the build",
+        secrets=secrets.Secrets(mounts=(*given.mounts, *mounts), commands=given.commands),
+        around=around,
+    )
 
 
 def guessed_packages(plan: Plan) -> str:

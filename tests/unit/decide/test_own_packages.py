@@ -1,0 +1,62 @@
+"""A package of Debian that the repository holds, and that a script or a page of it installs, is in the image."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide.decision import Decision
+from roslab.plan.plan import make_plan
+from roslab.render.dockerfile import dockerfile
+from roslab.render.ignore import ignore
+from roslab.values.dataclass import replace
+
+Tree = Callable[[dict[str, str]], Decision]
+FILE = "setup/libacmesdk-dev_1.4_amd64.deb"
+MANIFEST = "<package format='3'><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend>"
+MANIFEST += "<depend>acmesdk</depend></package>"
+FILES = {
+    "src/demo/package.xml": MANIFEST,
+    "src/demo/CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\nfind_package(ACMESDK REQUIRED)\n",
+    FILE: "",
+}
+PAGE = "# Demo\nROS 2 Humble\n"
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"setup/setup.bash": "sudo apt install git\nsudo dpkg -i libacmesdk-dev_1.4_amd64.deb\n"},
+        {"README.md": f"{PAGE}## Install\n```\nsudo apt install ./{FILE}\n```\n"},
+        {"README.md": f"{PAGE}## Install\n```\ncd setup\nsudo dpkg -i libacmesdk-dev_1.4_amd64.deb\n```\n"},
+    ],
+)
+def test_what_the_tree_has_is_installed(tree: Tree, more: dict[str, str]) -> None:
+    decision = tree({"README.md": PAGE, **FILES, **more})
+    assert decision.own_packages == (FILE,)
+    assert not [w.message for w in decision.warnings if "colcon will stop" in w.message or ".deb" in w.message]
+    assert not [source for source in decision.source if source.name == "acmesdk"]
+    assert decision.platforms == ("linux/amd64",), "CMake stops without it"
+    plan = make_plan(decision, Config(), folder_name="demo", ignore=("*.deb", "setup/*"))
+    text = dockerfile(plan)
+    mounted = f"--mount=type=bind,source={FILE},target=/tmp/packages/libacmesdk-dev_1.4_amd64.deb"
+    assert mounted in text
+    assert text.index("install-own-packages /tmp/packages/") < text.rindex("    install-optional-apt")
+    assert f"!{FILE}" in ignore(plan, ())
+    assert "install-own-packages" not in dockerfile(replace(plan, own_packages=()))
+
+
+@pytest.mark.parametrize(
+    ("page", "told"),
+    [
+        ("sudo dpkg -i libother-dev_1.4_amd64.deb", True),
+        ("wget https://x.example/libother-dev_1.4_amd64.deb\nsudo dpkg -i libother-dev_1.4_amd64.deb", True),
+        ("sudo apt install libacmesdk-dev", False),
+    ],
+)
+def test_what_it_lacks_is_not(tree: Tree, page: str, told: bool) -> None:
+    decision = tree({**FILES, "README.md": f"{PAGE}## Install\n```\n{page}\n```\n"})
+    assert decision.own_packages == ()
+    assert any("not part of the image" in each.message for each in decision.warnings) == told
