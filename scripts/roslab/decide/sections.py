@@ -25,7 +25,7 @@ _ASIDE = pattern(
 )
 """A section about something else than starting it."""
 _TROUBLE = pattern(
-    r"\btrouble ?-?shoot\w*|\bfaqs?\b|\bq ?& ?a\b|\bfrequently asked\b|^\W*(?:issues|problems|errors)\W*$|"
+    r"\btrouble ?-?shoot\w*|\bfaqs?\b|\bgotchas?\b|\bq ?& ?a\b|\bfrequently asked\b|^\W*(?:issues|problems|errors)\W*$|"
     r"\b(?:known|common|possible|frequent)\s+(?:issues?|problems?|errors?|bugs?|pitfalls?)\b",
     re.IGNORECASE,
 )

@@ -33,6 +33,7 @@ from roslab.evidence.prose.absent_launches import absent_launch
 from roslab.evidence.prose.blanks import BLANK, distros_of, with_examples
 from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.download_scripts import fetched_by
+from roslab.evidence.prose.failing import of_failure
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
 from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
@@ -275,7 +276,7 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
     elif fenced:
         yield line
     else:
-        spans = (typed(span[2]) for span in _SPAN.finditer(line))
+        spans = (typed(s[2]) for s in _SPAN.finditer(line) if not of_failure(line, s.start(), s.end(), s[2].strip()))
         told = (span for span in spans if telling(span, signs) and " " in span)
         yield from (f"({span})" if _THERE.match(span) else span for span in told)  # a shell of its own
         yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
