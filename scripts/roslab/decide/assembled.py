@@ -115,7 +115,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     ros = of.kind.answer in _ROS
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     interpreters = decide_interpreters(evidence, config, of.base.answer.ubuntu)
-    failing = may_fail(evidence, of.packages, of.target, of.sources.answer, of.left_out)
+    failing = may_fail(
+        evidence, of.packages, of.target, of.sources.answer, of.left_out, stopping=of.missing.answer.stopping
+    )
     needed = must_build(
         evidence,
         of.command.answer.command,

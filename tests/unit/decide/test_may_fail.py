@@ -54,6 +54,18 @@ def test_what_most_likely_builds_does_not_fail(tmp_path: Path, files: dict[str, 
     assert planned(tmp_path, {**mine, **files}, CLONE.format(cloned))[0] == ()
 
 
+def test_a_library_that_cmake_looks_for_and_nothing_brings(tmp_path: Path) -> None:
+    files = {**_package("mine", "roscpp"), **_package("arm", "roscpp")}
+    files["arm/src/CMakeLists.txt"] = (
+        "find_library(ACME acme_proto_lib)\nif(NOT ACME)\n  message(FATAL_ERROR gone)\nendif()\n"
+        "add_executable(a a.cpp)\ntarget_link_libraries(a ${ACME})\n"
+    )
+    files["arm/CMakeLists.txt"] += "add_subdirectory(src)\n"
+    found, text = planned(tmp_path, files)
+    assert found == ("arm",)
+    assert f"leave-out-failed --keep mine src/{tmp_path.name}/arm -- " in text
+
+
 def test_messages_that_nothing_brings(tmp_path: Path) -> None:
     files = {**_package("mine", "roscpp"), **_package("arm", "roscpp")}
     files["arm/src/a.cpp"] = "#include <acme_msgs/Led.h>\nint main() {}\n"

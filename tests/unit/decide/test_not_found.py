@@ -34,6 +34,10 @@ def told(decision: Decision) -> list[tuple[str, int | None]]:
             [("CMake links acme81", 2)],
         ),
         (project(LOOK.replace(")\n", " REQUIRED)\n")), [("CMake links acme81", 2)]),
+        (
+            project(f'{LOOK}if(NOT SOLVER_LIBRARY)\nmessage(FATAL_ERROR "gone")\nendif()\n{LINK}'),
+            [("CMake links acme81", 2)],
+        ),
         (project(LOOK), []),  # nothing links it
         (project(f"{LOOK}if(SOLVER_LIBRARY)\n{LINK}endif()\n"), []),
         (project(f"{LOOK}if(NOT SOLVER_LIBRARY)\nset(SOLVER_LIBRARY dl)\nendif()\n{LINK}"), []),
@@ -45,6 +49,12 @@ def told(decision: Decision) -> list[tuple[str, int | None]]:
 )
 def test_what_nothing_brings_is_told(tree: Tree, files: dict[str, str], lines: list[tuple[str, int]]) -> None:
     assert told(tree(files)) == lines
+
+
+@pytest.mark.parametrize(("name", "count"), [("acme_proto_lib", 1), ("acme_proto", 0)])
+def test_a_library_that_is_named_so_by_hand_is_no_package_s(tree: Tree, name: str, count: int) -> None:
+    page = {"README.md": "```\nsudo apt install libacme-dev\n```\n"}
+    assert len(told(tree(project(LOOK.replace("libacme81.so", name) + LINK, **page)))) == count
 
 
 def test_what_a_table_has_is_built_or_installed(tree: Tree) -> None:

@@ -22,16 +22,25 @@ from roslab.knowledge.released import released, rosdep_keys
 
 
 def may_fail(
-    evidence: Evidence, packages: Packages, target: Target, sources: Sources, left_out: Collection[str]
+    evidence: Evidence,
+    packages: Packages,
+    target: Target,
+    sources: Sources,
+    left_out: Collection[str],
+    *,
+    stopping: Collection[str] = (),
 ) -> tuple[str, ...]:
     """Return the packages that CMake or the compiler will stop in where no clone has what they need.
 
     With those that need them; none where no others are left. What a clone is called like is most likely in that.
+    ``stopping``: files of CMake that look for a library which nothing brings.
     """
     if not target.ros_distro:
         return ()
     found: dict[str, None] = {}
-    for package in dict.fromkeys(_stopped(evidence, packages, _known(packages, target, sources), target)):
+    folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
+    stopped = [name for file in stopping if (name := owner(file, folders))]
+    for package in dict.fromkeys((*_stopped(evidence, packages, _known(packages, target, sources), target), *stopped)):
         found |= dict.fromkeys(needing(package, packages))
     names = tuple(name for name in found if name not in left_out)
     others = [m for m in packages.built if m.name not in {*names, *left_out} and not m.metapackage]

@@ -76,6 +76,8 @@ class Missing:
     """What turns those options of CMake off that are on and ask for a package which nothing brings."""
     tests: tuple[str, ...] = ()
     """Those of the options that are for the tests."""
+    stopping: tuple[str, ...] = ()
+    """Files of CMake that look for, or link, a library which nothing brings."""
     undeclared: bool = False
     """A package requires another one of the repository, and its package.xml does not name it."""
 
@@ -155,7 +157,8 @@ def decide_missing(
         warnings += without_own(evidence, packages, lambda name: plain(name) in names, build_tool)
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
-    warnings += not_found(evidence, packages, target, names, build_tool, built=made)
+    unfound = (*not_found(evidence, packages, target, names, build_tool, built=made),)
+    warnings += [warning for _, warning in unfound]
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
     asks = of_program_and_below if kind == "cpp" else required
@@ -172,6 +175,7 @@ def decide_missing(
             options=switches,
             tests=tuple(tests),
             undeclared=bool(hidden),
+            stopping=tuple(dict.fromkeys(file for file, _ in unfound)),
         ),
         warnings=tuple(warnings),
         reasons=(

@@ -21,6 +21,8 @@ from roslab.knowledge.shared_objects import given
 
 SHORTEST = 4
 """Fewest letters by which the first word of a name tells what brings it: ``boost_python38``."""
+_BY_HAND = ("_lib", "_library")
+"""How a library's name ends that somebody's own CMake makes: no package has one of such a name."""
 
 
 def not_found(
@@ -31,10 +33,11 @@ def not_found(
     build_tool: BuildTool,
     *,
     built: Collection[str],
-) -> Iterator[Warning_]:
-    """Yield a warning for each such library; ``names``: those of all that is installed, built or cloned.
+) -> Iterator[tuple[str, Warning_]]:
+    """Yield the file that asks for each such library, with a warning.
 
-    A clone that is not ``built`` has no library to link; what CMake fetches by itself has one.
+    ``names``: those of all that is installed, built or cloned. A clone that is not ``built`` has no library to link;
+    what CMake fetches by itself has one.
     """
     cloned = {plain(git.name) for git in evidence.sources if git.kind in {"clone", "inside"}}
     compiled = {name for name in names if name not in cloned or name in built}
@@ -55,13 +58,13 @@ def not_found(
             continue
         word = re.split(r"[^a-z]", asked.name.lower(), maxsplit=1)[0]
         there = names if looked else compiled
-        alike = len(word) >= SHORTEST and similar(word, there)
+        alike = len(word) >= SHORTEST and not asked.name.lower().endswith(_BY_HAND) and similar(word, there)
         if not (alike or similar(asked.name.lower(), there) or resolve(asked, target).known):
             told.add(asked.name)
             why = "which find_library looks for and" if looked else f"of which the code includes {shown}, and which"
             what = f"CMake links {asked.name}, {why} nothing is known to bring"
             then = "install it under `custom` or give its repository under `source` in roslab.yaml"
-            yield warn(f"{what}: {_tool(build_tool)} will stop there; {then}", asked)
+            yield asked.file, warn(f"{what}: {_tool(build_tool)} will stop there; {then}", asked)
 
 
 def _headers(evidence: Evidence) -> dict[str, tuple[int, str]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslab.evidence import places
@@ -19,6 +20,7 @@ _FIND = "find_library"
 _CALLS = frozenset({_FIND, "target_link_libraries", "link_libraries"})
 _VARIABLE = pattern(r"\$\{(\w+)\}")
 _CONDITION = pattern(r"\s*(?:else)?if\s*\(")
+_STOPS = pattern(r"\s*if\s*\(\s*NOT\s+(\w+)\s*\)\s*message\s*\(\s*(?:FATAL|SEND)_ERROR\b", re.IGNORECASE)
 _FILE = pattern(r"^(?:lib)?([\w+.-]+?)\.(?:so(?:\.\d+)*|a)$")
 """https://cmake.org/cmake/help/latest/command/find_library.html: a name may be that of the file."""
 
@@ -26,7 +28,8 @@ _FILE = pattern(r"^(?:lib)?([\w+.-]+?)\.(?:so(?:\.\d+)*|a)$")
 def searched(text: str, path: str, repository: Repository) -> Iterator[Dependency]:
     """Yield each such library that the tree does not hold, under the name that a table knows, else the first.
 
-    Where a condition asks whether it was found, or stands before the search, CMake may go on without it.
+    Where a condition asks whether it was found, or stands before the search, CMake may go on without it; not where all
+    that the condition does is to stop.
     """
     if _FIND not in text.lower():
         return
@@ -56,7 +59,12 @@ def _plain(name: str) -> str:
 def _asked(text: str, variable: str) -> bool:
     """Tell whether a condition names a variable."""
     starts = (text.rfind("\n", 0, at) + 1 for at in lines_with(text, variable))
-    return any(_CONDITION.match(text, start) for start in starts)
+    return any(_CONDITION.match(text, start) and not _stops(text, start, variable) for start in starts)
+
+
+def _stops(text: str, start: int, variable: str) -> bool:
+    found = _STOPS.match(text, start)
+    return found is not None and found[1] == variable
 
 
 def held(name: str, repository: Repository) -> bool:
