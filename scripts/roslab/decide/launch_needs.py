@@ -14,6 +14,7 @@ from roslab.decide.ros.sought import tried
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.startable_launches import lacks
+from roslab.decide.unmade_nodes import unmade_nodes
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -86,6 +87,7 @@ def decide_launch_needs(
         for package, name, file, line in launch.gone
     ]
     told += _elsewhere(evidence, launch, ros_distro)
+    told += unmade_nodes(evidence, launch)
     told += lacking_simulators(evidence, config, launch, given)
     told += lacking_vendors(evidence, config, launch, ros_distro)
     return Choice(answer=None, warnings=(*told, *others))

@@ -34,6 +34,8 @@ class LaunchFile:
     """Those of them that it names as files of a package, each as package and name."""
     nodes: tuple[tuple[str, str], ...] = ()
     """Package and program of each node that it starts."""
+    unmade: tuple[tuple[str, str, str], ...] = ()
+    """Of these the package, the program and the one most like it, where it is a package of the tree without that."""
     demands: tuple[str, ...] = ()
     """Arguments without a default, without which it is not started."""
     variables: tuple[tuple[str, int], ...] = ()

@@ -18,6 +18,7 @@ from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
 from roslab.evidence.ros.included_launches import included
 from roslab.evidence.ros.uninstalled import marked
+from roslab.evidence.ros.unmade_nodes import with_unmade
 from roslab.evidence.ros.worlds import opens_window
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
@@ -115,7 +116,8 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 **_tested(text, repository if old else None),
             )
         )
-    return marked(reached.with_reached(repository, tuple(found), packages, _conditional), repository, packages)
+    whole = reached.with_reached(repository, tuple(found), packages, _conditional)
+    return with_unmade(marked(whole, repository, packages), repository, packages)
 
 
 def plugins(repository: Repository) -> tuple[Dependency, ...]:

@@ -1,0 +1,22 @@
+"""Nodes that the default command starts and that their package, which is of the tree, does not install."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.decide.decision import Warning_
+from roslab.decide.launch_calls import with_included
+from roslab.evidence.facts import Evidence
+from roslab.evidence.launch_file import LaunchFile
+
+MOST = 3
+
+
+def unmade_nodes(evidence: Evidence, launch: LaunchFile) -> Iterator[Warning_]:
+    """Yield a warning for each of a launch file and those that it includes, with the name that is most like it."""
+    found = {(each[:2]): (one, each[2]) for one in with_included(evidence, launch) for each in one.unmade}
+    for (package, program), (file, near) in [*found.items()][:MOST]:
+        hint = f" (it has {near})" if near else ""
+        message = f"the default command starts {program} of the package {package}, which installs no such program{hint}"
+        then = "install it in its CMakeLists.txt or setup.py, or set `command` in roslab.yaml"
+        yield Warning_(message=f"{message}: {then}", file=file.file, line=file.line)
