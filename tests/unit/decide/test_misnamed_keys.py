@@ -68,3 +68,24 @@ def test_a_program_of_the_package_itself_is_no_key(tree: Tree, target: str, page
     files["README.md"] += page
     decision = tree(files | {"a.cpp": "int main() {}\n"})
     assert [each.name for each in decision.source] == looks
+
+
+def test_the_core_of_ros_1_is_left_over(tree: Tree) -> None:
+    """No repository can hold it for ROS 2, whatever a page links to."""
+    files = _files("roscpp", "message_generation", "catkin", "rclcpp", "acme_msgs")
+    decision = tree({**files, "README.md": "ROS 2 Jazzy\n\nIt needs [core](https://github.com/lab/core).\n"})
+    left = {"roscpp", "message_generation", "catkin"}
+    assert left <= {*decision.skip_keys}
+    told = [each.message for each in decision.warnings if "left over from ROS 1" in each.message]
+    assert len(told) == 1
+    assert all(name in told[0] for name in left)
+    assert {name for source in decision.source for name in source.holding} == {"acme_msgs"}
+
+
+def test_ros_1_has_its_core(tree: Tree) -> None:
+    files = {**_files("roscpp", "message_generation"), "README.md": "ROS Noetic\n"}
+    files["package.xml"] = files["package.xml"].replace("ament_cmake", "catkin")
+    files["CMakeLists.txt"] = "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    decision = tree(files)
+    assert decision.skip_keys == ()
+    assert not [each.message for each in decision.warnings if "left over" in each.message]

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
-from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, packaged
+from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, left_over, packaged
 from roslab.decide.ros.own_configs import installing
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
@@ -131,9 +131,8 @@ def translate(
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or "") or _of_python_2(name, target):
         return Translated()
-    if name in BUILD_TYPES:
-        why = "is the build type of a package, which <export> names, and no package"
-        return Translated(skip=True, warning=warn(f"{name} {why}: remove the dependency", key))
+    if useless := _useless(name, target.ros_distro):
+        return Translated(skip=True, warning=warn(useless, key))
     if python := packaged(name, target):
         message = f"{name} is the name of a package of pip, not a key of rosdep: {python[0]} is installed for it"
         return Translated(guessed=python, skip=True, warning=warn(message, key))
@@ -157,6 +156,15 @@ def translate(
         skip=True,
         warning=warn(message, key),
     )
+
+
+def _useless(name: str, ros_distro: str | None) -> str:
+    """Return what is wrong with a key that no repository can bring, ``""`` where one can."""
+    if left_over(name, ros_distro):
+        return f"rosdep has no key {name} for ROS {ros_distro}: left over from ROS 1; remove the dependency"
+    if name in BUILD_TYPES:
+        return f"{name} is the build type of a package, which <export> names, and no package: remove the dependency"
+    return ""
 
 
 def _of_python_2(name: str, target: Target) -> bool:

@@ -6,6 +6,7 @@ https://docs.ros.org/en/independent/api/rosdep/html/rosdep_yaml_format.html, 202
 from __future__ import annotations
 
 from roslab.decide.system.names import Target
+from roslab.knowledge.carried import base_holds
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.released import ever_released, released, rosdep_keys
@@ -29,6 +30,15 @@ def packaged(name: str, target: Target) -> tuple[str, ...]:
     release = distro(target.ros_distro)
     apt = of_pip(name)
     return (apt,) if apt and release is not None and release.python.startswith("3") else ()
+
+
+def left_over(name: str, ros_distro: str | None) -> bool:
+    """Tell whether a key for ROS 2 names a part of ROS 1 itself, which no ROS 2 has and nobody publishes for it."""
+    here = distro(ros_distro)
+    if here is None or here.ros != 2 or name in released(here.name):
+        return False
+    core = name == "catkin" or (name.startswith(("ros", "message_")) and name in base_holds(1))
+    return core and not elsewhere(name, ros_distro)
 
 
 def elsewhere(name: str, ros_distro: str | None) -> str:

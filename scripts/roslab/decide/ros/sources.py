@@ -13,6 +13,7 @@ from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, wi
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.in_tree import in_tree
 from roslab.decide.ros.itself import names_of_itself
+from roslab.decide.ros.misnamed import left_over
 from roslab.decide.ros.sought import with_sought
 from roslab.decide.ros.source_names import (
     address,
@@ -75,6 +76,7 @@ def decide_sources(
     itself = names_of_itself(evidence, folder_name, own)
     chosen.itself = {name for name in itself if name not in own}
     known = released(ros_distro or "") | own
+    needed = tuple(each for each in needed if each.namespace != "rosdep" or not left_over(each.name, ros_distro))
     lacking = bool(unreleased(needed, known | rosdep_keys()))
     files = vcs_files(evidence, config, ros_distro, lacking=lacking, itself=itself)
     for git in evidence.sources:
