@@ -206,6 +206,21 @@ def test_what_a_page_has_the_reader_try(tree: Tree, sentence: str, first: str) -
 
 
 @pytest.mark.parametrize(
+    ("sentence", "first"),
+    [
+        ("5. Check the demo is available by running\n    - `python ./test.py`", "test.py"),
+        ("5. Test the installation by running:\n\n`python ./test.py`", "test.py"),
+        ("5. Install it\n    - `python ./test.py`", "train.py"),
+        ("5. Check the demo is available by running what `python ./test.py` tests", "train.py"),
+    ],
+)
+def test_what_a_page_has_the_reader_try_in_a_line_of_code(tree: Tree, sentence: str, first: str) -> None:
+    page = f"# Robot\n## Installation\n{sentence}\n## Usage\n```\npython train.py\n```\n"
+    found = tree({"README.md": page, "train.py": MAIN, "test.py": MAIN, "requirements.txt": "numpy\n"})
+    assert found.command[1] == first
+
+
+@pytest.mark.parametrize(
     ("code", "call", "first"),
     [
         ("if __name__ == '__main__':\n    data = '/media/me/disk/data/'\n    print(data)\n", "", "other.py"),

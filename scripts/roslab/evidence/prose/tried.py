@@ -19,6 +19,8 @@ from roslab.values.pattern import pattern
 _SAID = pattern(
     r"\b(?:[Tt]est|[Vv]erify|[Cc]heck|[Tt]ry)\b[^.\n]{0,40}\b(?:install\w*|set-?up|build)\b[^.\n]{0,60}"
     r"\b(?:run|launch|start|execut)\w*\b|"
+    r"\b(?:[Tt]est|[Vv]erify|[Cc]heck)\b[^.\n]{0,40}\b(?:is|are)\s+(?:available|working|ready|installed)\b"
+    r"[^.\n]{0,40}\b(?:run|launch|start|execut)\w*\b|"
     r"\b(?:[Rr]un|[Ll]aunch|[Ss]tart|[Tt]ry)(?:ning|ing)?\s+(?:an?|the|our)\s+(?:\w+\s+){0,2}(?:demo\w*|example)\b"
 )
 _WITHHELD = pattern(
@@ -33,6 +35,8 @@ _LAST = pattern(r"[.!?:]\)?\s+(?=[A-Z])")
 """Between two sentences: the last one is about the block below it."""
 _LEFT = pattern(r"(?<![&|<>\\])&[ \t]*(?:#.*)?$", re.MULTILINE)
 """The end of a command that the shell does not wait for."""
+_CODE_ALONE = pattern(r"\s*(?:[-*+]\s+)?`[^`]+`\s*")
+"""A line, of a list or not, that is code and nothing else."""
 _PROGRAM = pattern(r"(?:python[\d.]*|bash|sh|\./\S+)(?:\s|$)")
 _MEANT = pattern(r"\bnohup\b|train", re.IGNORECASE)
 """What is meant though it is in the background: it runs for days."""
@@ -84,14 +88,14 @@ def _below(
 
 
 def _lines(text: str, sentence: re.Pattern[str]) -> frozenset[int]:
-    """Return the numbers of the lines in the blocks that such a sentence introduces."""
+    """Return the numbers of the lines in the blocks that such a sentence introduces, and of code alone below it."""
     found: set[int] = set()
     fenced = introduced = False
     for number, line in enumerate(text.split("\n") if sentence.search(text) else (), 1):
         if fence(line):
             fenced = not fenced
             introduced = introduced and fenced
-        elif fenced and introduced:
+        elif introduced and (fenced or _CODE_ALONE.fullmatch(line[:MAX_LINE])):
             found.add(number)
         elif not fenced and line.strip():
             introduced = len(line) <= MAX_LINE and bool(sentence.search(_LAST.split(line.rstrip())[-1]))
