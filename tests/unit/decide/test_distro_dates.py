@@ -235,3 +235,34 @@ def test_a_date_tells_more_than_an_address_on_a_page_about_no_package(tmp_path: 
     date = Mention(topic="date", value="2021-02-23", source="commit", file=".git/HEAD", line=1, text="")
     evidence = replace(evidence, mentions=(*evidence.mentions, date))
     assert decide(evidence, Config(), folder_name="a").ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("starts", "day", "more", "distro"),
+    [
+        (("gazebo_ros",), "2025-08-01", {}, "humble"),
+        (("gazebo_ros", "ros_gz_sim"), "2025-08-01", {}, "humble"),
+        (("ros_gz_sim",), "2025-08-01", {}, "jazzy"),
+        (("gazebo_ros", "acme_robot"), "2025-08-01", {}, "humble"),  # nobody released the other
+        (("gazebo_ros",), "2025-08-01", {"README.md": "For ROS 2 Jazzy\n"}, "jazzy"),
+        (("gazebo_ros",), "2025-08-01", {"README.md": "https://github.com/lab/gazebo_ros\n"}, "jazzy"),
+        (("gazebo_ros",), "2028-01-01", {}, "jazzy"),  # humble has ended by then
+    ],
+)
+def test_what_launch_files_start(
+    tmp_path: Path, starts: tuple[str, ...], day: str, more: dict[str, str], distro: str
+) -> None:
+    nodes = ", ".join(f"Node(package='{name}', executable='a')" for name in starts)
+    files = {
+        "package.xml": "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+        "CMakeLists.txt": "find_package(ament_cmake REQUIRED)\ninstall(DIRECTORY launch DESTINATION share/a)\n",
+        "launch/a.launch.py": f"def generate_launch_description():\n    return LaunchDescription([{nodes}])\n",
+        **more,
+    }
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text)
+    date = Mention(topic="date", value=day, source="commit", file=".git/HEAD", line=1, text="")
+    evidence = gather(Repository.open(tmp_path))
+    evidence = replace(evidence, mentions=(*evidence.mentions, date))
+    assert decide(evidence, Config(), folder_name="a").ros_distro == distro

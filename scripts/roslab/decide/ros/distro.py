@@ -256,7 +256,7 @@ def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[
 def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]]) -> Choice[Distro | None]:
     """Return the distribution of the last commit's time, else the default; if that lacks a key, one with every key."""
     from roslab.decide.ros.by_python import by_python  # noqa: PLC0415 - nearly every tree says more
-    from roslab.decide.ros.lost_keys import with_every_package  # noqa: PLC0415 - nearly every tree says more
+    from roslab.decide.ros.lost_keys import with_every_launched, with_every_package  # noqa: PLC0415
 
     date = dated(evidence)
     at: Placed | None = date
@@ -291,6 +291,11 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
     if older := with_every_package(evidence, 1 if kind == "ros1" else 2, answer, fitting):
         why = f"no distribution is named, and {older[0]} is the last that released {older[1].name}"
         answer, at = older
+    there_then = [name for name in fitting if date and date.topic == "date" and supported(name, date.value)]
+    if not older and (other := with_every_launched(evidence, 1 if kind == "ros1" else 2, answer, there_then)):
+        why = f"no distribution is named; {answer}, which fits the last commit, has no {other[1].name}, which launch "
+        why += f"files need, and {other[0]}, which was there, too, has"
+        answer, at = other
     message = f"nothing says which ROS distribution this is for: {answer} is used; set base.ros in roslab.yaml"
     reason = because("ros_distro", answer, why, at, weight=Weight.DEFAULT)
     return Choice(answer=distros()[answer], reasons=(reason,), warnings=(warn(message),))

@@ -27,6 +27,26 @@ def with_every_package(evidence: Evidence, ros: int, answer: str, fitting: list[
     return max(best, key=lambda name: distros()[name].preference), lost[min(lost)]
 
 
+def with_every_launched(evidence: Evidence, ros: int, answer: str, fitting: list[str]) -> tuple[str, Dependency] | None:
+    """Return the best of the fitting distributions with all that the launch files need, and what the given one lacks.
+
+    All but what no distribution of these released; ``None`` where the given one has that, or no other has.
+    """
+    own = packages_of(evidence).names
+    asked = [each for launch in evidence.launch if launch.ros == ros and launch.package for each in launch.dependencies]
+    needed: dict[str, Dependency] = {}
+    for each in asked:
+        ros_sister = each.name in own or _named(each.name, evidence) or ros_sources(each.name, ros, answer)
+        if each.namespace == "ros" and each.strength != "optional" and not ros_sister:
+            needed.setdefault(each.name, each)
+    wanted = needed.keys() & {name for each in (answer, *fitting) for name in released(each)}
+    lost = wanted - released(answer)
+    best = [name for name in fitting if wanted <= released(name)]
+    if not lost or not best:
+        return None
+    return max(best, key=lambda name: distros()[name].preference), needed[min(lost)]
+
+
 def _lost(evidence: Evidence, ros: int, distro: str) -> Mapping[str, Dependency]:
     """Return what packages need to be built, a distribution released once, this one did not, and nothing brings."""
     packages = packages_of(evidence)
