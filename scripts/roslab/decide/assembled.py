@@ -16,6 +16,7 @@ from roslab.decide.foreign_interpreters import decide_interpreters
 from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.nodes_without_ros import decide_nodes
 from roslab.decide.old_compiler import decide_compiler
+from roslab.decide.opened import decide_opened
 from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import Platforms
 from roslab.decide.proof import compiled, rostests, runs_ctest
@@ -176,6 +177,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             ()
             if of.own.answer
             else (
+                decide_opened(evidence, config, of.command.answer.command, of.downloads.answer),
                 decide_outside(evidence, config, of.kind.answer),
                 _unknown_packages(of, evidence, config),
                 decide_nodes(evidence, config, of.kind.answer, of.base.answer.image),

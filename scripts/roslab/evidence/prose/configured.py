@@ -89,7 +89,7 @@ def installs(program: str, words: Sequence[str], *, configured: bool) -> bool:
 
 
 def by_hand(said: GitSource, program: str, options: str, folder: str, *, configured: bool, prepared: bool) -> GitSource:
-    """Return a clone as a text compiles and installs it: with which options, in which folder of it, by CMake or make."""
+    """Return a clone as a text compiles and installs it: with which options, in which folder, by CMake or make."""
     by_cmake = said.configured or configured
     by_make = program == "make" and not (by_cmake or prepared)
     inside = below(said.folder, folder)
