@@ -293,8 +293,7 @@ def _default(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]])
         answer, at = older
     there_then = [name for name in fitting if date and date.topic == "date" and supported(name, date.value)]
     if not older and (other := with_every_launched(evidence, 1 if kind == "ros1" else 2, answer, there_then)):
-        why = f"no distribution is named; {answer}, which fits the last commit, has no {other[1].name}, which launch "
-        why += f"files need, and {other[0]}, which was there, too, has"
+        why = f"no distribution is named; {answer} has no {other[1].name}, which launch files need, and {other[0]} has"
         answer, at = other
     message = f"nothing says which ROS distribution this is for: {answer} is used; set base.ros in roslab.yaml"
     reason = because("ros_distro", answer, why, at, weight=Weight.DEFAULT)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from difflib import get_close_matches
 
 from roslab.evidence.launch_file import LaunchFile
 from roslab.repository.checkout import Repository
@@ -38,12 +37,18 @@ def with_unmade(
             if package not in texts:
                 texts[package] = "\n".join(_texts(folders[package], repository))
         unmade = tuple(
-            (package, program, next(iter(get_close_matches(program, _NAMED.findall(texts[package]), n=1)), ""))
+            (package, program, _nearest(program, _NAMED.findall(texts[package])))
             for package, program in own
             if _unmade(program, package, texts[package])
         )
         found.append(replace(launch, unmade=unmade) if unmade else launch)
     return tuple(found)
+
+
+def _nearest(program: str, names: Iterable[str]) -> str:
+    from difflib import get_close_matches  # noqa: PLC0415 - for a program that nothing installs
+
+    return next(iter(get_close_matches(program, [*names], n=1)), "")
 
 
 def _texts(folder: str, repository: Repository) -> Iterator[str]:
