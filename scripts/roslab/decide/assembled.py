@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.absent_launches import decide_absent_launches
-from roslab.decide.absent_programs import decide_absent_programs
 from roslab.decide.author_dockerfile import Dockerfile
 from roslab.decide.base import BaseImage
 from roslab.decide.command import Command
@@ -172,7 +171,6 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         ),
         decide_conflicts(evidence),
         decide_absent_launches(evidence, of.kind.answer),
-        decide_absent_programs(evidence, config, of.command.answer.command),
         *(
             ()
             if of.own.answer

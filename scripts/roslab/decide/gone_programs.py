@@ -33,6 +33,9 @@ def gone_programs(evidence: Evidence, kind: Kind) -> Iterator[Warning_]:
             path.endswith(".py") and "/" in path and path.partition("/")[0] in folders and not path.startswith(unread)
         )
         if of_tree and not known and not PLACEHOLDER.search(path):
+            from difflib import get_close_matches  # noqa: PLC0415 - few pages name a program that is gone
+
+            near = "".join(f" (it has {each})" for each in get_close_matches(path, sorted(programs), n=1))
             then = "the image starts a shell: name the program that took its place under `command` in roslab.yaml"
-            yield warn(f"the page runs {path}, which the tree does not have; {then}", said)
+            yield warn(f"the page runs {path}, which the tree does not have{near}; {then}", said)
             return

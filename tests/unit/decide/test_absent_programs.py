@@ -1,4 +1,4 @@
-"""A program that the page starts and that the tree does not have is told where nothing else is the default."""
+"""Of a program that the tree does not have the nearest is named, and examples are listed where nothing else is one."""
 
 from __future__ import annotations
 

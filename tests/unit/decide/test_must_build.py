@@ -127,7 +127,8 @@ def test_what_the_code_of_the_command_includes_stops_the_build(tmp_path: Path, c
         ".git/HEAD": "ref: refs/heads/a\n",
     }
     page = {"README.md": f"ROS Noetic\n```\ncatkin_make\n{run}\n```\n"}
-    for path, text in {**_package("mine", needs="acme_tools"), "mine/a.cpp": code, **git, **page}.items():
+    cmake = {"mine/CMakeLists.txt": _package("mine")["mine/CMakeLists.txt"]}  # what CMake requires stops it anyway
+    for path, text in {**_package("mine", needs="acme_tools"), **cmake, "mine/a.cpp": code, **git, **page}.items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text)
     warnings = [each.message for each in plan_repository(tmp_path).plan.warnings]
