@@ -237,7 +237,7 @@ def gather(repository: Repository) -> Evidence:
             *stops_without.read(own, cmake_projects),
             *(asked_variables.read(own, cmake_projects) if manifests or cmake_projects else ()),
             *commented.read(own, lists),
-            *(commit_date.read(repository) if manifests or cmake_projects or listed or by_file else ()),
+            *(commit_date.read(repository) if manifests or cmake_projects or made or listed or by_file else ()),
         ),
         worked_on=worked_on.read(repository),
         old_code=extension_code.read(own, python_projects),

@@ -30,6 +30,7 @@ def ros1(cmake: str = "", code: str = "", page: str = "Tested with ROS Kinetic")
         ("", "#include <opencv/cv.h>\n", "Tested with ROS Noetic", "melodic"),
         ("", "void f() { imread(a, CV_LOAD_IMAGE_COLOR); }\n", "Tested with ROS Noetic", "melodic"),
         ("", "// CV_LOAD_IMAGE_COLOR\n", "Tested with ROS Noetic", "noetic"),
+        ("", "// a\nputs(CV_MAJOR_VERSION);\nint f = CV_LOAD_IMAGE_COLOR;\n", "Tested with ROS Noetic", "melodic"),
         ("", "#if CV_MAJOR_VERSION < 4\nint f = CV_LOAD_IMAGE_COLOR;\n#endif\n", "Tested with ROS Noetic", "noetic"),
         ("set(CMAKE_CXX_STANDARD 17)\n", "", "Tested with ROS Kinetic", "melodic"),
         ('set(CMAKE_CXX_FLAGS "-std=c++17")\n', "", "Tested with ROS Kinetic", "melodic"),

@@ -197,7 +197,18 @@ class Signs:
 def _guarded(text: str) -> Iterator[str]:
     for shared, words in _GUARDS.items():
         if shared in text:
-            yield from (library for word, library in words.items() if word in text)
+            yield from (library for word, library in words.items() if _directed(text, word))
+
+
+def _directed(text: str, word: str) -> bool:
+    """Tell whether a word stands in a directive: what only prints a version chooses nothing by it."""
+    at = text.find(word)
+    while at >= 0:
+        before = text[: text.rfind("\n", 0, at) + 1]
+        if text[len(before) : at].lstrip().startswith("#") or before.endswith("\\\n"):
+            return True
+        at = text.find(word, at + 1)
+    return False
 
 
 def conditional(text: str, position: int) -> bool:
