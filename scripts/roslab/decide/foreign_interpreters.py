@@ -23,8 +23,9 @@ def decide_interpreters(evidence: Evidence, config: Config, ubuntu: str | None) 
     found: dict[str, tuple[str, Place]] = {}
     for launch in evidence.launch:
         for file, named in launch.foreign:
-            if match := _PYTHON.fullmatch(named):
-                old = ubuntu in ubuntus_with_python2() and not match[1].startswith("python3")
+            match = _PYTHON.fullmatch(named)
+            old = ubuntu in ubuntus_with_python2()
+            if match and not (old and match[1].startswith("python3")):  # the ROS there is for Python 2
                 found.setdefault(named, ("python2" if old else "python3", Place(file=file, line=1)))
     why = "launch files start scripts whose first line names it: a link there leads to the image's Python"
     reasons = tuple(because("workspace", name, why, place, weight=LINKED) for name, (_, place) in found.items())

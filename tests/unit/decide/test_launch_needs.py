@@ -190,6 +190,7 @@ def test_the_python_of_an_older_ros_stands_for_it(tree: Tree) -> None:
     files = {**PACKAGE, "scripts/a.py": f"#!{CONDA}\n", "README.md": "ROS Melodic\n"}
     files["launch/b.launch"] = '<launch><node pkg="demo" type="a.py" name="b"/></launch>'
     assert tree(files).interpreters == ((CONDA, "python2"),)
+    assert tree({**files, "scripts/a.py": "#!/home/joe/bin/python3\n"}).interpreters == (), "rospy is Python 2's there"
 
 
 @pytest.mark.parametrize(

@@ -210,6 +210,8 @@ def test_what_a_page_has_the_reader_try(tree: Tree, sentence: str, first: str) -
     [
         ("5. Check the demo is available by running\n    - `python ./test.py`", "test.py"),
         ("5. Test the installation by running:\n\n`python ./test.py`", "test.py"),
+        ("5. Verify that CUDA is available by running\n    - `python ./test.py`", "train.py"),
+        ("5. Verify that it is available before you run the training:\n    - `python ./test.py`", "train.py"),
         ("5. Install it\n    - `python ./test.py`", "train.py"),
         ("5. Check the demo is available by running what `python ./test.py` tests", "train.py"),
     ],

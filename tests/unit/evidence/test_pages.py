@@ -56,6 +56,8 @@ def test_a_page_of_another_name_below_the_title(tmp_path: Path, name: str) -> No
 
 
 def test_a_guide_at_the_root_where_no_readme_is(tmp_path: Path) -> None:
-    files = dict.fromkeys(("SIMULATION_GUIDE.md", "docs_guide/GUIDE.md", "TODO.md", "DEVELOPER_GUIDE.md"), "# Demo\n")
+    files = dict.fromkeys(
+        ("SIMULATION_GUIDE.md", "docs_guide/GUIDE.md", "TODO.md", "DEVELOPER_GUIDE.md", "STYLE_GUIDE.md"), "# Demo\n"
+    )
     assert read(tmp_path, files) == ["SIMULATION_GUIDE.md"]
     assert read(tmp_path, {**files, "INSTALL.md": "# Demo\n"}) == ["INSTALL.md"]

@@ -21,6 +21,8 @@ from roslab.knowledge.tools import for_old_packages, python2_installers, python_
         ("onnxruntime", "onnxruntime-gpu", True),
         ("onnxruntime", "onnxruntime-extensions", False),
         ("hydra-core", "hydra-colorlog", False),
+        ("psycopg2", "psycopg2-binary", True),
+        ("zenoh", "eclipse-zenoh", True),
         ("numpy", "scipy", False),
     ],
 )

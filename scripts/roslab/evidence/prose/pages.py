@@ -47,7 +47,10 @@ _ASIDE = pattern(
     re.IGNORECASE,
 )
 """What a page is about that an installation also names, and that is none of it."""
-_GUIDE = pattern(r"(?:^|[-_. ])(?:guides?|how[-_ ]?to|instructions?)(?:[-_. ]|$)")
+_GUIDE = pattern(
+    r"^(?!.*(?:style|cod(?:e|ing)|contribut|release|migrat))(?:.*[-_. ])?"
+    r"(?:guides?|how[-_ ]?to|instructions?)(?:[-_. ]|$)"
+)
 """The name of a page at the root that tells how to start the program where no README does."""
 _ABOUT = pattern(r"readme|install")
 

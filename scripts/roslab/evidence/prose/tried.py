@@ -19,8 +19,8 @@ from roslab.values.pattern import pattern
 _SAID = pattern(
     r"\b(?:[Tt]est|[Vv]erify|[Cc]heck|[Tt]ry)\b[^.\n]{0,40}\b(?:install\w*|set-?up|build)\b[^.\n]{0,60}"
     r"\b(?:run|launch|start|execut)\w*\b|"
-    r"\b(?:[Tt]est|[Vv]erify|[Cc]heck)\b[^.\n]{0,40}\b(?:is|are)\s+(?:available|working|ready|installed)\b"
-    r"[^.\n]{0,40}\b(?:run|launch|start|execut)\w*\b|"
+    r"\b(?:[Tt]est|[Vv]erify|[Cc]heck)\b(?![^.\n]{0,40}\b(?:CUDA|GPUs?|NVIDIA|drivers?|[Dd]ocker|(?:Py)?[Tt]orch|ROS|Python)\b)"
+    r"[^.\n]{0,40}\b(?:is|are)\s+(?:available|working|ready|installed)\b[^.\n]{0,20}\bby\s+(?:run|launch|start|execut)\w*\b|"
     r"\b(?:[Rr]un|[Ll]aunch|[Ss]tart|[Tt]ry)(?:ning|ing)?\s+(?:an?|the|our)\s+(?:\w+\s+){0,2}(?:demo\w*|example)\b"
 )
 _WITHHELD = pattern(
