@@ -770,6 +770,22 @@ def test_a_library_of_a_script_that_the_code_includes_or_whose_file_it_imports(
 
 
 @pytest.mark.parametrize(
+    ("cmake", "code", "unasked"),
+    [
+        ("", "#ifdef RASPBERRY_PI\n#include <PIDControl.h>\n#endif\n", True),
+        ("find_package(pid-control REQUIRED)\n", "#include <PIDControl.h>\n", False),
+    ],
+)
+def test_what_a_script_installs_for_an_include_alone_stops_nothing(
+    tree: Tree, cmake: str, code: str, unasked: bool
+) -> None:
+    decision = tree(ros1_script(cmake, BY_CMAKE, code))
+    assert [source.unasked for source in decision.source] == [unasked]
+    why = "a.cpp includes PIDControl.h, and setup.sh installs what is called so"
+    assert any(why in each.message for each in decision.warnings) == unasked
+
+
+@pytest.mark.parametrize(
     ("install", "by_make"),
     [
         ("sudo make -j4 install\n", [True]),

@@ -9,7 +9,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.weights import Weight
-from roslab.decide.system.by_everybody import told
+from roslab.decide.system.by_everybody import told, why
 from roslab.evidence.dependency import Dependency
 from roslab.values.dataclass import replace
 
@@ -22,13 +22,13 @@ def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Depend
     for source, asked in recipes:
         if source.name not in choice.answer.names and source.name not in added:
             added[source.name] = source
-            why = f"{asked.name} is needed, and no package of this Ubuntu contains it"
+            reason = f"{asked.name} is needed, and no package of this Ubuntu contains it"
             if source.place:
-                why = f"{asked.name} is needed, and {source.place.file}:{source.place.line} names its source"
+                reason = f"{asked.name} is needed, and {source.place.file}:{source.place.line} names its source"
             if source.unasked and asked.namespace != "link":
-                why = f"{asked.file} has everybody build it"
+                reason = why(source, asked)
                 warnings.append(told(source, asked))
-            reasons.append(because("source", source.name, why, asked, weight=Weight.RECIPE))
+            reasons.append(because("source", source.name, reason, asked, weight=Weight.RECIPE))
     answer = replace(
         choice.answer,
         sources=(*added.values(), *choice.answer.sources),

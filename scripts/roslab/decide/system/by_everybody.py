@@ -31,11 +31,18 @@ _AFFIXES = pattern(r"^lib(?=[a-z])|(?:-|_)dev$")
 _NUMBER = pattern(r"_?\d+$")
 
 
+def why(source: Source, asked: Dependency) -> str:
+    """Return why such a library is built; ``asked`` is the page, or what includes a header of it."""
+    if asked.namespace == "include" and source.place:
+        return f"{asked.file} includes {asked.name}, and {source.place.file} installs what is called so"
+    return f"{asked.file} has everybody build it"
+
+
 def told(source: Source, asked: Dependency) -> Warning_:
-    """Return the warning about such a library, whose page ``asked`` is."""
-    message = f"{source.repo} is built because {asked.file} has everybody build it, though nothing that was read asks "
-    then = "for it by name: where that fails, the image is made without it; give it under `source` in roslab.yaml if it"
-    return warn(f"{message}{then} is needed", asked)
+    """Return the warning about such a library."""
+    message = f"{source.repo} is built because {why(source, asked)}, though nothing that was read asks for it by name: "
+    then = "where that fails, the image is made without it; give it under `source` in roslab.yaml if it is needed"
+    return warn(f"{message}{then}", asked)
 
 
 def named_in(projects: Iterable[CMakeProject]) -> Iterator[str]:

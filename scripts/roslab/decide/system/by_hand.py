@@ -111,8 +111,9 @@ def by_hand(
         if may_be and _unknown(asked, target, pinned=False):
             found.setdefault(git, asked)
         header = includes(git, headers)
-        if header is not None and _by_script(git):
-            found.setdefault(git, header)
+        if header is not None and git not in found and _by_script(git):
+            found[git] = header
+            unasked.add(git)  # the include may be for another machine, or in what is not compiled
         if git not in found and built_by_everybody(git, kind, target, there, included=header is not None):
             found[git] = header or asked
             if header is None:
