@@ -60,3 +60,22 @@ def test_what_it_lacks_is_not(tree: Tree, page: str, told: bool) -> None:
     decision = tree({**FILES, "README.md": f"{PAGE}## Install\n```\n{page}\n```\n"})
     assert decision.own_packages == ()
     assert any("not part of the image" in each.message for each in decision.warnings) == told
+
+
+@pytest.mark.parametrize(
+    ("also", "called", "installed", "platforms"),
+    [
+        ("libacmesdk-dev_1.4_arm64.deb", False, True, ("linux/amd64", "linux/arm64")),
+        ("libacmesdk-dev_1.5_arm64.deb", True, True, ("linux/amd64", "linux/arm64")),
+        ("libother-dev_1.4_arm64.deb", True, True, ("linux/amd64",)),
+        ("libacmesdk-dev_1.4_armhf.deb", False, False, ("linux/amd64",)),
+    ],
+)
+def test_one_for_arm_beside_it_is_installed_there(
+    tree: Tree, also: str, called: bool, installed: bool, platforms: tuple[str, ...]
+) -> None:
+    line = f"sudo dpkg -i setup/{also}\n" if called else ""
+    page = f"{PAGE}## Install\n```\nsudo dpkg -i {FILE}\n{line}```\n"
+    decision = tree({**FILES, f"setup/{also}": "", "README.md": page})
+    assert decision.own_packages == ((FILE, f"setup/{also}") if installed else (FILE,))
+    assert decision.platforms == platforms

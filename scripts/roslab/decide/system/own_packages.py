@@ -27,12 +27,19 @@ def own_packages(evidence: Evidence, config: Config) -> tuple[str, ...]:
 
 
 def for_x86_alone(evidence: Evidence) -> X86Only | None:
-    """Return the first for amd64 with the name of what CMake requires."""
+    """Return the first for amd64 alone with the name of what CMake requires."""
     asked = [each for project in evidence.cmake for each in project.dependencies if each.strength == "declared"]
-    for mention in evidence.mentions:
-        name = NAME.fullmatch(posixpath.basename(mention.value)) if mention.topic == "own_package" else None
-        if name and mention.value.endswith("_amd64.deb"):
+    paths = [each.value for each in evidence.mentions if each.topic == "own_package"]
+    for_arm = {_package(path) for path in paths if path.endswith(("_arm64.deb", "_all.deb"))}
+    for path in paths:
+        name = _package(path)
+        if path.endswith("_amd64.deb") and name not in for_arm:
             for each in asked:
-                if name[1] in packages_of(each.name.lower()):
-                    return X86Only(mention.value, "binary", each.file, each.line)
+                if name in packages_of(each.name.lower()):
+                    return X86Only(path, "binary", each.file, each.line)
     return None
+
+
+def _package(path: str) -> str:
+    name = NAME.fullmatch(posixpath.basename(path))
+    return name[1] if name else ""

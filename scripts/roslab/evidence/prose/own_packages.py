@@ -43,7 +43,7 @@ def found(prose: Prose, repository: Repository) -> Prose:
         if each.topic != "own_package":
             mentions.append(each)
         elif path := _path(each, repository):
-            mentions.append(replace(each, value=path))
+            mentions += (replace(each, value=there) for there in (path, *_for_arm(path, repository)))
             here.add((each.file, each.line, posixpath.basename(path)))
             if named := NAME.fullmatch(posixpath.basename(path)):
                 asked.append(_by_name(named[1], each))
@@ -58,6 +58,13 @@ def _path(mention: Mention, repository: Repository) -> str:
     paths = [path for path in (beside, mention.value) if path in named] or (named if len(named) == 1 else [])
     read = mention.source in {"readme", "script"} and not places.vendored(mention.file)
     return paths[0] if paths and read else ""
+
+
+def _for_arm(path: str, repository: Repository) -> list[str]:
+    """Return the files of the same version of a package for amd64 that are for arm64, mentioned or not."""
+    package, _, machine = posixpath.basename(path).rpartition("_")
+    named = repository.named(f"{package}_arm64.deb") if machine == "amd64.deb" else ()
+    return [file.path for file in named]
 
 
 def _only(step: Mention, here: set[tuple[str, int, str]]) -> bool:
