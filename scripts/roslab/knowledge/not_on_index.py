@@ -21,6 +21,8 @@ class NotOnIndex:
     """What to install instead (``""`` where nothing can be), and why."""
 
     instead: str
+    releases: str
+    """``same`` where that has the same versions, so that what is said of them holds for it, too."""
     why: str
     conda: tuple[str, ...]
     """conda's channels that have it."""
@@ -41,11 +43,10 @@ def of_ros(name: str) -> NotOnIndex | None:
         return found
     if not _ONLY_OF_ROS.fullmatch(name) or not ever_released(name.replace("-", "_")):
         return None
-    return NotOnIndex(instead="", why=_WHY, conda=(), source="https://github.com/ros/rosdistro")
+    return NotOnIndex(instead="", releases="", why=_WHY, conda=(), source="https://github.com/ros/rosdistro")
 
 
 @cache
 def _of_ros() -> dict[str, NotOnIndex]:
-    return {
-        canonicalize_name(row["pip"]): record(NotOnIndex, row, instead="", why=_WHY, conda=()) for row in rows("of_ros")
-    }
+    others = {"instead": "", "releases": "", "why": _WHY, "conda": ()}
+    return {canonicalize_name(row["pip"]): record(NotOnIndex, row, **others) for row in rows("of_ros")}

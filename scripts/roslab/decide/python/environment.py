@@ -39,7 +39,7 @@ from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
-from roslab.decide.python.refused import Repaired, in_full, of_pages, repair, right, untold
+from roslab.decide.python.refused import Repaired, elsewhere, in_full, of_pages, repair, right, untold
 from roslab.decide.python.too_new import loosened
 from roslab.decide.python.torch_build import decide_build
 from roslab.decide.python.undeclared import decide_undeclared
@@ -86,7 +86,8 @@ def decide_python(
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
     interpreter = _interpreter(runs := number or python_of_ubuntu().get(ubuntu or ""))
     lists = pip_lists(config, ubuntu, number)
-    repaired = _repaired(evidence, chosen, runs)
+    conda = chosen.conda if manager == "conda" else None
+    repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda))
     manifests = [*loosened(_of_manifests(evidence, chosen), runs)]
     declared = [*lists.requirements, *repaired.requirements]
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
@@ -135,7 +136,6 @@ def decide_python(
         *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option"),
     ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
-    conda = chosen.conda if manager == "conda" else None
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
     older, in_conda = (
         setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ()),
@@ -244,9 +244,9 @@ def _interpreter(version: str | None) -> Interpreter:
     return Interpreter(pythons=(minor_of(version) or version,)) if version else ANY
 
 
-def _repaired(evidence: Evidence, chosen: Chosen, python: str | None) -> Repaired:
+def _repaired(evidence: Evidence, chosen: Chosen, python: str | None, brought: set[str]) -> Repaired:
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
-    repaired = repair(evidence, chosen.files, chosen.projects, names, python)
+    repaired = repair(evidence, chosen.files, chosen.projects, names | brought, python)
     more = right(loosened(chosen.declared, python), of_pages(evidence, _own_names(evidence)))
     return replace(repaired, requirements=(*repaired.requirements, *more))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from types import MappingProxyType
 
+from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
@@ -14,7 +15,9 @@ from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.too_new import loosened, told, too_new
 from roslab.decide.reasons import warn
+from roslab.decide.ros.workspace import packages_of
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index, of_ros
 from roslab.knowledge.short_pins import numbered
 from roslab.values.dataclass import dataclass, replace
@@ -28,6 +31,7 @@ from roslab.values.version import Version
 _GONE = "{path} is included and is not in the tree: what it names is not installed, and the rest one by one"
 _SHORT = "pip has no {asked}, for its versions have more numbers: {taken} is installed"
 _FURTHER = pattern(r"--(?:extra-)?index-url|--find-links")
+_PLAIN = pattern(r"\d+(?:\.\d+)*")
 NOTHING: Mapping[str, Requirement] = MappingProxyType({})
 
 
@@ -87,9 +91,28 @@ def right(requirements: Iterable[Requirement], of_pages: Mapping[str, Requiremen
         elif row is None:
             yield asked
         elif row.instead:
-            yield replace(
-                stated(row.instead, asked.origin, asked.file, asked.line), marker=asked.marker, role=asked.role
-            )
+            line = row.instead + (_releases(asked) if row.releases else "")
+            yield replace(stated(line, asked.origin, asked.file, asked.line), marker=asked.marker, role=asked.role)
+
+
+def _releases(asked: Requirement) -> str:
+    """Return what is said of its releases; a pin as one of its major release, as the other may lack this very one."""
+    said: list[str] = []
+    for each in asked.specifier:
+        if each.operator == "==" and _PLAIN.fullmatch(each.version):
+            said += [f">={each.version}", f"<{int(each.version.partition('.')[0]) + 1}"]
+        else:
+            said.append(f"{each.operator}{each.version}")
+    return ",".join(said)
+
+
+def elsewhere(evidence: Evidence, kind: Kind, conda: str | None) -> set[str]:
+    """Return the names of what pip would refuse and the packages' keys or the ``conda`` environment bring."""
+    brought = {package.name for each in evidence.conda if each.file == conda for package in each.packages}
+    if kind in {"ros1", "ros2"}:
+        keys = (key for manifest in packages_of(evidence).built for key in manifest.dependencies)
+        brought |= {key.name for key in keys if key.role not in {"test", "doc"} and key.name in ros_modules()}
+    return {name for name in map(canonicalize_name, brought) if name in not_on_index()}
 
 
 def of_pages(evidence: Evidence, own: Collection[str]) -> dict[str, Requirement]:
@@ -180,8 +203,8 @@ def untold(guessed: Iterable[Requirement], brought: Collection[str]) -> Iterator
 
 
 def _kept(found: Iterable[Requirement], own: set[str], pages: Mapping[str, Requirement]) -> list[Requirement]:
-    """Return the requirements without those for packages of the tree itself."""
-    return [asked for asked in right(found, pages) if asked.key not in own]
+    """Return the requirements without those for packages of the tree itself, or that come from elsewhere."""
+    return [asked for asked in right((each for each in found if each.key not in own), pages) if asked.key not in own]
 
 
 def _in_full(asked: Requirement) -> Warning_:
