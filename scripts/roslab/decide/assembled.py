@@ -242,7 +242,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         cmake_options=(
             *own_options(evidence, config, folder_name, of.build_tool.answer),
             *of.missing.answer.options,
-            *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command),
+            *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command, cuda=of.on_cuda),
         ),
         cuda_options=host_options(of.system.answer.apt_guessed, of.base.answer.ubuntu),
         own_packages=() if of.own.answer else own_packages(evidence, config),

@@ -60,5 +60,7 @@ class CMakeProject:
     """Programs that are built only where a package was found, each with the package's name in lower case."""
     optional: tuple[tuple[str, str], ...] = ()
     """Programs that are built only where a variable is set, each with it; ``OFF NAME`` for an option that is not."""
+    settled: tuple[str, ...] = ()
+    """Variables among these that a file of CMake sets itself."""
     outside: tuple[tuple[str, int], ...] = ()
     """Programs that a workspace of ROS 1 or 2 does not make, by conditions of the build tool, each with that ROS."""

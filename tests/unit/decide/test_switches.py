@@ -102,3 +102,23 @@ def test_a_program_of_both_branches_waits_for_no_option(tree: Tree) -> None:
     )
     assert decision.command == ("calib_app", "data/samples/param.json")
     assert decision.cmake_options == ()
+
+
+@pytest.mark.parametrize(
+    ("variable", "lines", "options"),
+    [
+        ("WITH_VIEWER", "find_package(Odd)\nif(Odd_FOUND)\nset(WITH_VIEWER ON)\nendif()\n", ()),
+        ("WITH_VIEWER", "set(WITH_VIEWER ${Odd_FOUND})\n", ()),
+        ("WITH_VIEWER", "# set(WITH_VIEWER ON)\n", ("-DWITH_VIEWER=ON",)),
+        ("WITH_VIEWER", "set(WITH_VIEWER OFF CACHE BOOL 'a window')\n", ("-DWITH_VIEWER=ON",)),
+        ("WITH_VIEWER", "if(NOT DEFINED WITH_VIEWER)\nset(WITH_VIEWER OFF)\nendif()\n", ("-DWITH_VIEWER=ON",)),
+        ("USE_CUDA", "", ()),
+    ],
+)
+def test_what_the_tree_sets_itself_is_not_given(
+    tree: Tree, variable: str, lines: str, options: tuple[str, ...]
+) -> None:
+    made = f"project(x CXX)\n{lines}if({variable})\nadd_executable(calib_app examples/app.cpp)\nendif()\n"
+    decision = tree({**APPS, "CMakeLists.txt": made, "examples/CMakeLists.txt": ""})
+    assert decision.command == ("calib_app", "data/samples/param.json")
+    assert decision.cmake_options == options

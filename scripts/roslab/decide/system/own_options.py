@@ -51,9 +51,12 @@ def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> 
 
 
 def options_of_program(
-    evidence: Evidence, config: Config, build_tool: BuildTool, command: tuple[str, ...] | str
+    evidence: Evidence, config: Config, build_tool: BuildTool, command: tuple[str, ...] | str, *, cuda: bool
 ) -> tuple[str, ...]:
-    """Return what turns on the options that the program of the command waits for, and that nobody sets."""
+    """Return what turns on the options that the program of the command waits for, and that nobody sets.
+
+    Not one for a GPU in an image without CUDA.
+    """
     program = posixpath.basename((line_of(command).split() or [""])[0])
     said = given(evidence)
     found = [project for project in evidence.cmake if program in dict(project.executables)]
@@ -61,7 +64,9 @@ def options_of_program(
         return ()
     waits = (variable for name, variable in found[0].optional if name == program)
     names = (each.removeprefix("OFF ") for each in waits if each.startswith("OFF ") or _UNDECLARED.fullmatch(each))
-    return tuple(f"-D{name}=ON" for name in dict.fromkeys(names) if f"-D{name}" not in said)
+    free = (name for name in dict.fromkeys(names) if name not in found[0].settled)
+    options = [f"-D{name}=ON" for name in free if f"-D{name}" not in said]
+    return tuple(option for option in options if cuda or not _GPU.match(option))
 
 
 def own_compilers(evidence: Evidence, config: Config, folder_name: str) -> tuple[tuple[str, str], ...]:

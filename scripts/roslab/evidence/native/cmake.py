@@ -15,6 +15,7 @@ from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
 from roslab.evidence.native.own_configs import configs
 from roslab.evidence.native.program_folders import VARIABLES, ProgramFolders
 from roslab.evidence.native.searched import held, searched
+from roslab.evidence.native.settled import settled
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
@@ -236,6 +237,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         guards=tuple((reading.written.file(name), package) for name, package in reading.guards),
         outside=tuple((reading.written.file(name), ros) for name, ros in reading.outside),
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
+        settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
         lacks=bool(reading.named) and not any(repository.has(_joined(file.folder, name)) for name in reading.named),
     )
 
