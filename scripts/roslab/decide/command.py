@@ -246,9 +246,13 @@ def _barest(candidates: list[Candidate]) -> list[Candidate]:
 
 
 def _ports(page: Candidate, evidence: Evidence) -> tuple[str, ...]:
-    """Return the port at which the section that runs a command has its reader open it, if that names only one."""
+    """Return the port at which the section that runs a command has its reader open it, if that names only one.
+
+    An address that the command is given is of another server.
+    """
     said = (m for m in evidence.mentions if m.topic == "port" and (m.file, m.heading) == (page.file, page.heading))
-    found = {m.value for m in said}
+    addresses = [word for word in page.argv if "://" in word]
+    found = {m.value for m in said if not any(f":{m.value}" in word for word in addresses)}
     return tuple(f"{port}:{port}" for port in found) if len(found) == 1 else ()
 
 

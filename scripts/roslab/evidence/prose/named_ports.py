@@ -1,7 +1,8 @@
-"""Ports at which a page has its reader open what it starts: ``http://localhost:5055``."""
+"""Ports at which a page has its reader open what it starts: ``Open http://localhost:5055``."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
@@ -10,21 +11,51 @@ from roslab.evidence.prose.pages import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-_ADDRESS = pattern(r"https?://(?:localhost|127\.0\.0\.1|0\.0\.0\.0|<[\w .-]{1,30}>):(\d{4,5})(?![\d:])")
+_ADDRESS = pattern(r"https?://(?:localhost|127\.0\.0\.1|0\.0\.0\.0|<([\w .-]{1,30})>):(\d{4,5})(?![\d:])")
+_OPENED = pattern(
+    r"\b(?:[Oo]pen(?:s|ed|ing)?|[Vv]isit|[Bb]rows\w+|[Gg]o to|[Nn]avigat\w+|[Aa]ccess\w*|[Ss]ee|[Ss]een|[Vv]iew\w*|"
+    r"[Pp]oint|available (?:at|on))\b(?:[^.!?]|[.!?]\S)*$"
+)
+"""The words before an address that tell of opening it: other sentences tell where another server has to be."""
+_REMARK = pattern(r"^\s*\S.*?\s#\s*$")
+"""A command before a remark that is nothing but the address."""
+_ELSEWHERE = pattern(r"(?:^|[\W_])(?:robot|remote|device|drone|camera|jetson|raspberry|pi)(?![a-z])", re.IGNORECASE)
+"""A placeholder for another machine than the one that runs the image."""
+_OF_OTHERS = frozenset({"6006", "8097", "11311", "11434"})
+"""Ports of servers that run beside a program: TensorBoard, Visdom, the master of ROS, Ollama.
+
+https://github.com/tensorflow/tensorboard, https://github.com/fossasia/visdom,
+https://wiki.ros.org/ROS/EnvironmentVariables, https://docs.ollama.com/faq, read 2026-11-26.
+"""
 
 
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield each such port of the pages at the root, with the titles that it stands under."""
     for file in pages(repository):
         text = text_of(repository, file) if "/" not in file.path else ""
+        above = ""
         for line in lines_of(text) if _ADDRESS.search(text) else ():
-            for match in _ADDRESS.finditer(line.text[:MAX_LINE]):
-                yield Mention(
-                    topic="port",
-                    value=match[1],
-                    source="readme",
-                    file=file.path,
-                    line=line.number,
-                    text=match[0],
-                    heading=" / ".join(line.titles.values()),
-                )
+            shown = line.text[:MAX_LINE]
+            for match in _ADDRESS.finditer(shown):
+                if _opened(above, shown[: match.start()], fenced=line.fenced) and not _of_others(match[1], match[2]):
+                    yield Mention(
+                        topic="port",
+                        value=match[2],
+                        source="readme",
+                        file=file.path,
+                        line=line.number,
+                        text=match[0],
+                        heading=" / ".join(line.titles.values()),
+                    )
+            above = shown if shown.strip() else above
+
+
+def _opened(above: str, before: str, *, fenced: bool) -> bool:
+    """Tell whether what stands before an address, or in the line above where nothing does, has a reader open it."""
+    if fenced and before.strip():
+        return bool(_REMARK.match(before))
+    return bool(_OPENED.search(before if before.strip("-*<>`([ ") else above))
+
+
+def _of_others(machine: str | None, port: str) -> bool:
+    return port in _OF_OTHERS or bool(machine and _ELSEWHERE.search(machine))
