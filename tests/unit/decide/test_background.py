@@ -14,6 +14,9 @@ FILES = {
     "serve.py": "import numpy\n",
     "record_ui.py": "import numpy\n",
     "play.py": "import numpy\n",
+    "main.py": "import numpy\n",
+    "plot_all.py": "import numpy\n",
+    "client.py": "import numpy\n",
     "settings/a.yaml": "a: 1\n",
 }
 UI = ("python", "record_ui.py")
@@ -29,10 +32,25 @@ UI = ("python", "record_ui.py")
         ("nohup python serve.py > log &\npython play.py\n", ("python", "serve.py")),
         ("python serve.py &&\npython play.py\n", ("python", "serve.py")),
         ("python serve.py &\n", ("python", "serve.py")),
+        ("python serve.py &\npython client.py\n", ("python", "serve.py")),
+        ("python serve.py &\npython plot_all.py --dir results\n", ("python", "serve.py")),
+        (
+            "python main.py --seed 0 &\npython main.py --seed 1 &\npython play.py\n",
+            ("python", "main.py", "--seed", "0"),
+        ),
     ],
 )
 def test_what_comes_after_it_is_meant(tree: Tree, block: str, command: tuple[str, ...]) -> None:
     assert tree(FILES | {"README.md": f"# Demo\n## Run\n```\n{block}```\n"}).command == command
+
+
+@pytest.mark.parametrize(
+    ("between", "command"),
+    [("\nUsage\n-----\n\nThen::\n\n", ("python", "serve.py")), ("", UI), ("\n", UI)],
+)
+def test_a_block_without_fences_ends_at_the_next_text(tree: Tree, between: str, command: tuple[str, ...]) -> None:
+    page = f"Demo\n====\n\nRun\n---\n\nRun::\n\n    python serve.py &\n{between}    python record_ui.py\n"
+    assert tree(FILES | {"README.rst": page}).command == command
 
 
 @pytest.mark.parametrize(

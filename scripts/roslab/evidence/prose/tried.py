@@ -38,8 +38,15 @@ _LEFT = pattern(r"(?<![&|<>\\])&[ \t]*(?:#.*)?$", re.MULTILINE)
 _CODE_ALONE = pattern(r"\s*(?:[-*+]\s+)?`[^`]+`\s*")
 """A line, of a list or not, that is code and nothing else."""
 _PROGRAM = pattern(r"(?:python[\d.]*|bash|sh|\./\S+)(?:\s|$)")
-_MEANT = pattern(r"\bnohup\b|train", re.IGNORECASE)
-"""What is meant though it is in the background: it runs for days."""
+_MEANT = pattern(r"\bnohup\b|train|(?:^|[\s/])(?:main|run)\.(?:py|sh)\b", re.IGNORECASE)
+"""What is meant though it is in the background: it runs for days, or is called so."""
+_AFTER = pattern(
+    r"(?:^|[/_.-])(?:plot\w*|eval\w*|visuali\w+|clients?|wait\w*|tests?|show\w*|view\w*|send\w*|publish\w*|request\w*)"
+    r"(?=[_.-]|$)",
+    re.IGNORECASE,
+)
+"""What a program is called that only looks at another one or asks it: alone it can do nothing."""
+_NO_NAME = pattern(r"-|(?:python[\d.]*|bash|sh)$")
 
 
 def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]:
@@ -57,13 +64,13 @@ def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]
 def _behind(text: str, commands: list[Mention]) -> Iterator[Mention]:
     """Yield the programs that a block leaves in the background (``&``) before it starts another one: ``withheld``.
 
-    All calls of the one that it starts then are ``tried``.
+    All calls of the one that it starts then are ``tried``. What is of no use without the others is not the one.
     """
     lines = text.split("\n") if _LEFT.search(text) else []
     left: list[Mention] = []
     for m in sorted(commands, key=lambda each: each.line) if lines else ():
         between = lines[left[-1].line : m.line] if left else []
-        if any(map(fence, between)):
+        if any(fence(each) or _indent(each) < _indent(lines[left[-1].line - 1]) for each in between if each.strip()):
             left = []
         if not _PROGRAM.match(m.text):
             continue
@@ -71,11 +78,17 @@ def _behind(text: str, commands: list[Mention]) -> Iterator[Mention]:
         if _LEFT.search(line) and not _MEANT.search(line):
             left.append(m)
             continue
+        program = m.value.split()[:2]
+        if _AFTER.search(next((word for word in m.value.split() if not _NO_NAME.match(word)), "")):
+            left = []
         for each in left:
             yield replace(each, topic="withheld")
-        program = m.value.split()[:2]
         yield from (replace(each, topic="tried") for each in commands if left and each.value.split()[:2] == program)
         left = []
+
+
+def _indent(line: str) -> int:
+    return len(line) - len(line.lstrip())
 
 
 def _below(
