@@ -138,6 +138,11 @@ def test_a_list_in_two_bytes_a_letter_is_pips(tmp_path: Path) -> None:
     [
         ("non_rosdep_requirements.txt", True),
         ("non-conda-requirements.txt", True),
+        ("my_non_rosdep_requirements.txt", True),
+        ("requirements_not_conda.txt", True),
+        ("nano_system_requirements.txt", False),
+        ("arduino-apt-requirements.txt", False),
+        ("nano_requirements.txt", True),
         ("rosdep_requirements.txt", False),
         ("requirements_conda.txt", False),
     ],

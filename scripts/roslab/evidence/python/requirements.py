@@ -19,8 +19,8 @@ MAX_LINES = 3_000
 MAX_SIZE = 512 * 1024
 Purpose = Literal["run", "docs", "test", "dev", "vendored"]
 _NAME = pattern(
-    r"^(?!.*(?<!no[-_])(?<!non[-_])(?<!not[-_])(?:apt|conda|rosdep|system|constraint|debian))(?:.*[-_.])?(?:requirements?|"
-    r"requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
+    r"^(?=(?:.*[-_.])?(?:no|non|not)[-_](?:apt|conda|rosdep|system|debian)|(?!.*(?:apt|conda|rosdep|system|constraint|debian)))"
+    r"(?:.*[-_.])?(?:requirements?|requires)(?:[-_.\d].*)?\.(?:txt|in|pip)$"
 )
 _FOLDER = pattern(r"(?:^|/)requirements?$", re.IGNORECASE)
 _DOCS = pattern(r"(?:^|[-_./])(?:docs?\d?|sphinx|mkdocs|documentation|rtd|readthedocs)(?:[-_./]|$)", re.IGNORECASE)
