@@ -28,7 +28,9 @@ def _told(decision: Decision) -> list[str]:
     return [each.message for each in decision.warnings if "nothing in the repository is or makes" in each.message]
 
 
-@pytest.mark.parametrize("header", ["other/Lost.h", "other/lost.h", "other/msg/lost.hpp", "../../lost/src/lost.h"])
+@pytest.mark.parametrize(
+    "header", ["other/Lost.h", "other/lost.h", "other/msg/lost.hpp", "../../lost/src/lost.h", "../../builder/lost.h"]
+)
 def test_a_package_that_includes_what_nothing_makes_stops_no_others(tree: Tree, header: str) -> None:
     decision = tree(_including(header))
     assert decision.may_fail == ("mine",)
@@ -44,6 +46,10 @@ def test_a_package_that_includes_what_nothing_makes_stops_no_others(tree: Tree, 
         ("other/SomeRequest.h", {"other/srv/Some.srv": "---\n"}),
         ("other/DoActionGoal.h", {"other/action/Do.action": "---\n---\n"}),
         ("other/DoAction.h", {"other/action/Do.action": "---\n---\n"}),
+        ("other/msg/bar_baz.hpp", {"other/msg/BarBaz.idl": "module other {};\n"}),
+        ("other/msg/some__struct.hpp", {}),
+        ("../../../devel/include/other/lost.h", {}),
+        ("../../build/lost/lost.h", {}),
         ("other/SomeConfig.h", {"other/cfg/Some.cfg": "\n"}),
         ("other/lost.h", {"other/include/elsewhere/lost.h": "\n"}),
         ("other/version.h", {"other/cmake/version.h.in": "\n"}),

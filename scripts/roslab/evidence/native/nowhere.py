@@ -16,11 +16,13 @@ from roslab.values.pattern import pattern
 
 _MESSAGE = pattern(r"(\w+)/(\w+)\.h|(\w+)/(?:msg|srv|action)/(\w+)\.hpp")
 """A message's header, https://wiki.ros.org/msg, also of a name that no message should have."""
-_PART = pattern(r"(?:Action)?(?:Request|Response|Goal|Result|Feedback|Action)$")
-"""What a service and an action add to the names of their headers."""
+_PART = pattern(r"__\w+$|(?:Action)?(?:Request|Response|Goal|Result|Feedback|Action)$")
+"""What a service and an action add to the names of their headers, and Dashing to the parts of one (``__struct``)."""
 _GENERATED = pattern(r"Config\.h$|_export\.h$|\.pb\.h$|visibility_control\.h")
 """Headers that CMake makes of other files than messages."""
-_INTERFACES = (".msg", ".srv", ".action")
+_INTERFACES = (".msg", ".srv", ".action", ".idl")
+_WORKSPACE = pattern(r"(?:\.\./)+(?:[\w.-]+/)*(?:build|devel|install)/")
+"""A path to what the workspace is built into."""
 
 
 @dataclass
@@ -63,7 +65,7 @@ class Nowhere:
     def _lacks(self, name: str) -> bool:
         """Tell whether no file of the tree is this header or makes it, though it is called like one of the tree's."""
         last = name.rpartition("/")[2]
-        if self.repository.named(last, f"{last}.in") or _GENERATED.search(name):
+        if self.repository.named(last, f"{last}.in") or _GENERATED.search(name) or _WORKSPACE.match(name):
             return False
         if name.startswith("../"):
             return True
