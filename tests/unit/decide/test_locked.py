@@ -181,6 +181,26 @@ def test_the_lock_of_the_one_project_of_a_tree(tree: Tree, files: dict[str, str]
     assert limits(decision) == found
 
 
+@pytest.mark.parametrize(
+    ("listed", "found"),
+    [
+        ("trimesh<4", {"viser==1.2.0"}),
+        ("trimesh==3.9.0", {"viser==1.2.0"}),
+        ("trimesh>=3", {"trimesh==4.1.0", "viser==1.2.0"}),
+        ("trimesh<4; python_version < '3.8'", {"trimesh==4.1.0", "viser==1.2.0"}),
+    ],
+)
+@pytest.mark.parametrize("folder", ["", "code/"])
+def test_a_list_beside_the_project_limits_what_the_lock_has(
+    tree: Tree, folder: str, listed: str, found: set[str]
+) -> None:
+    page = f"```\npip install -r requirements.txt\npip install -e ./{folder}\npython main.py\n```\n"
+    files = {"README.md": page, "requirements.txt": f"{listed}\n", "main.py": "import demo\n"}
+    files |= {f"{folder}pyproject.toml": PROJECT, f"{folder}demo/__init__.py": "import trimesh\n"}
+    files[f"{folder}uv.lock"] = uv("trimesh", "4.1.0") + uv("viser", "1.2.0")
+    assert {each for each in limits(tree(files)) if each.startswith(("trimesh", "viser"))} == found
+
+
 @pytest.mark.parametrize(("locked", "found"), [("2.1.0", {"pandas==2.1.0"}), ("1.5.0", set())])
 def test_what_an_extra_limits_to_what_the_lock_has(tree: Tree, locked: str, found: set[str]) -> None:
     own = PROJECT.replace("[build-system]", "[project.optional-dependencies]\nplay = ['pandas>=2,<3']\n[build-system]")

@@ -41,20 +41,22 @@ def locked_releases(
     if python is None:
         return Choice(answer=())
     by_name: dict[str, list[Locked]] = {}
+    here = Interpreter(pythons=(python,), platforms=("linux/amd64",))
     for each in locked:
-        if Interpreter(pythons=(python,), platforms=("linux/amd64",)).may(each.requirement):
+        if here.may(each.requirement):
             by_name.setdefault(each.requirement.key, []).append(each)
     one = {name: same[0] for name, same in by_name.items() if len({s.requirement.release for s in same}) == 1}
     named = [each for each in asked if each.name]
-    wanted = {each.key: each for each in named if each.package}
+    packages = [each for each in named if each.package and here.may(each)]
+    wanted = dict.fromkeys(each.key for each in named if each.package)
     apart = {each.key for each in named if each.url}
     apart |= {need for name in apart for each in by_name.get(name, ()) for need in each.needs}
     taken = tuple(taken)
     other = {each.key for each in taken if not _agrees(each, one)}
-    other |= {key for key, each in wanted.items() if _differs(each, one)}
+    other |= {each.key for each in packages if _differs(each, one)}
     other |= {name for name, same in by_name.items() if any(each.elsewhere for each in same)}
     other = _needing(_families(other), by_name) | {*INSTALLERS}
-    pinned = {key for key, each in wanted.items() if each.release}
+    pinned = {each.key for each in packages if each.release}
     free = {*other, *apart, *(each.key for each in taken)}
     imported = {each.key for each in guessed if each.name and (not each.limited or _of_an_extra(each, one))}
     beneath = _beneath({*wanted}, imported, free, by_name)
