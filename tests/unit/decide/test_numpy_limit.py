@@ -73,6 +73,11 @@ def robot(distro: str, code: str, lists: str) -> dict[str, str]:
         ("foxy", "import numpy as np\nx = np.float(1)\n", "setuptools<80\nnumpy\n", set()),
         ("jazzy", "import numpy as np\nx = np.float(1)\n", "gym\n", set()),
         ("humble", "import numpy as np\nx = np.float(1)\n", "opencv-python==4.12.0.88\n", set()),
+        ("humble", "import numpy as np\nx = np.float(1)\n", "scikit-image==0.25.0\n", set()),
+        ("humble", "import numpy as np\nx = np.float(1)\n", "scikit-image==0.19.3\n", {"numpy<1.24"}),
+        ("humble", "import numpy as np\nx = np.float(1)\n", "scikit-image\n", {"numpy<1.24"}),
+        ("humble", "import numpy as np\nimport cv_bridge\nx = np.float(1)\n", "numba>=0.61\n", {"numpy<2"}),
+        ("foxy", "import scipy.spatial\n", "albumentations==1.4.18\n", set()),
         ("foxy", "import scipy.spatial\n", "gym\n", {"numpy<1.24"}),
         ("foxy", "import cv_bridge\nimport scipy.spatial\n", "gym\n", {"numpy<1.24"}),
         ("foxy", "import scipy.spatial\n", "gym\nscipy\n", set()),  # pip's own scipy
@@ -93,3 +98,16 @@ def test_a_release_that_needs_numpy_2_is_told(tree: Tree) -> None:
     assert "the distribution's cv_bridge fails to load" in told.message
     code = "import mediapipe\n"
     assert not any("NumPy" in w.message for w in tree(robot("humble", code, lists)).warnings)
+
+
+@pytest.mark.parametrize(("release", "told"), [("0.25.0", True), ("0.19.3", False)])
+@pytest.mark.parametrize("ros", [True, False])
+def test_a_release_that_needs_a_numpy_without_what_the_code_uses_is_told(
+    tree: Tree, ros: bool, release: str, told: bool
+) -> None:
+    code, lists = "import numpy as np\nimport skimage\nx = np.float(1)\n", f"scikit-image=={release}\nnumpy\n"
+    decision = tree(robot("humble", code, lists) if ros else {"run.py": code, "requirements.txt": lists})
+    assert ("numpy<1.24" in {each.written for each in decision.python.bounds}) is not told
+    said = [each.message for each in decision.warnings if "np.float" in each.message]
+    assert bool(said) is told
+    assert all("scikit-image==0.25.0 needs one" in each for each in said)

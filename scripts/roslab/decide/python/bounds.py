@@ -6,9 +6,10 @@ from collections.abc import Iterable
 
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight
-from roslab.decide.reasons import because
+from roslab.decide.reasons import because, warn
 from roslab.evidence.removed_name import Removed
 from roslab.knowledge.removals import removals
+from roslab.knowledge.table import rows
 from roslab.values.requirement import Requirement
 from roslab.values.version import Version
 
@@ -18,13 +19,22 @@ Constraints = tuple[Requirement, ...]
 def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choice[Constraints]:
     """Return constraints for the packages in ``asked`` that have no upper bound from the author.
 
-    None that the author's own lower bound excludes: pip would find no version at all.
+    None that the author's own lower bound excludes: pip would find no version at all. None of NumPy either where a
+    release is asked for that needs a newer one; then that is told.
     """
     asked = tuple(asked)
     limited = {each.key: each.limited for each in asked if each.name}
     chosen = [use for use in uses if limited.get(use.bound.key) is False and not excluded(use.bound, asked)]
+    newer = {use: pin for use in chosen if use.bound.key == "numpy" and (pin := needing_numpy(asked, use.bound.below))}
+    told = [
+        warn(
+            f"the code uses {use.what}, which no NumPy has from {use.bound.below} on, and {pin.written} needs one", use
+        )
+        for use, pin in list(newer.items())[:1]
+    ]
+    chosen = [use for use in chosen if use not in newer]
     if not chosen:
-        return Choice(answer=(), reasons=())
+        return Choice(answer=(), reasons=(), warnings=tuple(told))
     beside = {removal.bound: removal.beside for removal in removals()}
     bounds: dict[Requirement, Reason] = {}
     for use in chosen:
@@ -38,7 +48,7 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
     own = {use.bound for use in chosen}
     names = {bound.key for bound in own}
     kept = {bound: why for bound, why in bounds.items() if bound in own or bound.key not in names}
-    return Choice(answer=tuple(kept), reasons=tuple(kept.values()))
+    return Choice(answer=tuple(kept), reasons=tuple(kept.values()), warnings=tuple(told))
 
 
 def excluded(bound: Requirement, asked: Iterable[Requirement]) -> bool:
@@ -46,3 +56,19 @@ def excluded(bound: Requirement, asked: Iterable[Requirement]) -> bool:
     floors = (each.at_least for each in asked if each.key == bound.key and not each.marker)
     below = bound.below
     return below is not None and any(floor and Version(floor) >= Version(below) for floor in floors)
+
+
+def needing_numpy(asked: Iterable[Requirement], below: str | None) -> Requirement | None:
+    """Return what is asked for in releases that all need a NumPy which is not ``below`` that one."""
+    if below is None:
+        return None
+    known = [each for each in rows("needs_numpy") if _reaches(each["numpy"], below)]
+    for each in asked:
+        oldest = each.release or each.at_least
+        if any(each.key == one["pip"] and _reaches(oldest, one["first"]) for one in known):
+            return each
+    return None
+
+
+def _reaches(release: str | None, first: str) -> bool:
+    return release is not None and Version(release) >= Version(first)

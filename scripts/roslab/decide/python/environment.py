@@ -137,10 +137,8 @@ def decide_python(
     ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
-    older, in_conda = (
-        setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ()),
-        limits_of(evidence, conda),
-    )
+    older = setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ())
+    in_conda = limits_of(evidence, conda)
     compiled_first = first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system")
     by_name = bool(compiled_first or declared or chosen.guessed or chosen.projects)
     options = fitting_pages(
@@ -210,6 +208,7 @@ def decide_python(
             *defines.warnings,
             *lists.warnings,
             *native.warnings,
+            *bounds.warnings,
             *numpy.warnings,
             *options.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice
-from roslab.decide.python.bounds import Constraints, decide_bounds
+from roslab.decide.python.bounds import Constraints, decide_bounds, needing_numpy
 from roslab.decide.python.torch_build import numpy_of
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because, warn
@@ -17,7 +17,7 @@ from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.table import row, rows
 from roslab.knowledge.tools import INSTALLERS
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -46,7 +46,10 @@ def numpy_limit(
     if own is None:
         return Choice(answer=())
     removed = _removed(evidence, asked, Version(own["numpy"]))
-    return removed if removed.answer or kind not in {"ros1", "ros2"} else _beside_apt(evidence, ubuntu, asked)
+    if removed.answer or kind not in {"ros1", "ros2"}:
+        return removed
+    limit = _beside_apt(evidence, ubuntu, asked)
+    return replace(limit, warnings=(*removed.warnings, *limit.warnings))
 
 
 def _removed(evidence: Evidence, asked: Sequence[Requirement], own: Version) -> Choice[Constraints]:
@@ -55,12 +58,15 @@ def _removed(evidence: Evidence, asked: Sequence[Requirement], own: Version) -> 
     It may where one is asked for, or anything else: what that needs is not known here.
     """
     numpy = [each for each in asked if each.key == "numpy"]
-    if not _brings(asked) or _with_numpy_2(asked):
+    if not _brings(asked):
         numpy = [each for each in numpy if each.at_least and Version(each.at_least) > own]
     elif not numpy:
         numpy = [stated("numpy")]
     uses = (each for each in evidence.bounds if each.bound.key == "numpy")
-    return decide_bounds((each for each in uses if each.bound.below and Version(each.bound.below) > own), numpy)
+    others = (each for each in asked if each.key != "numpy")
+    return decide_bounds(
+        (each for each in uses if each.bound.below and Version(each.bound.below) > own), (*numpy, *others)
+    )
 
 
 def _brings(asked: Sequence[Requirement]) -> bool:
@@ -71,7 +77,7 @@ def _brings(asked: Sequence[Requirement]) -> bool:
 def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirement]) -> Choice[Constraints]:
     """Return the limit where a module of apt was built with NumPy 1, which no NumPy 2 loads, or breaks even earlier.
 
-    None where pip would find no answer: a release that needs NumPy 2 is asked for.
+    None where pip would find no answer: a release that needs a newer NumPy is asked for.
     https://numpy.org/devdocs/dev/depending_on_numpy.html#numpy-2-0-specific-advice, read 2026-11-26.
     """
     names = {each.key for each in asked if each.name}
@@ -80,8 +86,8 @@ def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirem
     if found is None or any(each.limited or not each.specifier.contains(found.last) for each in numpy):
         return Choice(answer=())
     used = found.used
-    if newer := _with_numpy_2(asked):
-        told = f"{newer.written} needs NumPy 2, beside which the distribution's {used.name} fails to load"
+    if newer := needing_numpy(asked, found.below):
+        told = f"{newer.written} needs NumPy {found.below}, beside which the distribution's {used.name} fails to load"
         return Choice(answer=(), warnings=(warn(told, newer if newer.file else used),))
     limit = stated(f"numpy<{found.below}")
     why = f"{used.name} of the distribution {found.why}"
@@ -111,13 +117,6 @@ def _limit_of(evidence: Evidence, ubuntu: str, by_pip: set[str]) -> _Limit | Non
         return None
     why = "was built with NumPy 1, which what pip brings must not replace by NumPy 2"
     return _Limit(below="2", last=_LAST_NUMPY_1, why=why, used=used[0])
-
-
-def _with_numpy_2(asked: Sequence[Requirement]) -> Requirement | None:
-    """Return what is asked for in releases that all need NumPy 2."""
-    first = {each["pip"]: Version(each["first"]) for each in rows("needs_numpy_2")}
-    named = ((each, each.release or each.at_least) for each in asked if each.key in first)
-    return next((each for each, oldest in named if oldest and Version(oldest) >= first[each.key]), None)
 
 
 def _built_with_numpy(evidence: Evidence, by_pip: set[str]) -> Iterator[Dependency]:
