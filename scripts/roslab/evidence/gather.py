@@ -144,6 +144,7 @@ def gather(repository: Repository) -> Evidence:
     prose = own_packages.found(merge(reader(own) for reader in PROSE), own)
     said = pointed.read(own)
     python_projects = project.read(repository)
+    stopped = stopped_setup.chosen(python_projects, prose.requirements)
     by_pip = [each for each in python_projects if not places.vendored(each.file)]
     programs = {name for each in by_pip for name, _ in each.scripts}
     programs |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
@@ -220,7 +221,7 @@ def gather(repository: Repository) -> Evidence:
             *at_top.read(own, prose.mentions),
             *listens.read(own, prose.mentions, started),
             *siblings.read(own, python_projects),
-            *stopped_setup.folders(python_projects),
+            *stopped_setup.folders(stopped),
             *conflicts.read(own),
             *environments.read(own),
             *own_history.read(own),
@@ -268,7 +269,7 @@ def gather(repository: Repository) -> Evidence:
             *authors_folders.read(repository),
             *made_elsewhere.read(repository),
             *pointers.read(repository),
-            *stopped_setup.problems(python_projects),
+            *stopped_setup.problems(stopped),
         ),
     )
 

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config
+from roslab.decide import decide
 from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
 START = "from setuptools import setup, find_packages\n"
@@ -51,3 +58,25 @@ def test_what_stops_is_not_installed(tree: Tree, setup: str, files: dict[str, st
     assert [each.key for each in found.python.pip] == (["einops"] if stopped else [])
     assert any("setup.py" in each.message for each in found.warnings) is stopped
     assert ("." in found.python_path) is stopped
+
+
+@pytest.mark.parametrize(("page", "stopped"), [("pip install -e env", True), ("python train.py", False)])
+def test_below_the_root_where_a_page_installs_it(tree: Tree, page: str, stopped: bool) -> None:
+    files = {"env/setup.py": BARE.format(more=""), **{f"env/{path}": text for path, text in FOLDERS.items()}}
+    found = tree({"README.md": f"```\n{page}\n```\n", "train.py": "import core\n", **files})
+    assert found.python.projects == ()
+    assert ("env" in found.python_path) is stopped
+    assert any("env/setup.py" in str(each.file) for each in found.warnings) is stopped
+
+
+def test_setuptools_of_the_day_of_an_old_commit_looks_for_no_packages(tmp_path: Path) -> None:
+    for path, text in {"setup.py": BARE.format(more=""), "train.py": "import core\n", **FOLDERS}.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text)
+    git = ["git", "-C", str(tmp_path), "-c", "user.name=a", "-c", "user.email=a@b"]
+    subprocess.run([*git, "init", "-q"], check=True)
+    subprocess.run([*git, "add", "."], check=True)
+    day = {"GIT_COMMITTER_DATE": "2020-06-01T00:00:00Z", "GIT_AUTHOR_DATE": "2020-06-01T00:00:00Z"}
+    subprocess.run([*git, "commit", "-q", "-m", "a"], check=True, env=os.environ | day)
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    assert found.python.projects == (".",)

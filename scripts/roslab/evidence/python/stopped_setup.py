@@ -7,12 +7,15 @@ from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence.facts import Mention, PythonProject
 from roslab.repository.checkout import Repository
+from roslab.values.requirement import Requirement
 
 _TOLD = frozenset({"packages", "py_modules", "ext_modules", "package_dir", "pbr", "**"})
 """Arguments of ``setup`` beside which setuptools looks for no packages.
 
 https://setuptools.pypa.io/en/latest/history.html#v61-0-0, read 2026-11-26.
 """
+_LOOKS_SINCE = "2022-03-24"
+"""The day of setuptools 61, before which it looks for none: https://pypi.org/project/setuptools/61.0.0/, read 2026-11-26."""
 
 
 def why_stopped(
@@ -20,7 +23,8 @@ def why_stopped(
 ) -> str:
     """Return what stops setuptools, ``""`` for nothing; ``keywords``: the arguments of ``setup``.
 
-    What lies in a submodule may only not be checked out, and what installs programs is left as it is.
+    What lies in a submodule may only not be checked out, and what installs programs is left as it is. Where the last
+    commit is older than the setuptools that looks for packages, pip's are of that day.
     """
     from roslab.evidence.python.without_module import several  # noqa: PLC0415 - few trees need it
 
@@ -31,7 +35,8 @@ def why_stopped(
             return f"setup.py reads {path}, which is not there"
     beside = any(repository.has(posixpath.join(folder, name)) for name in ("setup.cfg", "pyproject.toml"))
     programs = {"entry_points", "scripts"} & {*keywords}
-    if setuptools and not beside and not programs and not _TOLD & {*keywords} and several(repository, folder):
+    looks = setuptools and not (repository.committed and f"{repository.committed:%Y-%m-%d}" < _LOOKS_SINCE)
+    if looks and not beside and not programs and not _TOLD & {*keywords} and several(repository, folder):
         return "setup.py names no packages, and setuptools takes none where several folders could be one"
     return ""
 
@@ -40,23 +45,29 @@ def _in_submodule(repository: Repository, path: str) -> bool:
     return any(path.startswith(f"{each}/") for each in repository.links())
 
 
-def problems(projects: Iterable[PythonProject]) -> Iterator[tuple[str, str, int]]:
+def chosen(projects: Iterable[PythonProject], asked: Iterable[Requirement]) -> list[PythonProject]:
+    """Return such a project at the root, and those below that a page has its reader install."""
+    pages = [each for each in asked if each.role == "project"]
+    named = {posixpath.normpath(each.written.partition("[")[0].strip("\"'")) for each in pages}
+    named |= {posixpath.normpath(posixpath.join(posixpath.dirname(each.file), each.written)) for each in pages}
+    return [project for project in projects if project.stopped and (not project.folder or project.folder in named)]
+
+
+def problems(stopped: Iterable[PythonProject]) -> Iterator[tuple[str, str, int]]:
     """Yield a warning for each such project: what it needs is installed, and it is not."""
-    for project in projects:
-        if project.stopped and not project.folder:
-            message = f"{project.stopped}: what it needs is installed, and its folder is on PYTHONPATH instead"
-            yield message, project.file, project.line
+    for project in stopped:
+        message = f"{project.stopped}: what it needs is installed, and its folder is on PYTHONPATH instead"
+        yield message, project.file, project.line
 
 
-def folders(projects: Iterable[PythonProject]) -> Iterator[Mention]:
-    """Yield the folder of each such project at the root, from which Python imports what was not installed."""
-    for project in projects:
-        if project.stopped and not project.folder:
-            yield Mention(
-                topic="python_path",
-                value=".",
-                source="manifest",
-                file=project.file,
-                line=project.line,
-                text=project.stopped,
-            )
+def folders(stopped: Iterable[PythonProject]) -> Iterator[Mention]:
+    """Yield the folder of each such project, from which Python imports what was not installed."""
+    for project in stopped:
+        yield Mention(
+            topic="python_path",
+            value=project.folder or ".",
+            source="manifest",
+            file=project.file,
+            line=project.line,
+            text=project.stopped,
+        )
