@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
+from collections.abc import Collection
 
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -13,6 +14,11 @@ _FILE = pattern(r"^[\w./-]*(?:require|dep)[\w./-]*\.(?:txt|in)$", re.IGNORECASE)
 _KEYS = {"install_requires": "", "requires": "", "tests_require": "test"}
 _STRINGS = pattern(r"[\"']([A-Za-z][^\"'\n]*)[\"']")
 _OPENERS = frozenset({"open", "io.open", "codecs.open"})
+_MAKES = pattern(
+    r"(?:shutil|subprocess)\.|os\.(?:system|popen|rename|replace|link|symlink)$|"
+    r"(?:copy\w*|move|run|call|check_call|check_output|Popen|system)$|.*\.write_(?:text|bytes)$"
+)
+"""Calls that may make a file."""
 MAX_DEPTH = 12
 _THERE = sys.stdlib_module_names | {"setuptools", "distutils", "pkg_resources", "pip", "wheel", "__future__"}
 """Modules that every build has."""
@@ -98,11 +104,19 @@ def _imports(tree: ast.Module) -> tuple[str, ...]:
 
 
 def _opened(tree: ast.Module) -> tuple[str, ...]:
-    """Return the files that a script reads in any case: not those in a function, a condition or a ``try``."""
+    """Return the files that a script reads in any case: not those in a function, a condition or a ``try``.
+
+    Nor those after a line at the top that starts a program, copies, or calls a function of the script and may so make
+    them.
+    """
+    own = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
     found: dict[str, None] = {}
     written: set[str] = set()
+    made = False
     for statement in tree.body:
-        always = isinstance(statement, (ast.With, ast.Assign, ast.Expr))
+        if not isinstance(statement, (ast.FunctionDef, ast.ClassDef)):
+            made = made or any(_makes(node, own) for node in ast.walk(statement) if isinstance(node, ast.Call))
+        always = not made and isinstance(statement, (ast.With, ast.Assign, ast.Expr))
         for node in ast.walk(statement):
             if isinstance(node, ast.Call) and ast.unparse(node.func) in _OPENERS and node.args:
                 name, mode = node.args[0], _mode(node)
@@ -113,6 +127,11 @@ def _opened(tree: ast.Module) -> tuple[str, ...]:
                 else:
                     written.add(name.value)
     return tuple(name for name in found if name not in written)
+
+
+def _makes(call: ast.Call, own: Collection[str]) -> bool:
+    name = ast.unparse(call.func)
+    return name in own or bool(_MAKES.match(name))
 
 
 def _mode(call: ast.Call) -> str:

@@ -15,7 +15,10 @@ _TOLD = frozenset({"packages", "py_modules", "ext_modules", "package_dir", "pbr"
 https://setuptools.pypa.io/en/latest/history.html#v61-0-0, read 2026-11-26.
 """
 _LOOKS_SINCE = "2022-03-24"
-"""The day of setuptools 61, before which it looks for none: https://pypi.org/project/setuptools/61.0.0/, read 2026-11-26."""
+"""The day of setuptools 61, before which it looks for none.
+
+https://pypi.org/project/setuptools/61.0.0/, read 2026-11-26.
+"""
 
 
 def why_stopped(
