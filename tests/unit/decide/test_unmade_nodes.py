@@ -26,6 +26,10 @@ LAUNCH = "def generate_launch_description():\n    return LaunchDescription([Node
         ("panel.py", "file(GLOB ALL scripts/*.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/demo)", ""),
         ("demo_node", "add_executable(${PROJECT_NAME}_node a.cpp)", ""),
         ("panel", "add_subdirectory(src)", ""),
+        ("a_panel", "macro(node n)\n add_executable(a_${n} a.cpp)\nendmacro()\nnode(panel)", ""),
+        ("panel", "install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_LIBDIR}/demo)", ""),
+        ("panel", "install(DIRECTORY scripts/ # all (nodes)\n DESTINATION lib/${PROJECT_NAME})", ""),
+        ("panel", "install(DIRECTORY maps DESTINATION ${CMAKE_INSTALL_DATADIR}/demo)", "no such program:"),
     ],
 )
 def test_by_cmake(tree: Tree, program: str, made: str, told: str) -> None:
@@ -51,3 +55,8 @@ def test_by_python(tree: Tree, program: str, told: int) -> None:
     )
     decision = tree({**files, "launch/demo.launch.py": LAUNCH.format(program)})
     assert len([w for w in decision.warnings if "installs no such program" in w.message]) == told
+    listing = setup.replace(
+        "setup(name", "import os\nNODES = [each[:-3] for each in os.listdir('demo')]\nsetup(name", 1
+    )
+    decision = tree({**files, "setup.py": listing, "launch/demo.launch.py": LAUNCH.format(program)})
+    assert not [w for w in decision.warnings if "installs no such program" in w.message]

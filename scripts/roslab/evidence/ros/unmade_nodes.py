@@ -14,9 +14,12 @@ _BUILD_FILES = ("CMakeLists.txt", "setup.py", "setup.cfg")
 _ANY = pattern(
     r"\bGLOB(?:_RECURSE)?\b|\bglob\s?\(|\bfind_packages\s?\(.*\bscripts\b|\bforeach\b|"
     r"\bDIRECTORY\b[^()]{0,400}?\bDESTINATION\s+[\"']?(?:\$\{\w+\}/)?lib|"
+    r"\bDIRECTORY\b[^()]{0,400}?\bDESTINATION\s+[\"']?\$\{CMAKE_INSTALL_(?:LIB|BIN)DIR\}|"
+    r"\b(?:listdir|iterdir|scandir)\s?\(|\badd_executable\s?\(\s*[\w-]*\$\{(?!PROJECT_NAME\})|"
     r"\b(?:PROGRAMS|add_executable\s?\(|TARGETS|EXECUTABLE)\s+[\"']?\$\{(?!PROJECT_NAME\})\w+\}",
     re.IGNORECASE,
 )
+_COMMENT = pattern(r"(?:^|(?<=\s))#[^\n]*")
 """What installs programs that it does not name."""
 _NAMED = pattern(r"[\w-]+\.py\b|(?<=add_executable\()\s*[\w-]+|[\w-]+(?=\s*=\s*[\w.]+:\w+)")
 
@@ -55,7 +58,7 @@ def _texts(folder: str, repository: Repository) -> Iterator[str]:
     """Yield the texts of the files that build a package, those of its folders included."""
     inside = f"{folder}/" if folder else ""
     files = (*repository.named(*_BUILD_FILES), *repository.suffixed(".cmake"))
-    yield from (repository.read(file) for file in files if file.path.startswith(inside))
+    yield from (_COMMENT.sub("", repository.read(file)) for file in files if file.path.startswith(inside))
 
 
 def _unmade(program: str, package: str, text: str) -> bool:
