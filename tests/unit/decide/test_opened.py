@@ -28,6 +28,9 @@ MAIN = "from jobs.job import DEFAULTS\n\nif __name__ == '__main__':\n    print(D
         ({"demo.py": MAIN, "jobs/job.py": OPENS.replace("\nwith", "\ndef load():\n  with")}, False),
         ({"demo.py": MAIN, "jobs/job.py": OPENS.replace('.json"', '.json", "w"')}, False),
         ({"demo.py": MAIN, "jobs/job.py": OPENS, "make.py": "open('config/defaults.json', 'w').write('{}')\n"}, False),
+        ({"demo.py": MAIN, "jobs/job.py": '"""Usage:\n\n' + OPENS + '"""\n'}, False),
+        ({"demo.py": MAIN, "jobs/job.py": '"""Usage."""\n' + OPENS}, True),
+        ({"demo.py": MAIN, "jobs/job.py": "run(['wget', 'http://a.org/defaults.json'])\n" + OPENS}, False),
     ],
 )  # fmt: skip
 def test_what_is_opened_at_once(tree: Tree, files: dict[str, str], told: bool) -> None:

@@ -17,6 +17,7 @@ _OPENS = pattern(
     r"\s*(?:,\s*(?:mode\s*=\s*)?[\"']r[bt]?[\"']\s*)?(?:,\s*encoding\s*=\s*[\"'][\w-]+[\"']\s*)?\)"
 )
 """At the beginning of a line, so under no condition, and to read."""
+_QUOTES = pattern(r"\"\"\"|'''")
 MOST = 5
 
 
@@ -28,7 +29,10 @@ def read(repository: Repository) -> Iterator[Mention]:
     opening: dict[str, tuple[str, int]] = {}
     for module in modules(repository):
         for found in matching_lines(_OPENS, module.text, "open("):
-            if not repository.named(found[1].rpartition("/")[2]) and len(opening) < MOST:
+            name = found[1].rpartition("/")[2]
+            shown = len(_QUOTES.findall(module.text, 0, found.start())) % 2  # in a longer string, such as a docstring
+            got = re.search(rf"[/ ]{re.escape(name)}[\"']", module.text[: found.start()])  # of an address, a command
+            if not repository.named(name) and not shown and not got and len(opening) < MOST:
                 opening.setdefault(found[1], (module.file.path, module.text.count("\n", 0, found.start()) + 1))
     texts = {module.file.path: module.text for module in modules(repository)} if opening else {}
     for path, (file, line) in opening.items():
