@@ -279,7 +279,8 @@ def _malformed(manifest: PackageManifest) -> tuple[str, str, int]:
     match = re.match(r"line (\d+): (.+)", manifest.malformed or "")
     if match is None:
         return f"not well-formed: {manifest.malformed}", manifest.file, manifest.line
-    return f"not well-formed: {match[2]}", manifest.file, int(match[1])
+    message = match[2] if " names several packages" in match[2] else f"not well-formed: {match[2]}"
+    return message, manifest.file, int(match[1])
 
 
 def _without_python(
