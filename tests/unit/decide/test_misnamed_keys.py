@@ -59,6 +59,8 @@ def test_what_another_distribution_has_is_not_the_owners(tree: Tree, key: str, s
         ("add_executable(robot_mover a.cpp)\n", "", []),
         ("add_library(robot_mover a.cpp)\n", "", []),
         ("add_executable(other a.cpp)\n", "", ["robot_mover"]),
+        ("find_package(robot_mover REQUIRED)\nadd_executable(robot_mover a.cpp)\n", "", ["robot_mover"]),
+        ("find_package(robot_lamp)\nadd_executable(robot_mover a.cpp)\n", "", []),
         ("add_executable(robot_mover a.cpp)\n", "It needs https://github.com/lab/robot_mover\n", ["robot_mover"]),
     ],
 )
@@ -89,3 +91,13 @@ def test_ros_1_has_its_core(tree: Tree) -> None:
     decision = tree(files)
     assert decision.skip_keys == ()
     assert not [each.message for each in decision.warnings if "left over" in each.message]
+
+
+@pytest.mark.parametrize(("own", "looks"), [(False, ["robot_mover"]), (True, [])])
+def test_a_program_called_like_the_package_whose_headers_it_includes(tree: Tree, own: bool, looks: list[str]) -> None:
+    files = _files("robot_mover")
+    target = "include_directories(include)\nadd_executable(robot_mover a.cpp)\n"
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("ament_package", f"{target}ament_package")
+    files["a.cpp"] = "#include <robot_mover/api.hpp>\nint main() {}\n"
+    decision = tree(files | ({"include/robot_mover/api.hpp": ""} if own else {}))
+    assert [each.name for each in decision.source] == looks

@@ -72,11 +72,12 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
 def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ...]:
     """Return the keys that are libraries or programs of their own package's CMake, or installed by another's.
 
-    A program may be called like a package that is released, or that a page names. What another project installs has no
-    package.xml.
+    A program may be called like a package that is released, that a page names, or that CMake looks for or the code
+    includes: a node is often called like the driver that it wraps. What another project installs has no package.xml.
     """
     here = installing(evidence)
     named = {plain(git.name) for git in evidence.sources}
+    named |= {plain(each.name.partition("/")[0]) for each in evidence.code if each.namespace == "include"}
     made = [(project.file, {*project.made, *_programs(project, named)}) for project in evidence.cmake]
     folders = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
 
@@ -94,7 +95,8 @@ def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ..
 
 def _programs(project: CMakeProject, named: Collection[str]) -> Iterator[str]:
     names = (path.rpartition("/")[2] for path, _ in project.executables)
-    return (name for name in names if plain(name) not in named and not ever_released(name))
+    sought = {plain(each.name) for each in project.dependencies if each.namespace == "cmake"}
+    return (name for name in names if plain(name) not in {*named, *sought} and not ever_released(name))
 
 
 def own_packages(keys: Iterable[Dependency], evidence: Evidence, target: Target) -> dict[str, tuple[Dependency, ...]]:
