@@ -166,3 +166,22 @@ def test_what_is_imported_comes_as_an_extra_asks_for_it(tree: Tree, extra: str, 
     decision = tree(files)
     assert [each.written for each in decision.python.pip_guessed] == [found]
     assert [each.reason for each in decision.reasons if each.answer == found] == [why]
+
+
+@pytest.mark.parametrize(
+    ("extras", "code", "found"),
+    [
+        ("test=['opencv-python-headless<4.6']", "cv2.imread('a')", "opencv-python"),
+        ("dev=['opencv-python-headless<4.6']", "cv2.imread('a')", "opencv-python"),
+        ("docs=['opencv-python<4.6']", "cv2.imread('a')", "opencv-python"),
+        ("viz=['opencv-python-headless<4.6']", "cv2.imshow('a', x)", "opencv-python"),
+        ("viz=['opencv-python-headless<4.6']", "cv2.imread('a')", "opencv-python-headless<4.6"),
+        ("viz=['opencv-python<4.6']", "cv2.imshow('a', x)", "opencv-python<4.6"),
+        ("viz=['opencv-python<4.6']\ntest=['opencv-python-headless']", "cv2.imread('a')", "opencv-python<4.6"),
+    ],
+)
+def test_no_extra_for_tests_or_without_windows_tells_how(tree: Tree, extras: str, code: str, found: str) -> None:
+    project = f"[project]\nname='demo'\nversion='1'\n[project.optional-dependencies]\n{extras}\n"
+    files = {"pyproject.toml": project, "demo/__init__.py": "", "run.py": f"import cv2\n{code}\n"}
+    files["README.md"] = "```\npip install -e .\npython run.py\n```\n"
+    assert [each.written for each in tree(files).python.pip_guessed] == [found]

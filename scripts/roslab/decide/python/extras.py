@@ -74,7 +74,12 @@ def beside_lists(guessed: Iterable[Requirement], files: Iterable[RequirementFile
 
 
 def _developers(asked: Requirement) -> bool:
-    return all(_DEVELOPERS.search(name.lower()) for name in asked.extras)
+    return all(map(for_developers, asked.extras))
+
+
+def for_developers(extra: str) -> bool:
+    """Tell whether an extra is for those who work on the project itself: its tests, its documentation."""
+    return bool(_DEVELOPERS.search(extra.lower()))
 
 
 def _folder(asked: Requirement, known: Set[str]) -> str | None:
@@ -92,7 +97,7 @@ def _of(project: PythonProject, names: Iterable[str]) -> list[Requirement]:
     found: list[Requirement] = []
     known = [each.group for each in project.requirements if each.role == "extra" and not each.group.startswith(GROUP)]
     names = [each for name in names for each in (known if name == EVERY else (name,))]
-    pending = [canonicalize_name(name) for name in names if not _DEVELOPERS.search(name.lower())]
+    pending = [canonicalize_name(name) for name in names if not for_developers(name)]
     done: set[str] = set()
     while pending:
         name = pending.pop(0)
@@ -102,7 +107,7 @@ def _of(project: PythonProject, names: Iterable[str]) -> list[Requirement]:
                 continue
             if asked.key == own:
                 more = map(canonicalize_name, asked.extras)
-                pending += [each for each in more if each not in done and not _DEVELOPERS.search(each)]
+                pending += [each for each in more if each not in done and not for_developers(each)]
             else:
                 found.append(replace(asked, role="", group=""))
     return found

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 
 from roslab.config.model import Kind
 from roslab.decide.notebooks import opened
+from roslab.decide.python.extras import for_developers
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
@@ -91,15 +92,25 @@ def _limits(evidence: Evidence) -> dict[str, str]:
 def _as_in_extra(guess: Requirement, evidence: Evidence) -> Requirement:
     """Return a guess as an extra of the project at the root asks for it, under whichever name: ``pygame-ce>=2.5``.
 
-    Not where extras ask for it in several ways, as for a CPU and a GPU.
+    Not where extras ask for it in several ways, as for a CPU and a GPU. Nor as one does that is for tests or
+    documentation, nor as a build without windows where the code opens one by it.
     """
     asked = [each for project in evidence.python if not project.folder for each in project.requirements]
     asked = [each for each in asked if each.role == "extra" and not each.group.startswith(GROUP)]
+    asked = [each for each in asked if not for_developers(each.group)]
     extra = [each for each in asked if each.key == guess.key or (each.name and same_module(guess.key, each.key))]
     same = extra[0] if len({each.text for each in extra}) == 1 else None
     if same is None or guess.limited or not same.package or same.url or same.marker:
         return guess
+    if same.key.endswith("-headless") and _shows(guess, evidence):
+        return guess
     return replace(same, origin=guess.origin, role="", file=guess.file, line=guess.line)
+
+
+def _shows(guess: Requirement, evidence: Evidence) -> bool:
+    """Tell whether the code opens a window by a package: ``opencv-python`` by ``cv2.imshow``."""
+    calls = (each for each in evidence.code if each.namespace == "call" and each.role != "build")
+    return any(guess.key.startswith(each.name) and not places.aside(each.file) for each in calls)
 
 
 def to_show(evidence: Evidence, known: Set[str]) -> Iterator[Requirement]:
