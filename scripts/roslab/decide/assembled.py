@@ -178,7 +178,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
                 decide_opened(evidence, config, of.command.answer.command, of.downloads.answer),
                 decide_outside(evidence, config, of.kind.answer),
                 _unknown_packages(of, evidence, config),
-                decide_nodes(evidence, config, of.kind.answer, of.base.answer.image),
+                decide_nodes(evidence, config, of.kind.answer, of.base.answer.image, of.python.answer),
             )
         ),
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
+from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import warn
 from roslab.decide.ros.without_manifest import CLIENTS
 from roslab.evidence import places
@@ -14,8 +15,8 @@ _ROS = pattern(r"(?<![a-z])ros(?![a-z])")
 """How the name of an image tells that it has ROS."""
 
 
-def decide_nodes(evidence: Evidence, config: Config, kind: Kind, base: str) -> Choice[None]:
-    """Return a warning for the nodes of a tree whose image, from this ``base``, has no ROS.
+def decide_nodes(evidence: Evidence, config: Config, kind: Kind, base: str, python: Python) -> Choice[None]:
+    """Return a warning for the nodes of a tree whose image, from this ``base`` and with this Python, has no ROS.
 
     Not where conda, pip or the base brings it.
     """
@@ -26,7 +27,20 @@ def decide_nodes(evidence: Evidence, config: Config, kind: Kind, base: str) -> C
         return Choice(answer=None)
     if any(package.name.startswith(("ros-", "ros2-")) for each in evidence.conda for package in each.packages):
         return Choice(answer=None)
+    if not _by_pip(evidence, python).isdisjoint({client, f"{client}-all"}):
+        return Choice(answer=None)
     others = f" and {len(nodes) - 1} other program{'s' * (len(nodes) > 2)}" if len(nodes) > 1 else ""
     message = f"{nodes[0].file}{others} cannot start: the image has no ROS, which {client} is of"
     hint = f"`kind: {CLIENTS[client]}` in roslab.yaml makes an image with it"
     return Choice(answer=None, warnings=(warn(f"{message}; {hint}", nodes[0]),))
+
+
+def _by_pip(evidence: Evidence, python: Python) -> set[str]:
+    """Return the names of what pip installs: it has ROS's libraries where it is given an index that holds them."""
+    files = {*python.requirements, *python.manifests}
+    folders = set(python.projects).difference(python.alone)
+    asked = [*python.pip, *python.pip_guessed]
+    asked += [each for file in evidence.requirements if file.file in files for each in file.requirements]
+    asked += [each for one in evidence.conda if one.file == python.conda_file for each in one.requirements]
+    asked += [each for one in evidence.python if (one.folder or ".") in folders for each in one.requirements]
+    return {each.key for each in asked if not each.group}

@@ -9,6 +9,7 @@ import pytest
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Decision
 from roslab.decide.nodes_without_ros import decide_nodes
+from roslab.decide.python.image_python import Python
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.program import Program
@@ -17,6 +18,8 @@ Tree = Callable[[dict[str, str]], Decision]
 MAIN = "if __name__ == '__main__':\n    main()\n"
 NODE = f"import rclpy\ndef main():\n    rclpy.init()\n{MAIN}"
 PROGRAM = f"import numpy\nimport cv2\nimport scipy\nimport yaml\nimport torch\ndef main():\n    pass\n{MAIN}"
+NO_PYTHON = Python(version=None, manager="system")
+INDEX = "--extra-index-url https://example.org/simple\n"
 TREE = {
     "train.py": PROGRAM,
     "robot/send.py": NODE,
@@ -33,6 +36,10 @@ TREE = {
         ({"robot/receive.py": PROGRAM}, ["robot/send.py cannot start"]),
         ({"robot/receive.py": PROGRAM, "robot/send.py": "import numpy\n"}, []),
         ({"environment.yml": "name: a\ndependencies:\n- python=3.10\n- ros-humble-rclpy\n"}, []),
+        ({"requirements.txt": f"{INDEX}rclpy\nnumpy\n"}, []),
+        ({"requirements.txt": f"{INDEX}numpy\n"}, ["robot/receive.py and 1 other program cannot start"]),
+        ({"requirements.txt": "rclpy\nnumpy\n"}, ["robot/receive.py and 1 other program cannot start"]),
+        ({"README.md": f"```\npip install {INDEX.strip()} rclpy-all\npython train.py\n```\n"}, []),
     ],
 )
 def test_nodes_without_ros(tree: Tree, more: dict[str, str], said: list[str]) -> None:
@@ -47,4 +54,4 @@ def test_nodes_without_ros(tree: Tree, more: dict[str, str], said: list[str]) ->
 def test_an_image_with_ros(kind: Kind, base: str, told: int) -> None:
     used = Dependency(namespace="import", name="rclpy", strength="used", file="a.py", line=1)
     evidence = Evidence(code=(used,), programs=(Program(file="a.py", line=9, kind="node"),))
-    assert len(decide_nodes(evidence, Config(), kind, base).warnings) == told
+    assert len(decide_nodes(evidence, Config(), kind, base, NO_PYTHON).warnings) == told
