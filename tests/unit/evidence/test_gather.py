@@ -102,3 +102,13 @@ def test_hostile_trees_end_soon_and_in_little_memory(tmp_path: Path, make: objec
     names = (*decision.apt, *decision.apt_guessed, *(source.ref or "" for source in decision.source))
     assert not any(c in name for name in names for c in "\n;$ ")
     assert not any(name.startswith("-") for name in names)
+
+
+@pytest.mark.parametrize(
+    ("inside", "told"),
+    [("<depend>a b</depend></package>", False), ("<depend>a</depend>", True)],
+)
+def test_only_xml_that_is_cut_off_is_called_not_well_formed(tmp_path: Path, inside: str, told: bool) -> None:
+    (tmp_path / "package.xml").write_text(f"<package><name>demo</name>{inside}")
+    (message, *_), *_ = gather(Repository.open(tmp_path)).problems
+    assert message.startswith("not well-formed: ") is told
