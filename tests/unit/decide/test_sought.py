@@ -436,3 +436,13 @@ def test_a_listed_link_to_what_pip_installs_holds_none(tree: Tree) -> None:
     files = _git(f"{LAB}/mpc.git") | _package("mpc", "quad_x", "roscpp") | {"requirements.txt": "dynamixel-sdk\n"}
     page = f"ROS Noetic.\n# Dependencies\n* [a]({THIRD}/DynamixelSDK)\n* [b]({THIRD}/whole)\n"
     assert list(_sought(tree(files | {"README.md": page}))) == [f"{THIRD}/whole", f"{LAB}/quad_x"]
+
+
+@pytest.mark.parametrize(("needed", "looked"), [("quad_x", False), ("quad_airsim", True)])
+def test_a_listed_link_to_a_module_that_pip_brings_holds_what_is_called_like_it(
+    tree: Tree, needed: str, looked: bool
+) -> None:
+    files = _git(f"{LAB}/mpc.git") | _package("mpc", needed, "roscpp")
+    page = f"ROS Noetic.\n# Dependencies\n* [a]({THIRD}/AirSim)\n* [b]({THIRD}/whole)\n"
+    found = _sought(tree(files | {"README.md": page}))
+    assert (f"{THIRD}/AirSim" in found, f"{THIRD}/whole" in found) == (looked, True)

@@ -116,3 +116,33 @@ def test_a_day_tells_the_commit(tmp_path: Path, remote: Path) -> None:
     folder = tmp_path / "ws/src/remote"
     _run(tmp_path, "--before", "2020-01-01", remote.as_uri(), f"{folder}", "quad_x")
     assert _git(folder, "rev-parse", "HEAD") == first
+
+
+@pytest.mark.parametrize(
+    ("name", "own", "cloned"),
+    [("heavy", True, False), ("swift-parts", True, True), ("heavy", False, True)],
+)
+@pytest.mark.usefixtures("local_submodules")
+def test_submodules_are_cloned_where_one_may_hold_it(
+    tmp_path: Path, remote: Path, name: str, own: bool, cloned: bool
+) -> None:
+    part = tmp_path / name
+    _manifest(part / "swift_tools", "swift_tools")
+    whole = remote if own else tmp_path / "whole"
+    whole.mkdir(exist_ok=True)
+    for folder in (part, whole):
+        _git(folder, "init", "--quiet")
+    _git(part, "add", ".")
+    _git(part, "commit", "--quiet", "--message", "first")
+    _git(whole, "submodule", "--quiet", "add", part.as_uri())
+    _git(whole, "commit", "--quiet", "--message", "second")
+    said, found, _ = _run(tmp_path, whole.as_uri(), f"{tmp_path}/ws/src/remote", "quad_z_msgs", "swift_tools")
+    assert ("swift_tools" in found) is cloned
+    assert ("it holds no package called" in said) is not cloned
+
+
+@pytest.fixture
+def local_submodules(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let git clone submodules from this machine, as it does from a host."""
+    for name, value in {"COUNT": "1", "KEY_0": "protocol.file.allow", "VALUE_0": "always"}.items():
+        monkeypatch.setenv(f"GIT_CONFIG_{name}", value)

@@ -24,6 +24,7 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.compiled import public_hosts
+from roslab.knowledge.frameworks import imports
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
@@ -209,7 +210,7 @@ def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]
         return []
     here = address(evidence.origin) if evidence.origin else ""
     match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
-    found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, known)}
+    found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, known, names)}
     for git in evidence.commented:
         held = tuple(name for name in names if f"{plain(name)}_".startswith(f"{plain(git.name)}_"))
         if held and address(git.url) != here and known.isdisjoint((git.name, plain(git.name))):
@@ -232,7 +233,7 @@ def _called(name: str) -> tuple[str, ...]:
     return (name, stem) if stem else (name,)
 
 
-def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[GitSource]:
+def _linked(evidence: Evidence, here: str, known: AbstractSet[str], names: Collection[str]) -> Iterator[GitSource]:
     """Yield the repositories of the same owner that pages at the root link to; of others, the only one that they do.
 
     Before all, the first of those of anybody that a page says to hold the dependencies, or lists among them.
@@ -247,7 +248,7 @@ def _linked(evidence: Evidence, here: str, known: AbstractSet[str]) -> Iterator[
     }
     of_python = {bare_name(name) for name in _of_python(evidence)}
     first = [git for git in others.values() if git.holds and bare_name(git.name) not in of_python]
-    first = [git for git in first if not _of_ubuntu(git)][:_MOST_LISTED]
+    first = [git for git in first if not _of_ubuntu(git) and not _of_import(git, names)][:_MOST_LISTED]
     yield from first
     for url, git in others.items():
         if git not in first and (len(others) == 1 or (owner and url.rpartition("/")[0] == owner)):
@@ -258,6 +259,11 @@ def _of_python(evidence: Evidence) -> Iterator[str]:
     """Yield the names that projects and lists for pip declare."""
     lists = (*(each.requirements for each in evidence.python), *(each.requirements for each in evidence.requirements))
     yield from (asked.name for each in lists for asked in each if asked.name)
+
+
+def _of_import(git: GitSource, names: Iterable[str]) -> bool:
+    """Tell whether a repository is called like a module that pip brings, and like none of the packages."""
+    return plain(git.name) in imports() and not any(akin(name, git.name) for name in names)
 
 
 def _of_ubuntu(git: GitSource) -> bool:

@@ -42,9 +42,25 @@ elif [ -n "${day}" ]; then
   commit="$(git -C "${folder}" rev-list --max-count=1 --before="${day}T23:59:59Z" HEAD)"
   git -C "${folder}" -c advice.detachedHead=false checkout "${commit:-HEAD}"
 fi
-git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
-
-mapfile -t kept < <(workspace-packages needed "${folder}" "${lacking[@]}" | cut --fields=1)
+look() { mapfile -t kept < <(workspace-packages needed "${folder}" "${lacking[@]}" | cut --fields=1); }
+# Tells whether a submodule may hold one: it shares a word with it, or all packages of the repository are in submodules
+beneath() {
+  if [ ! -e "${folder}/.gitmodules" ]; then return 1; fi
+  if [ -z "$(find "${folder}" -name .git -prune -o -name package.xml -print -quit)" ]; then return 0; fi
+  local package words common='msgs|srvs|drivers?|common|robot|core|tools|utils|interfaces'
+  for package in "${lacking[@]}"; do
+    words="$(tr '_-' '\n' <<<"${package}" | grep '....' | grep --invert-match --line-regexp --extended-regexp "${common}" || true)"
+    if grep --quiet --ignore-case --fixed-strings --regexp="${words:-${package}}" "${folder}/.gitmodules"; then
+      return 0
+    fi
+  done
+  return 1
+}
+look
+if [ "${#kept[@]}" -gt 0 ] || beneath; then
+  git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
+  look
+fi
 if [ "${#kept[@]}" -eq 0 ]; then leave_out "it holds no package called ${lacking[*]}"; fi
 echo "roslab: ${url} brings ${kept[*]}"
 workspace-packages hide "${folder}" "${kept[@]}" >/dev/null
