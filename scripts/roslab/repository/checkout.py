@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-from codecs import BOM_UTF8
 from collections.abc import Callable, Collection, Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.repository import git, listing
 from roslab.repository.listing import File, Listing, list_tree
+from roslab.repository.reading import decoded, read_up_to, text_of
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 
@@ -187,7 +187,7 @@ class Repository:
         if path in self._texts:
             return self._texts[path]
         data = self.read_bytes(path, limit=limit)
-        text = _decode(data)
+        text = decoded(data)
         if len(data) < min(limit, MAX_KEPT):  # the whole file was read, so the limit does not matter
             self._texts[path] = text
         return text
@@ -207,7 +207,7 @@ class Repository:
             )
             try:
                 # Not the whole limit: allocating such a buffer for ten thousand files takes a second
-                return _read_up_to(descriptor, min(limit, size))
+                return read_up_to(descriptor, min(limit, size))
             finally:
                 os.close(descriptor)
         except (OSError, ValueError):
@@ -219,7 +219,7 @@ class Repository:
         entry = f"{self.top or self.path}/.git"
         if os.path.isdir(entry):  # noqa: PTH112 - as above
             return entry
-        if os.path.isfile(entry) and (match := re.match(r"gitdir: (.+)", _text(entry))):  # noqa: PTH113
+        if os.path.isfile(entry) and (match := re.match(r"gitdir: (.+)", text_of(entry))):  # noqa: PTH113
             return os.path.realpath(os.path.join(self.top or self.path, match[1].strip()))  # noqa: PTH118
         return None
 
@@ -261,7 +261,7 @@ class Repository:
         return git.links(self.root) if self.git_folder else ()
 
     def _git_text(self, name: str) -> str:
-        return _text(f"{self.git_folder}/{name}")[:65536] if self.git_folder else ""
+        return text_of(f"{self.git_folder}/{name}")[:65536] if self.git_folder else ""
 
 
 def _no_folder(path: str | Path) -> ConfigurationError:
@@ -274,35 +274,9 @@ def _no_folder(path: str | Path) -> ConfigurationError:
     )
 
 
-def _text(path: str) -> str:
-    """Return the text of a file of git's, ``""`` if it cannot be read."""
-    try:
-        with open(path, encoding="utf-8", errors="replace") as stream:  # noqa: PTH123 - as above
-            return stream.read()
-    except OSError:
-        return ""
-
-
 def nearest(files: Iterable[File]) -> list[File]:
     """Return files sorted by how deep they lie, then by path."""
     return sorted(files, key=lambda file: (file.path.count("/"), file.path))
-
-
-def _read_up_to(descriptor: int, size: int) -> bytes:
-    parts: list[bytes] = []
-    while size > 0 and (part := os.read(descriptor, size)):
-        parts.append(part)
-        size -= len(part)
-    return b"".join(parts)
-
-
-def _decode(data: bytes) -> str:
-    if b"\0" in data[:8192]:
-        if data[:2] in (b"\xff\xfe", b"\xfe\xff"):  # Windows editors write requirements.txt in UTF-16
-            return data.decode("utf-16", errors="replace")
-        return ""
-    text = data.removeprefix(BOM_UTF8).decode(errors="replace")  # "utf-8-sig" does so too, in Python
-    return text.replace("\r\n", "\n").replace("\r", "\n") if b"\r" in data else text
 
 
 def _short(folder: str) -> str:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import extends_torch
-from roslab.decide.cuda.version import DEFAULT, Cuda, Weight
+from roslab.decide.cuda.version import DEFAULT, Cuda
+from roslab.decide.cuda.weight import Weight
 from roslab.decide.decision import Choice
 from roslab.decide.python.own import OwnPython
 from roslab.decide.reasons import because

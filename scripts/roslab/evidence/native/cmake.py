@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
-from roslab.evidence.dependency import Dependency, GitSource
-from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, included, own_project
+from roslab.evidence.native.cmake_reading import Reading
 from roslab.evidence.native.installed_paths import installed, not_there
 from roslab.evidence.native.macros import macros
 from roslab.evidence.native.made_targets import TARGET, target
-from roslab.evidence.native.outside import of_workspace, outside_of_workspaces
+from roslab.evidence.native.outside import of_workspace
 from roslab.evidence.native.own_configs import configs
-from roslab.evidence.native.program_folders import VARIABLES, ProgramFolders
+from roslab.evidence.native.program_folders import VARIABLES
 from roslab.evidence.native.searched import held, searched
 from roslab.evidence.native.settled import settled
 from roslab.repository.checkout import File, Repository, nearest
@@ -67,47 +66,7 @@ _NAMES = (
 )
 _LANGUAGES = frozenset({"C", "CXX", "CUDA", "Fortran"})
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
-_CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
-_SWITCH = pattern(r"(?:OFF )?(?!UNIX$|LINUX$|WIN32$|MSVC$|APPLE$)[A-Za-z]\w*(?<!_FOUND)")
-_WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
 _FROM_HERE = pattern(r"^\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR)\}/|^\./")
-
-
-@dataclass
-class _Reading:
-    """What has been read of one file so far."""
-
-    switches: tuple[str, ...] = ()
-    """The conditions of options under which its folder is added."""
-    by_tool: tuple[str, ...] = ()
-    """Those of the build tool."""
-    unset: tuple[str, ...] = ()
-    """Those of variables that no file declares as options."""
-    outside: dict[tuple[str, int], None] = field(default_factory=dict)
-    name: str | None = None
-    minimum: Dependency | None = None
-    languages: list[str] = field(default_factory=list)
-    macros: dict[str, None] = field(default_factory=dict)
-    executables: dict[str, int] = field(default_factory=dict)
-    guards: dict[tuple[str, str], None] = field(default_factory=dict)
-    optional: dict[tuple[str, str], None] = field(default_factory=dict)
-    written: ProgramFolders = field(default_factory=ProgramFolders)
-    tests: bool = False
-    libraries: set[str] = field(default_factory=set)
-    targets: dict[str, None] = field(default_factory=dict)
-    installed: list[InstalledPath] = field(default_factory=list)
-    configs: dict[str, None] = field(default_factory=dict)
-    made: dict[str, None] = field(default_factory=dict)
-    """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
-    named: set[str] = field(default_factory=set)
-    """Files of code that programs name, relative to this one's folder."""
-    dependencies: list[Dependency] = field(default_factory=list)
-    sources: list[GitSource] = field(default_factory=list)
-    brought: dict[str, None] = field(default_factory=dict)
-    linked: dict[str, int] = field(default_factory=dict)
-    included: set[str] = field(default_factory=set)
-    """Files of the tree that it includes, and those that they include."""
-    newer: dict[str, Dependency] = field(default_factory=dict)
 
 
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
@@ -159,7 +118,7 @@ class _Added:
 def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CMakeProject:
     """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
     above = added.get(file.folder, _Added())
-    reading = _Reading(switches=above.switches, by_tool=above.by_tool, unset=above.unset)
+    reading = Reading(switches=above.switches, by_tool=above.by_tool, unset=above.unset)
     adds: list[str] = []
     options = dict(above.options)
     text = repository.read(file)
@@ -242,7 +201,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     )
 
 
-def _include(call: Call, repository: Repository, file: File, reading: _Reading) -> None:
+def _include(call: Call, repository: Repository, file: File, reading: Reading) -> None:
     """Note the folder that a file of the tree, which is included, gives programs."""
     written = call.words[0] if call.words else ""
     name = written.rpartition("/")[2].removesuffix(".cmake")
@@ -254,7 +213,7 @@ def _include(call: Call, repository: Repository, file: File, reading: _Reading) 
             reading.written.note(inner, file.folder, reading.executables)
 
 
-def _note(call: Call, path: str, reading: _Reading) -> None:
+def _note(call: Call, path: str, reading: Reading) -> None:
     name, words = call.name, call.words
     told = replace(call, conditions=(*reading.switches, *call.conditions)) if reading.switches else call
     reading.targets |= target(call) if name in _TARGETS else {}
@@ -271,7 +230,7 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
     elif name == "enable_language":
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and TARGET.match(words[0]):
-        _program(told, reading)
+        reading.program(told)
     elif name in _TESTS:
         reading.tests = True
     elif name in _LIBRARY:
@@ -284,25 +243,6 @@ def _note(call: Call, path: str, reading: _Reading) -> None:
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
     reading.macros |= macros(call)
-
-
-def _program(call: Call, reading: _Reading) -> None:
-    """Note a program with its files, and the packages that its conditions ask for."""
-    name, *files = call.words
-    before = name in reading.executables
-    reading.executables.setdefault(name, call.line)
-    reading.written.add(name)
-    reading.named.update(word for word in files if _CODE.match(word))
-    outside_of_workspaces(name, (*reading.by_tool, *call.conditions), reading.outside, again=before)
-    switches = [condition.removeprefix("ON ") for condition in (*reading.unset, *call.conditions)]
-    waits = {(name, switch): None for switch in switches if _SWITCH.fullmatch(switch)}
-    if before:  # the other branch of a condition makes it too
-        reading.optional = {each: None for each in reading.optional if each[0] != name or each in waits}
-    else:
-        reading.optional |= waits
-    for condition in call.conditions:
-        found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
-        reading.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
 
 
 def _joined(folder: str, path: str) -> str:

@@ -1,4 +1,4 @@
-"""What ``git checkout``, ``git switch`` and ``git reset --hard`` take of a clone.
+"""What ``git clone`` fetches, and what ``git checkout``, ``git switch`` and ``git reset --hard`` take of it.
 
 https://git-scm.com/docs/git-checkout, https://git-scm.com/docs/git-switch, https://git-scm.com/docs/git-reset
 """
@@ -9,12 +9,16 @@ import re
 from collections.abc import Iterable, Sequence
 
 from roslab.evidence.dependency import GitSource
+from roslab.evidence.lex.shell import UNKNOWN, Command
+from roslab.evidence.prose import workspaces
+from roslab.evidence.ros.vcs import of_user, served
 from roslab.values.pattern import pattern
 
 _TAKES = frozenset({"checkout", "switch"})
 _NEW = frozenset({"-b", "-B", "-c", "-C", "--orphan", "--create"})
 """Options that are followed by the name of a branch that is made here: the repository has none of that name."""
 COMMIT = pattern(r"[0-9a-f]{7,40}")
+_URL = pattern(r"^(?:https?://|git://|ssh://|git@)\S+$")
 _REF = pattern(r"(?:\w|\{distro\})(?:[\w./-]|\{distro\}){0,200}")
 
 
@@ -34,6 +38,31 @@ def checked_out(words: Sequence[str]) -> str | None:
     if "--" in rest or not _REF.fullmatch(ref):
         return ""
     return ref.removeprefix("tags/").removeprefix("origin/")
+
+
+def cloned(command: Command, file: str, folder: str, heading: str, *, inside: bool) -> GitSource | None:
+    """Return what a command of git clones, ``None`` for nothing; ``inside``: the text is in a folder of packages."""
+    words = command.words
+    url = next((w for w in words if _URL.match(w) and UNKNOWN not in w and "<" not in w), None)
+    if url is None or "clone" not in words:
+        return None
+    apart = [part for word in words for part in (word.split("=", 1) if word.startswith("--branch=") else (word,))]
+    branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
+    into, url = workspaces.folder_after(url, words, folder), served(url.rstrip(".,;)"))
+    name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
+    return GitSource(
+        name=name,
+        url=url,
+        ref=None if branch is None or UNKNOWN in branch else branch,
+        strength="prose",
+        file=file,
+        line=command.line,
+        kind="clone",
+        into="" if into == name else into,
+        private=of_user(url),
+        heading=heading,
+        beside=workspaces.beside(words[-1] if words[-1] != url else "", inside=inside),
+    )
 
 
 def called_in(words: Sequence[str], folder: str, sources: Sequence[GitSource]) -> int | None:

@@ -18,7 +18,6 @@ from roslab.evidence.prose.runners import by_ros, started
 from roslab.evidence.prose.telling import telling
 from roslab.evidence.python.install_lines import CONDA, PIP, STOP, Version, conda_asks, pip_asks, setup_asks
 from roslab.evidence.python.manager_lines import manager_asks
-from roslab.evidence.ros.vcs import of_user, served
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -31,7 +30,6 @@ _APT_NAME = pattern(  # a name has a letter; at the end of one a hyphen has apt 
     r"^(?![\d.+-]+$)(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]*[a-z0-9+.]|ros-(?:\{distro\}|[a-z]+)-[a-z0-9][a-z0-9-]{2,}\*)$"
 )
 _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
-_URL = pattern(r"^(?:https?://|git://|ssh://|git@)\S+$")
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program, or of a script whose name has no ending."""
 _STARTS = pattern(
@@ -214,7 +212,7 @@ class Collector:
             self.sources_at = self.folder
 
     def _git(self, command: Command) -> None:
-        from roslab.evidence.prose.checkouts import called_in, checked_out  # noqa: PLC0415 - few pages clone
+        from roslab.evidence.prose.checkouts import called_in, checked_out, cloned  # noqa: PLC0415 - few pages clone
 
         words = command.words
         ref = checked_out(words)
@@ -225,30 +223,12 @@ class Collector:
                 self.fresh.remove(clone)
                 self.sources[clone] = replace(self.sources[clone], ref=self.sources[clone].ref or ref or None)
             return
-        url = next((w for w in words if _URL.match(w) and UNKNOWN not in w and "<" not in w), None)
-        if url is None or "clone" not in words:
+        found = cloned(command, self.file, self.folder, self.heading, inside=self.inside)
+        if found is None:
             return
-        apart = [part for word in words for part in (word.split("=", 1) if word.startswith("--branch=") else (word,))]
-        branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
-        into, url = workspaces.folder_after(url, words, self.folder), served(url.rstrip(".,;)"))
-        name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
         self.cloned, self.options, self.below, self.configured, self.prepared = len(self.sources), "", "", False, False
         self.fresh.add(self.cloned)
-        self.sources.append(
-            GitSource(
-                name=name,
-                url=url,
-                ref=None if branch is None or UNKNOWN in branch else branch,
-                strength="prose",
-                file=self.file,
-                line=command.line,
-                kind="clone",
-                into="" if into == name else into,
-                private=of_user(url),
-                heading=self.heading,
-                beside=workspaces.beside(words[-1] if words[-1] != url else "", inside=self.inside),
-            )
-        )
+        self.sources.append(found)
 
     def _by_hand(self, program: str, command: Command) -> None:
         """Note what CMake is told, and, where something is installed, the clone in whose folder the text is now."""

@@ -1,0 +1,70 @@
+"""What has been read of a CMakeLists.txt so far."""
+
+from __future__ import annotations
+
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.installed_path import InstalledPath
+from roslab.evidence.lex.cmake import Call
+from roslab.evidence.native.outside import outside_of_workspaces
+from roslab.evidence.native.program_folders import ProgramFolders
+from roslab.values.dataclass import dataclass, field
+from roslab.values.pattern import pattern
+
+_CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
+_SWITCH = pattern(r"(?:OFF )?(?!UNIX$|LINUX$|WIN32$|MSVC$|APPLE$)[A-Za-z]\w*(?<!_FOUND)")
+_WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
+
+
+@dataclass
+class Reading:
+    """What has been read of one file so far."""
+
+    switches: tuple[str, ...] = ()
+    """The conditions of options under which its folder is added."""
+    by_tool: tuple[str, ...] = ()
+    """Those of the build tool."""
+    unset: tuple[str, ...] = ()
+    """Those of variables that no file declares as options."""
+    outside: dict[tuple[str, int], None] = field(default_factory=dict)
+    name: str | None = None
+    minimum: Dependency | None = None
+    languages: list[str] = field(default_factory=list)
+    macros: dict[str, None] = field(default_factory=dict)
+    executables: dict[str, int] = field(default_factory=dict)
+    guards: dict[tuple[str, str], None] = field(default_factory=dict)
+    optional: dict[tuple[str, str], None] = field(default_factory=dict)
+    written: ProgramFolders = field(default_factory=ProgramFolders)
+    tests: bool = False
+    libraries: set[str] = field(default_factory=set)
+    targets: dict[str, None] = field(default_factory=dict)
+    installed: list[InstalledPath] = field(default_factory=list)
+    configs: dict[str, None] = field(default_factory=dict)
+    made: dict[str, None] = field(default_factory=dict)
+    """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
+    named: set[str] = field(default_factory=set)
+    """Files of code that programs name, relative to this one's folder."""
+    dependencies: list[Dependency] = field(default_factory=list)
+    sources: list[GitSource] = field(default_factory=list)
+    brought: dict[str, None] = field(default_factory=dict)
+    linked: dict[str, int] = field(default_factory=dict)
+    included: set[str] = field(default_factory=set)
+    """Files of the tree that it includes, and those that they include."""
+    newer: dict[str, Dependency] = field(default_factory=dict)
+
+    def program(self, call: Call) -> None:
+        """Note a program with its files, and the packages that its conditions ask for."""
+        name, *files = call.words
+        before = name in self.executables
+        self.executables.setdefault(name, call.line)
+        self.written.add(name)
+        self.named.update(word for word in files if _CODE.match(word))
+        outside_of_workspaces(name, (*self.by_tool, *call.conditions), self.outside, again=before)
+        switches = [condition.removeprefix("ON ") for condition in (*self.unset, *call.conditions)]
+        waits = {(name, switch): None for switch in switches if _SWITCH.fullmatch(switch)}
+        if before:  # the other branch of a condition makes it too
+            self.optional = {each: None for each in self.optional if each[0] != name or each in waits}
+        else:
+            self.optional |= waits
+        for condition in call.conditions:
+            found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
+            self.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
