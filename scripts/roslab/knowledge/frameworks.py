@@ -42,6 +42,11 @@ def _days() -> dict[tuple[str, str], str]:
     return {(row["package"], row["first"]): row["released"] for row in rows("framework_releases")}
 
 
+def released_on(package: str, first: str) -> str:
+    """Return the day of the first release of a series (``YYYY-MM-DD``). Raises KeyError for one without a row."""
+    return _days()[package, first]
+
+
 @cache
 def _series(package: str) -> tuple[tuple[Version, Framework], ...]:
     """Return the release series of a package, each with its first release, the newest first; none if it has no row."""

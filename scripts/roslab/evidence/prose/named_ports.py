@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import MAX_LINE, lines_of
 from roslab.evidence.prose.pages import pages, text_of
+from roslab.knowledge.other_servers import ports_of_others
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -21,12 +22,6 @@ _REMARK = pattern(r"^\s*\S.*?\s#\s*$")
 """A command before a remark that is nothing but the address."""
 _ELSEWHERE = pattern(r"(?:^|[\W_])(?:robot|remote|device|drone|camera|jetson|raspberry|pi)(?![a-z])", re.IGNORECASE)
 """A placeholder for another machine than the one that runs the image."""
-_OF_OTHERS = frozenset({"6006", "8097", "11311", "11434"})
-"""Ports of servers that run beside a program: TensorBoard, Visdom, the master of ROS, Ollama.
-
-https://github.com/tensorflow/tensorboard, https://github.com/fossasia/visdom,
-https://wiki.ros.org/ROS/EnvironmentVariables, https://docs.ollama.com/faq, read 2026-11-26.
-"""
 
 
 def read(repository: Repository) -> Iterator[Mention]:
@@ -58,4 +53,4 @@ def _opened(above: str, before: str, *, fenced: bool) -> bool:
 
 
 def _of_others(machine: str | None, port: str) -> bool:
-    return port in _OF_OTHERS or bool(machine and _ELSEWHERE.search(machine))
+    return port in ports_of_others() or bool(machine and _ELSEWHERE.search(machine))

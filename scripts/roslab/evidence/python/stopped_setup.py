@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence.facts import Mention, PythonProject
+from roslab.knowledge.frameworks import released_on
 from roslab.repository.checkout import Repository
 from roslab.values.requirement import Requirement
 
@@ -13,11 +14,6 @@ _TOLD = frozenset({"packages", "py_modules", "ext_modules", "package_dir", "pbr"
 """Arguments of ``setup`` beside which setuptools looks for no packages.
 
 https://setuptools.pypa.io/en/latest/history.html#v61-0-0, read 2026-11-26.
-"""
-_LOOKS_SINCE = "2022-03-24"
-"""The day of setuptools 61, before which it looks for none.
-
-https://pypi.org/project/setuptools/61.0.0/, read 2026-11-26.
 """
 
 
@@ -38,7 +34,9 @@ def why_stopped(
             return f"setup.py reads {path}, which is not there"
     beside = any(repository.has(posixpath.join(folder, name)) for name in ("setup.cfg", "pyproject.toml"))
     programs = {"entry_points", "scripts"} & {*keywords}
-    looks = setuptools and not (repository.committed and f"{repository.committed:%Y-%m-%d}" < _LOOKS_SINCE)
+    looks = setuptools and not (
+        repository.committed and f"{repository.committed:%Y-%m-%d}" < released_on("setuptools", "61")
+    )
     if looks and not beside and not programs and not _TOLD & {*keywords} and several(repository, folder):
         return "setup.py names no packages, and setuptools takes none where several folders could be one"
     return ""
