@@ -42,6 +42,8 @@ class PackageManifest:
     """In or below a folder with COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE."""
     malformed: str | None = None
     """The parser's message if the XML is not well-formed; the other fields hold what could be read."""
+    together: tuple[str, int] | None = None
+    """The first element that names several packages, which tools take for one name, with its line."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

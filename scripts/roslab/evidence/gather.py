@@ -263,6 +263,7 @@ def gather(repository: Repository) -> Evidence:
         problems=(
             *repository.problems,
             *(_malformed(m) for m in manifests if m.malformed),
+            *(_several(m, *m.together) for m in manifests if m.together),
             *vcs.absent(repository),
             *links.problems(lost, by_name_alone),
             *cpu.read(repository),
@@ -277,10 +278,12 @@ def gather(repository: Repository) -> Evidence:
 def _malformed(manifest: PackageManifest) -> tuple[str, str, int]:
     """Return the parser's message with the line where it stopped, if it gives one."""
     match = re.match(r"line (\d+): (.+)", manifest.malformed or "")
-    if match is None:
-        return f"not well-formed: {manifest.malformed}", manifest.file, manifest.line
-    message = match[2] if " names several packages" in match[2] else f"not well-formed: {match[2]}"
-    return message, manifest.file, int(match[1])
+    line, message = (int(match[1]), match[2]) if match else (manifest.line, manifest.malformed)
+    return f"not well-formed: {message}", manifest.file, line
+
+
+def _several(manifest: PackageManifest, tag: str, line: int) -> tuple[str, str, int]:
+    return f"<{tag}> names several packages, and each needs one of its own", manifest.file, line
 
 
 def _without_python(

@@ -30,7 +30,7 @@ def read(repository: Repository, sources: Iterable[GitSource]) -> Iterator[GitSo
     for git in sources:
         if git.kind == "clone" and not places.vendored(git.file):
             clones.setdefault(git.folder, git)
-    paths = repository.links() if clones else ()
+    paths = repository.links if clones else ()
     found: dict[str, str] = {}
     for path in sorted(paths, key=lambda path: path.count("/")):
         name = path.rpartition("/")[2]

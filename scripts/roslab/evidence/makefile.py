@@ -24,8 +24,6 @@ class Makefile:
     called_in: str | None = None
     """The folder in which a page calls it, ``None`` for its own."""
 
-    prepare: str = ""
-    """What writes the Makefile, before make is called."""
     qt: tuple[str, ...] = ()
     """The modules of Qt that a project of qmake asks for, as it calls them."""
 

@@ -256,8 +256,9 @@ class Repository:
         """Return the commit that the checkout's commit records for each submodule at one of the paths, if git tells."""
         return git.recorded(self.root, paths) if paths and self.git_folder else {}
 
+    @cached_property
     def links(self) -> tuple[str, ...]:
-        """Return the paths of the submodules that the checkout's commit records, if git tells."""
+        """The paths of the submodules that the checkout's commit records, if git tells."""
         return git.links(self.root) if self.git_folder else ()
 
     def _git_text(self, name: str) -> str:

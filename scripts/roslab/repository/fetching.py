@@ -16,6 +16,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from roslab.repository.lfs import LARGEST_POINTER, POINTER
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
@@ -24,9 +25,6 @@ SECONDS = 900.0
 MOST = 300
 """Most submodules, nested ones included."""
 DEEPEST = 8
-POINTER = b"version https://git-lfs.github.com/spec/v1"
-"""First line of a file whose content is in LFS: https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md"""
-LARGEST_POINTER = 1024
 REF = pattern(r"[A-Za-z0-9_][\w./+-]{0,199}")
 SSH = (
     re.compile(r"ssh://(?:[\w.-]+@)?(?P<host>[\w.-]+)(?::\d+)?/"),

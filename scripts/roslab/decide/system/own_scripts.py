@@ -31,6 +31,8 @@ _UNREAD = pattern(r"(?:^|/)(?:build|make|compile)(?:[_-]\w+)*\.(?:sh|py)$")
 _ASIDE = pattern(
     r"\b(?:docker|docs?|documentation|tests?|wheels?|release|optional|windows?|mac\w*|jetson|real)\b", re.IGNORECASE
 )
+_QMAKE = "QT_SELECT=5 qmake"
+"""qtchooser, which is ``qmake`` on Ubuntu, starts that of Qt 4 without it where no package says otherwise."""
 _INSTALL = "its own `install` compiles, which an editable installation does not run"
 _LEFT = (
     "the page has CMake compile {folder}, which the image does not: it asks for {lacks}, which the image lacks; "
@@ -168,7 +170,7 @@ def _made(evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
             OwnScript(
                 folder=each.folder,
                 path=each.file,
-                command=each.script or f"{each.prepare}make",
+                command=each.script or (f"{_QMAKE} && make" if each.qt else "make"),
                 required=each.script is not None and each is made[0],
             )
             for each in made

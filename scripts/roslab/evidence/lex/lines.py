@@ -43,13 +43,14 @@ def matches_at(each: re.Pattern[str], text: str, *words: str, place_in: str | No
     The words are looked for in ``place_in``, which has the places of the text: the same in lower case.
     """
     end = 0
-    for place in sorted({place for word in words for place in _places(text if place_in is None else place_in, word)}):
+    for place in sorted({place for word in words for place in places_of(text if place_in is None else place_in, word)}):
         if place >= end and (match := each.match(text, place)):
             end = match.end()
             yield match
 
 
-def _places(text: str, word: str) -> Iterator[int]:
+def places_of(text: str, word: str) -> Iterator[int]:
+    """Yield where a word stands in a text."""
     place = text.find(word)
     while place >= 0:
         yield place

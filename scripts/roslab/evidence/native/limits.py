@@ -10,7 +10,7 @@ from functools import cache
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.cmake import calls
-from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.lex.lines import lines_with, matching_lines
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.evidence.native import cmake_since
 from roslab.evidence.native.unlisted import Unlisted
@@ -202,13 +202,8 @@ def _guarded(text: str) -> Iterator[str]:
 
 def _directed(text: str, word: str) -> bool:
     """Tell whether a word stands in a directive: what only prints a version chooses nothing by it."""
-    at = text.find(word)
-    while at >= 0:
-        before = text[: text.rfind("\n", 0, at) + 1]
-        if text[len(before) : at].lstrip().startswith("#") or before.endswith("\\\n"):
-            return True
-        at = text.find(word, at + 1)
-    return False
+    starts = lines_with(text, word)
+    return any(text[start : start + 80].lstrip().startswith("#") or text.endswith("\\\n", 0, start) for start in starts)
 
 
 def conditional(text: str, position: int) -> bool:

@@ -13,8 +13,6 @@ from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
-PREPARE = "QT_SELECT=5 qmake && "
-"""qtchooser, which is ``qmake`` on Ubuntu, starts that of Qt 4 without it where no package says otherwise."""
 _COMMENT = pattern(r"#[^\n]*")
 _ELSEWHERE = pattern(r"\b(?:win32|windows|macx?|macos|android|ios)\b[^\n{}]{0,80}(?:\{[^{}]*\}|:[^\n]*)")
 _SET = pattern(r"^[^\n=]{0,120}?\b(QT|TARGET|TEMPLATE)[ \t]*\+?=[ \t]*([^\n]*)", re.MULTILINE)
@@ -48,7 +46,6 @@ def read(repository: Repository) -> Iterator[Makefile]:
                 programs=(target,) if _NAME.fullmatch(target) else (),
                 linked=compile_scripts.linked(text),
                 cuda=False,
-                prepare=PREPARE,
                 qt=tuple(dict.fromkeys(filter(_NAME.fullmatch, (*_USUAL, *said.get("QT", ()))))),
             )
 

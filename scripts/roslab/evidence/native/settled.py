@@ -12,8 +12,12 @@ from roslab.repository.checkout import Repository
 def settled(names: Iterable[str], repository: Repository) -> tuple[str, ...]:
     """Return those that a file of CMake sets, but for defaults: in the cache, or where it has no value."""
     asked = sorted(set(names))
-    texts = [repository.read(file) for file in cmake_files(repository)] if asked else []
+    texts = repository.once(_texts) if asked else []
     return tuple(name for name in asked if _set(name, texts))
+
+
+def _texts(repository: Repository) -> list[str]:
+    return [repository.read(file) for file in cmake_files(repository)]
 
 
 def _set(name: str, texts: Iterable[str]) -> bool:

@@ -236,8 +236,6 @@ class Collector:
         from roslab.evidence.prose.checkouts import clone_at, titled  # noqa: PLC0415 - as above
 
         words = command.words
-        if removed_clones.note(words, self.sources):
-            return
         if program in {"wget", "curl"}:
             self.sources += archives(command, self.file)
             return
@@ -258,11 +256,12 @@ class Collector:
     def _program(self, program: str, command: Command) -> None:
         words = command.words
         self.prepared = self.prepared or prepares(words[0])
+        removed_clones.note(program, words, self.sources)
         if program in _BUILD_TOOLS:
             self._mention("build_tool", program, command)
         elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:
             self._mention("build_tool", "catkin_tools", command)
-        elif program in {"cmake", "make", "ninja", "dpkg", "wget", "curl", *removed_clones.PROGRAMS}:
+        elif program in {"cmake", "make", "ninja", "dpkg", "wget", "curl"}:
             self._by_hand(program, command)
         elif by_ros(program, words):
             self._run(command)

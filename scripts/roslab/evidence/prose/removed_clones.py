@@ -8,17 +8,13 @@ from collections.abc import Sequence
 from roslab.evidence.dependency import GitSource
 from roslab.values.dataclass import replace
 
-PROGRAMS = frozenset({"rm", "cp", "mv"})
+_PROGRAMS = frozenset({"rm", "cp", "mv"})
 
 
-def note(words: Sequence[str], sources: list[GitSource]) -> bool:
-    """Mark in ``sources`` the last clone of a folder that ``rm`` removes, or of which ``cp`` or ``mv`` takes a part.
-
-    Tell whether it is a command of one of these.
-    """
-    program = posixpath.basename(words[0])
-    if program not in PROGRAMS:
-        return False
+def note(program: str, words: Sequence[str], sources: list[GitSource]) -> None:
+    """Mark in ``sources`` the last clone of a folder that ``rm`` removes, or of which ``cp`` or ``mv`` takes a part."""
+    if program not in _PROGRAMS:
+        return
     paths = [posixpath.normpath(word) for word in words[1:] if not word.startswith("-")]
     for path in paths if program == "rm" else paths[:-1]:
         parts = path.split("/")
@@ -32,4 +28,3 @@ def note(words: Sequence[str], sources: list[GitSource]) -> bool:
             elif program == "rm":
                 sources[index] = replace(clone, removed=True)
             break
-    return True

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.python.imports import modules_of, statements
-from roslab.evidence.python.modules import modules
+from roslab.evidence.python.modules import modules, run_by_pages
 from roslab.repository.checkout import Repository
 
 
 def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mention]:
     """Yield the modules that each of these programs imports under no condition, with the place of the first import."""
-    run = {file for mention in mentions if mention.topic == "command" for file in mention.files if file.endswith(".py")}
+    run = run_by_pages(mentions)
     for module in modules(repository) if run else ():
         if module.file.path not in run:
             continue

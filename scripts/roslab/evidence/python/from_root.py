@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.python.modules import Module, modules
+from roslab.evidence.python.modules import Module, modules, run_by_pages
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -29,7 +29,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     """
     if _installs(repository):
         return
-    run = {file for mention in mentions if mention.topic == "command" for file in mention.files}
+    run = run_by_pages(mentions)
     names = _at_root(repository)
     for module in modules(repository) if names else ():
         file = module.file

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.lines import places_of
 from roslab.evidence.program import Program
-from roslab.evidence.python.modules import modules
+from roslab.evidence.python.modules import modules, run_by_pages
+from roslab.knowledge.other_servers import usual_ports
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -16,15 +18,11 @@ _CALL = pattern(
 )
 _PORT = pattern(r"\b(?:server_)?port\s*=\s*(\d{2,5})\b")
 _OTHER = pattern(r"\b(?:server_)?port\s*=")
-_USUAL = {"uvicorn": "8000", "app": "5000"}
-"""Without an argument: https://www.uvicorn.org/settings/ and https://flask.palletsprojects.com/en/stable/api/, read
-2026-11-26."""
 
 
 def read(repository: Repository, mentions: Iterable[Mention], programs: Iterable[Program]) -> Iterator[Mention]:
     """Yield the port of each program that a page runs, or that is made to be run, where the code has its number."""
-    run = {file for mention in mentions if mention.topic == "command" for file in mention.files if file.endswith(".py")}
-    run |= {program.file for program in programs if program.kind == "main"}
+    run = run_by_pages(mentions) | {program.file for program in programs if program.kind == "main"}
     for module in modules(repository) if run else ():
         if module.file.path not in run or _EVERYWHERE not in module.text:
             continue
@@ -35,14 +33,12 @@ def read(repository: Repository, mentions: Iterable[Mention], programs: Iterable
 
 
 def _calls(text: str) -> Iterator[tuple[str, int]]:
-    at = text.find(_EVERYWHERE)
-    while at >= 0:
+    for at in places_of(text, _EVERYWHERE):
         start = text.rfind("(", 0, at)
         start = text.rfind("\n", 0, max(start, 0)) + 1
         if match := _CALL.match(text, start):
             given = match["before"] + match["after"]
-            usual = _USUAL.get(match["by"], "") if match["by"] != "app" or "flask" in text.lower() else ""
+            usual = usual_ports().get(match["by"], "") if match["by"] != "app" or "flask" in text.lower() else ""
             port = found[1] if (found := _PORT.search(given)) else "" if _OTHER.search(given) else usual
             if port:
                 yield port, text.count("\n", 0, match.start("by")) + 1
-        at = text.find(_EVERYWHERE, at + 1)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cached_property
 
 from roslab.evidence import places
+from roslab.evidence.facts import Mention
 from roslab.knowledge.hints import words_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass
@@ -44,6 +46,11 @@ class Module:
 def modules(repository: Repository) -> tuple[Module, ...]:
     """Return the modules worth reading, nearest to the root first; vendored code, documentation and CI are left out."""
     return repository.once(_modules)
+
+
+def run_by_pages(mentions: Iterable[Mention]) -> set[str]:
+    """Return the files of Python that the commands of pages start."""
+    return {file for said in mentions if said.topic == "command" for file in said.files if file.endswith(".py")}
 
 
 def setup_scripts(repository: Repository) -> tuple[Module, ...]:

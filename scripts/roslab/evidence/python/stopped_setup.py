@@ -43,7 +43,7 @@ def why_stopped(
 
 
 def _in_submodule(repository: Repository, path: str) -> bool:
-    return any(path.startswith(f"{each}/") for each in repository.links())
+    return any(path.startswith(f"{each}/") for each in repository.links)
 
 
 def chosen(projects: Iterable[PythonProject], asked: Iterable[Requirement]) -> list[PythonProject]:

@@ -59,15 +59,13 @@ def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> Pa
         sources=tuple(_sources(root, file.path)),
         metapackage=any(root.below("export", "metapackage")),
         ignored=_below(file, ignored),
-        malformed=problem or next(_together(root), None),
+        malformed=problem,
+        together=next(_together(root), None),
     )
 
 
-def _together(root: Element) -> Iterator[str]:
-    """Yield what is wrong with each element that names several packages, which tools take for one name."""
-    for element in root.children:
-        if element.tag in _ROLES and len(_names(element)) > 1:
-            yield f"line {element.line}: <{element.tag}> names several packages, and each needs one of its own"
+def _together(root: Element) -> Iterator[tuple[str, int]]:
+    return ((e.tag, e.line) for e in root.children if e.tag in _ROLES and len(_names(e)) > 1)
 
 
 def _empty(file: File, ignored: bool, malformed: str) -> PackageManifest:

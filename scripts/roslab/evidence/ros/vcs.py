@@ -43,8 +43,7 @@ SHORTEST = 2
 def read(repository: Repository) -> tuple[GitSource, ...]:
     """Return every repository that a list names, with https URLs; ``decide`` leaves out the repository itself."""
     found = [source for file in _files(repository) for source in _listed(repository, file)]
-    for file in repository.named(".gitmodules"):
-        found += _with_commits(repository, tuple(_submodules(repository, file)))
+    found += _with_commits(repository, repository.once(_submodules))
     return tuple(found)
 
 
@@ -71,29 +70,26 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
     What the commit does not have is none by now, and no command of git brings it.
     """
     found: list[tuple[str, str, int]] = []
-    for file in repository.named(".gitmodules"):
-        missing = [source for source in _submodules(repository, file) if not _checked_out(repository, source)]
-        recorded = repository.recorded(tuple(source.name for source in missing)) if repository.committed else None
-        there = [source for source in missing if recorded is None or source.name in recorded]
-        gone = [source for source in missing if source not in there]
-        if there:
-            names = ", ".join(source.name for source in there)
-            what = "a submodule is" if len(there) == 1 else "submodules are"
-            message = f"{what} not checked out and could not be read: {names}; {_fetched(repository, there)}"
-            found.append((message, file.path, there[0].line))
-        if gone:
-            names = ", ".join(source.name for source in gone)
-            message = (
-                f"no submodule in this commit, though .gitmodules names it, so that its content was not read: {names}"
-            )
-            found.append((f"{message}; the image clones its newest state", file.path, gone[0].line))
+    missing = [source for source in repository.once(_submodules) if not _checked_out(repository, source)]
+    recorded = repository.recorded(tuple(source.name for source in missing)) if repository.committed else None
+    there = [source for source in missing if recorded is None or source.name in recorded]
+    gone = [source for source in missing if source not in there]
+    if there:
+        names = ", ".join(source.name for source in there)
+        what = "a submodule is" if len(there) == 1 else "submodules are"
+        message = f"{what} not checked out and could not be read: {names}; {_fetched(repository, there)}"
+        found.append((message, there[0].file, there[0].line))
+    if gone:
+        names = ", ".join(source.name for source in gone)
+        message = f"no submodule in this commit, though .gitmodules names it, so that its content was not read: {names}"
+        found.append((f"{message}; the image clones its newest state", gone[0].file, gone[0].line))
     return tuple(found)
 
 
 def _fetched(repository: Repository, there: Sequence[GitSource]) -> str:
     """Return the command that fetches submodules: by name where git stops at one without an address in .gitmodules."""
     known = {*submodules(repository)}
-    unknown = [path for path in repository.links() if path not in known]
+    unknown = [path for path in repository.links if path not in known]
     if not unknown:
         return "git submodule update --init --recursive"
     paths = " ".join(shlex.quote(source.name) for source in there)
@@ -103,13 +99,12 @@ def _fetched(repository: Repository, there: Sequence[GitSource]) -> str:
 
 def submodules(repository: Repository) -> tuple[str, ...]:
     """Return the paths of the submodules that .gitmodules names, whether they are checked out or not."""
-    return tuple(module.name for file in repository.named(".gitmodules") for module in _submodules(repository, file))
+    return tuple(module.name for module in repository.once(_submodules))
 
 
 def missing(repository: Repository) -> tuple[str, ...]:
     """Return the paths of the submodules that are not checked out."""
-    modules = (module for file in repository.named(".gitmodules") for module in _submodules(repository, file))
-    return tuple(module.name for module in modules if not _checked_out(repository, module))
+    return tuple(each.name for each in repository.once(_submodules) if not _checked_out(repository, each))
 
 
 @cache
@@ -253,30 +248,29 @@ def _line(text: str, needle: str) -> int:
     return text.count("\n", 0, index) + 1 if index >= 0 else 1
 
 
-def _submodules(repository: Repository, file: File) -> Iterator[GitSource]:
+def _submodules(repository: Repository) -> tuple[GitSource, ...]:
     """Return each at the path where it lies: one may have been moved without its entry.
 
     That is the only path of its name at which the commit records a commit, where it records none at that of the entry.
     """
-    modules = tuple(_of_gitmodules(repository, file))
+    modules = tuple(_of_gitmodules(repository)) if repository.has(".gitmodules") else ()
     named = {module.name for module in modules}
+    moved: dict[str, str] = {}
     for module in modules:
         name = f"/{module.name}".rpartition("/")[2]
         empty = [path for path in repository.listing.empty if f"/{path}".endswith(f"/{name}")]
         others = [path for path in empty if path not in named]
-        lost = len(others) == 1 and module.name not in empty and not _checked_out(repository, module)
-        if lost and repository.recorded((module.name, *others)).keys() == {*others}:
-            named.add(others[0])
-            yield replace(module, name=others[0])
-        else:
-            yield module
+        if len(others) == 1 and module.name not in empty and not _checked_out(repository, module):
+            moved[module.name] = others[0]
+    recorded = repository.recorded((*moved, *moved.values())) if moved else {}
+    there = {new: old for old, new in moved.items() if new in recorded and old not in recorded}
+    there = {old: new for new, old in there.items()}
+    return tuple(replace(module, name=there.get(module.name, module.name)) for module in modules)
 
 
-def _of_gitmodules(repository: Repository, file: File) -> Iterator[GitSource]:
+def _of_gitmodules(repository: Repository) -> Iterator[GitSource]:
     """Only the .gitmodules at the root has an effect: nested ones are leftovers of copied trees."""
-    if file.path != ".gitmodules":
-        return
-    text = repository.read(file)
+    text = repository.read(".gitmodules")
     import configparser  # noqa: PLC0415 - few repositories have submodules
 
     parser = configparser.ConfigParser(strict=False, interpolation=None, allow_no_value=True)
@@ -292,7 +286,7 @@ def _of_gitmodules(repository: Repository, file: File) -> Iterator[GitSource]:
                 url=https(url, repository.origin),
                 ref=parser.get(section, "branch", fallback=None),
                 strength="declared",
-                file=file.path,
+                file=".gitmodules",
                 line=_line(text, url),
                 kind="submodule",
             )
