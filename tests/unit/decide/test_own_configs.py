@@ -51,6 +51,13 @@ def test_it_is_installed_where_a_package_requires_it(tree: Tree, files: dict[str
     assert all(script.command.endswith("install && ldconfig") for script in found.scripts)
 
 
+@pytest.mark.parametrize(("call", "stops"), [("{}", True), ("if(WITH_GRIP)\n{}endif()\n", False)])
+def test_the_build_stops_where_it_fails_and_a_package_cannot_do_without(tree: Tree, call: str, stops: bool) -> None:
+    asks = call.format("find_package(grip REQUIRED)\n")
+    found = tree({**FILES, "grip_ros/CMakeLists.txt": f"project(grip_ros)\nfind_package(catkin REQUIRED)\n{asks}"})
+    assert [script.required for script in found.scripts] == [True] * stops
+
+
 @pytest.mark.parametrize("files", [{}, OF_ROS_2])
 def test_it_is_no_key_and_is_looked_for_nowhere(tree: Tree, files: dict[str, str]) -> None:
     found = tree(FILES | files)

@@ -114,14 +114,19 @@ def decide_scripts(
 
 
 def _of_packages(evidence: Evidence, target: Target) -> Choice[tuple[OwnScript, ...]]:
-    """Return how each project is installed that a package of the workspace requires and that catkin does not build."""
+    """Return how each project is installed that a package of the workspace requires and that catkin does not build.
+
+    The build stops where it fails: catkin would stop later, with another cause.
+    """
     found = [
         (_part(project, found=True, options=_said_of(project, evidence)), asked)
         for project, asked in required_of_tree(evidence, target)
     ]
     why = "{} requires {}, which it installs"
     return Choice(
-        answer=tuple(replace(script, command=f"{script.command} && ldconfig") for script, _ in found),
+        answer=tuple(
+            replace(script, command=f"{script.command} && ldconfig", required=asked.required) for script, asked in found
+        ),
         reasons=tuple(
             because("source", s.folder or ".", why.format(asked.file, asked.name), asked, weight=WEIGHT)
             for s, asked in found
