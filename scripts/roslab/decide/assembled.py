@@ -26,7 +26,7 @@ from roslab.decide.python.paths import python_path
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.in_tree import apart
-from roslab.decide.ros.keys import stopping
+from roslab.decide.ros.keys import by_pip, stopping
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
@@ -42,7 +42,7 @@ from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_packages import own_packages
 from roslab.decide.system.packages import SystemPackages
-from roslab.decide.system.spare import spare
+from roslab.decide.system.spare import most, spare
 from roslab.decide.uncopied_packages import copied_names
 from roslab.decide.unknown_packages import decide_unknown_packages
 from roslab.evidence.facts import Evidence
@@ -126,6 +126,11 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         left_out={*of.left_out, *failing},
         ros_distro=distro,
     )
+    alone = (
+        ()
+        if of.own.answer or config.compatible or not ros
+        else folders_of(of.packages, spare(config, of.command.answer, of.packages, {*of.left_out, *failing}))
+    )
     system = of.system if of.own.answer else _as_needed(of, evidence, needed)
     choices = (
         of.day,
@@ -191,6 +196,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         base_image=of.base.answer.image,
         build_tool=of.build_tool.answer,
         rosdep=of.system.answer.rosdep,
+        rosdep_pip=by_pip(of.system.answer.rosdep),
         skip_keys=of.system.answer.skip_keys,
         repositories=() if of.own.answer else of.repositories.answer,
         apt=of.system.answer.apt,
@@ -203,9 +209,8 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         submodules=() if of.own.answer else of.sources.answer.submodules,
         apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),
         may_fail=() if of.own.answer or config.compatible else folders_of(of.packages, failing),
-        spare=()
-        if of.own.answer or config.compatible or not ros
-        else folders_of(of.packages, spare(config, of.command.answer, of.packages, {*of.left_out, *failing})),
+        spare=alone,
+        most_spare=most(alone),
         must_build=needed,
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,

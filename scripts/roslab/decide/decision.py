@@ -113,6 +113,8 @@ class Decision:
     build_tool: BuildTool
     rosdep: tuple[str, ...] = ()
     """Keys of the repository's package.xml files, sorted, without the repository's own packages."""
+    rosdep_pip: bool = False
+    """For some of them rosdep calls pip."""
     skip_keys: tuple[str, ...] = ()
     """Keys that name no package or are built from source: rosdep is told to skip them."""
     repositories: tuple[str, ...] = ()
@@ -135,7 +137,9 @@ class Decision:
     may_fail: tuple[str, ...] = ()
     """Folders of packages that are left out where they fail, for nothing is known to bring what they need."""
     spare: tuple[str, ...] = ()
-    """Folders of packages that no other one needs: a third of them may be left out where they fail."""
+    """Folders of packages that no other one needs: some of them may be left out where they fail."""
+    most_spare: int = 0
+    """Most of these that may be left out."""
     must_build: tuple[str, ...] = ()
     """Packages that are never left out, for the default command does not start without them."""
     large_files: bool = False

@@ -54,6 +54,8 @@ class Rosdep:
     skip_keys: tuple[str, ...]
     rosdistro_tag: str | None
     """Tag of ros/rosdistro whose tables still have this distribution's Ubuntu; ``None`` if the newest have it."""
+    pip: bool = False
+    """rosdep calls pip for some of the keys."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -213,7 +215,12 @@ def make_plan(
         interpreters=decision.interpreters,
         libraries=tuple(of_day(library(source, config), decision.day) for source in libraries),
         rosdep=(
-            Rosdep(manifests=decision.packages, skip_keys=decision.skip_keys, rosdistro_tag=rosdistro_tag)
+            Rosdep(
+                manifests=decision.packages,
+                skip_keys=decision.skip_keys,
+                rosdistro_tag=rosdistro_tag,
+                pip=decision.rosdep_pip,
+            )
             if ros and (decision.packages or in_workspace or decision.submodules)
             else None
         ),

@@ -113,7 +113,9 @@ class Workspace:
     may_fail: tuple[str, ...] = ()
     """Folders of packages of the repository that are left out where the build fails in them."""
     spare: tuple[str, ...] = ()
-    """Folders of those of which a third may be left out, for a shell is started and no other package needs them."""
+    """Folders of those of which some may be left out, for a shell is started and no other package needs them."""
+    most_spare: int = 0
+    """Most of these that may be left out."""
     must_build: tuple[str, ...] = ()
     """Packages that are never left out: the build stops where one of them fails."""
     large_files: bool = False
@@ -180,6 +182,7 @@ def workspace(
         apart=decision.apart,
         may_fail=decision.may_fail,
         spare=decision.spare,
+        most_spare=decision.most_spare,
         must_build=decision.must_build,
         large_files=decision.large_files and bool(sisters or decision.submodules),
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
@@ -227,14 +230,7 @@ def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) 
     return RosBuild(
         tool=tool,
         arguments=(*_of_rosmake(decision), *config.build_args, *skipping(tool, decision.left_out)) if own else (),
-        cmake_options=(
-            *(
-                (*_cmake_options(config), *_unset((*decision.cmake_options, *decision.cuda_options), config))
-                if own
-                else ()
-            ),
-            *of_sisters,
-        ),
+        cmake_options=(*(_own_options(decision, config) if own else ()), *of_sisters),
         setup=f"{WORKSPACE}/{_SETUP[tool]}",
         ignored=decision.ignored if own else (),
         named=decision.by_pages.packages if own else (),
@@ -269,7 +265,7 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         folder=decision.cmake_folder,
         build=f"{inside}/build" if config.compatible else f"{folder}-build",
         arguments=config.build_args,
-        cmake_options=(*_cmake_options(config), *_unset((*decision.cmake_options, *decision.cuda_options), config)),
+        cmake_options=_own_options(decision, config),
         on_path=not config.compatible,
         programs=() if config.compatible else programs[:MAX_FOLDERS],
         compilers=decision.compilers,
@@ -285,6 +281,10 @@ def _many(decision: Decision) -> bool:
     """
     programs = [argv for argv in decision.command_candidates if len(argv) == 1]
     return decision.command == ("bash",) and not decision.ctest and len(programs) >= FEWEST_PROGRAMS
+
+
+def _own_options(decision: Decision, config: Config) -> tuple[str, ...]:
+    return (*_cmake_options(config), *_unset((*decision.cmake_options, *decision.cuda_options), config))
 
 
 def _unset(options: tuple[str, ...], config: Config) -> tuple[str, ...]:

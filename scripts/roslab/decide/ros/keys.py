@@ -33,6 +33,8 @@ _MOST_MEANT = 3
 """Most names that a warning proposes for one."""
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
+_OF_PIP = "-pip"
+"""How keys end for which rosdep calls pip: https://github.com/ros/rosdistro/blob/master/CONTRIBUTING.md"""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -67,6 +69,11 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
             if holds(dependency.condition, variables):
                 found.setdefault(dependency.name, dependency)
     return tuple(found[name] for name in sorted(found))
+
+
+def by_pip(keys: Iterable[str]) -> bool:
+    """Tell whether rosdep calls pip for one of the keys."""
+    return any(key.endswith(_OF_PIP) for key in keys)
 
 
 def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ started, or another package of the tree needs it, a package that fails stops the
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sized
 
 from roslab.config.model import Config
 from roslab.decide.command import Command
@@ -14,6 +14,8 @@ from roslab.decide.ros.workspace import Packages
 
 FEWEST = 6
 """Of fewer packages each is most likely what the repository is about."""
+SHARE = 3
+"""One of so many of them may fail: where more do, something else is wrong."""
 
 
 def spare(config: Config, command: Command, packages: Packages, left_out: Collection[str]) -> tuple[str, ...]:
@@ -24,3 +26,8 @@ def spare(config: Config, command: Command, packages: Packages, left_out: Collec
     needed = {d.name for m in packages.built for d in m.dependencies if d.role not in {"test", "doc"}}
     alone = tuple(m.name for m in built if m.name and m.name not in needed)
     return alone if len(alone) >= FEWEST // 2 else ()
+
+
+def most(found: Sized) -> int:
+    """Return how many of the packages that were found may be left out."""
+    return len(found) // SHARE

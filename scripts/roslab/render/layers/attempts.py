@@ -25,7 +25,7 @@ def tried(plan: Plan) -> str:
     own = f"{place.folder.removeprefix(WORKSPACE)}/".removeprefix("/")
     folders = [f"src/{source.name}" for source in place.sources]
     folders += [f"{own}{folder}" for folder in dict.fromkeys((*place.apart, *place.may_fail))]
-    spare = f" --most {len(place.spare) // 3}" if place.spare else ""  # where more fail, something else is wrong
+    spare = f" --most {place.most_spare}" if place.spare else ""
     spare += "".join(f" --spare {quote.shell(f'{own}{folder}')}" for folder in place.spare)
     without = f"{WITHOUT_FAILED}{kept}{spare}{''.join(f' {quote.shell(folder)}' for folder in folders)} -- "
     return f"{without}{_needed(plan, kept)}" if in_src and (place.sources or place.apart) else without

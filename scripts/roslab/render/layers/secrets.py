@@ -76,10 +76,10 @@ def for_apt(plan: Plan) -> Secrets:
 
 
 def for_both(plan: Plan) -> Secrets:
-    """Return what rosdep needs, which calls apt and, for keys with that ending, pip."""
+    """Return what rosdep needs, which calls apt and, for some keys, pip."""
     lists = caches.apt_lists(plan.name)
     wanted = (APT_AUTH, PIP_INDEX, NETRC, SSH)
-    by_pip = any(key.endswith("-pip") for key in plan.rosdep_keys)
+    by_pip = plan.rosdep is not None and plan.rosdep.pip
     first = (REPEATABLE, *((of_pip_day(plan) if by_pip else ()) or as_of(plan)))
     return _of(plan, wanted, "root", first=first, mounted=(lists,))
 
