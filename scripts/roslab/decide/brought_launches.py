@@ -2,50 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 
+Brings = Mapping[str, tuple[LaunchFile, ...]]
+"""The launch files that each one names, by its path."""
 
-def brought(evidence: Evidence) -> Mapping[str, frozenset[str]]:
-    """Return the paths of those that each launch file names, by its own path.
+
+def brought(evidence: Evidence) -> Brings:
+    """Return what each launch file names.
 
     A file named without its package is that of the same package, where it has one, else any of this name.
     """
     named: dict[str, list[LaunchFile]] = {}
     for launch in evidence.launch:
         named.setdefault(launch.file.rpartition("/")[2], []).append(launch)
-    return {launch.file: frozenset(_brought(launch, named)) for launch in evidence.launch}
+    return {launch.file: tuple(_brought(launch, named)) for launch in evidence.launch}
 
 
-def _brought(launch: LaunchFile, named: Mapping[str, list[LaunchFile]]) -> set[str]:
-    said: dict[str, set[str | None]] = {}
-    for package, name in launch.included:
+def _brought(launch: LaunchFile, named: Mapping[str, list[LaunchFile]]) -> Iterator[LaunchFile]:
+    said: dict[str, set[str]] = {}
+    for package, name in launch.includes:
         said.setdefault(name, set()).add(package)
-    found: set[str] = set()
-    for name in {*launch.includes, *said}:
+    for name, packages in said.items():
         files = named.get(name, [])
-        own = {launch.package} if any(each.package == launch.package for each in files) else None
-        packages = said.get(name, own)
-        found |= {each.file for each in files if packages is None or each.package in packages}
-    return found - {launch.file}
+        if "" in packages:
+            found = [each for each in files if each.package == launch.package] or files
+        else:
+            found = [each for each in files if each.package in packages]
+        yield from (each for each in found if each.file != launch.file)
 
 
-def all_brought(file: str, brings: Mapping[str, frozenset[str]]) -> set[str]:
-    """Return the paths of those that a launch file brings at any depth."""
-    found: set[str] = set()
-    pending = [file]
-    while pending:
-        new = brings[pending.pop()] - found - {file}
+def all_brought(launch: LaunchFile, brings: Brings) -> tuple[LaunchFile, ...]:
+    """Return those that a launch file brings at any depth, the nearest first."""
+    found = {launch.file: launch}
+    pending = [launch]
+    for each in pending:
+        new = {other.file: other for other in brings[each.file] if other.file not in found}
         found |= new
-        pending += sorted(new)
-    return found
+        pending += new.values()
+    return tuple(pending[1:])
 
 
-def file_of(argv: tuple[str, ...], evidence: Evidence) -> str | None:
-    """Return the path of the launch file that a call of ``roslaunch`` or ``ros2 launch`` starts, ``None`` for none."""
-    package, name = argv[-2:]
-    inside = [each.file for each in evidence.launch if each.package == package and each.file.endswith(f"/{name}")]
-    found = inside or [launch.file for launch in evidence.launch if launch.file == name]
-    return found[0] if len(found) == 1 else None
+def with_brought(evidence: Evidence, launch: LaunchFile) -> tuple[LaunchFile, ...]:
+    """Return a launch file and those that it brings at any depth."""
+    return (launch, *all_brought(launch, brought(evidence)))

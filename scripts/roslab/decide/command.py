@@ -7,6 +7,7 @@ import shlex
 
 from roslab.config.model import Config, Kind
 from roslab.decide.author_command import composed, entry_point, given, left_to_base, startable, started
+from roslab.decide.brought_launches import brought
 from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.contained import only_contained
@@ -164,10 +165,11 @@ def _obvious(
     if meant and not upkeep(meant):
         return meant.argv, because("command", shlex.join(meant.argv), meant.why, meant, weight=Weight.FIRST)
     ours = [c for c in ours if c.strong or not c.cut]
-    if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours, evidence)):
+    brings = brought(evidence) if kind in {"ros1", "ros2", "cpp"} else {}
+    if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours, evidence, brings)):
         why = f"{named.why}, named like its package or like a demonstration"
         return named.argv, because("command", shlex.join(named.argv), why, named, weight=Weight.ONLY_ONE)
-    if kind in {"ros1", "ros2"} and not any(c.strong for c in ours) and (whole := whole_of(ours, evidence)):
+    if kind in {"ros1", "ros2"} and not any(c.strong for c in ours) and (whole := whole_of(ours, evidence, brings)):
         why = f"{whole.why}, which brings most of the others"
         return whole.argv, because("command", shlex.join(whole.argv), why, whole, weight=Weight.ONLY_ONE)
     every = ours

@@ -45,25 +45,13 @@ def without_package(written: str, alone: Collection[str]) -> tuple[str, ...]:
     return (max(found, key=len),) if found else tuple(below) if len(below) == 1 else ()
 
 
-def started_launch(evidence: Evidence, argv: tuple[str, ...] | str) -> LaunchFile | None:
-    """Return the launch file of the tree that a command starts."""
+def started_launch(
+    evidence: Evidence, argv: tuple[str, ...] | str, calls: Mapping[str, tuple[str, ...]] | None = None
+) -> LaunchFile | None:
+    """Return the launch file of a package of the tree that a command starts; ``calls`` as ``launch_calls`` tells."""
     if isinstance(argv, str):
         return None
     words = argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
-    calls = launch_calls(evidence)
+    calls = launch_calls(evidence) if calls is None else calls
     found = (each for each in evidence.launch if (call := calls.get(each.file)) and words[: len(call)] == call)
     return next(found, None) if words else None
-
-
-def with_included(evidence: Evidence, launch: LaunchFile) -> tuple[LaunchFile, ...]:
-    """Return a launch file and those of the tree that it names, and these in turn."""
-    by_name: dict[str, list[LaunchFile]] = {}
-    for each in evidence.launch:
-        by_name.setdefault(each.file.rpartition("/")[2], []).append(each)
-    found = {launch.file: launch}
-    waiting = [launch]
-    for each in waiting:
-        more = {other.file: other for name in each.includes for other in by_name.get(name, ())}
-        waiting += [other for file, other in more.items() if file not in found]
-        found |= more
-    return tuple(found.values())

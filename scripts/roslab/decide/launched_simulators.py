@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from roslab.config.model import Config
+from roslab.decide.brought_launches import with_brought
 from roslab.decide.decision import Warning_
-from roslab.decide.launch_calls import with_included
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
@@ -20,7 +20,7 @@ def lacking_simulators(
 
     ``given``: the variables that are set, of which one may name its folder. Not where the author has apt install it.
     """
-    files, told = {each.file for each in with_included(evidence, launch)}, set[str]()
+    files, told = {each.file for each in with_brought(evidence, launch)}, set[str]()
     for used in evidence.code:
         simulator = launched_simulators().get(used.name) if used.namespace == "import" and used.file in files else None
         if simulator is None or simulator.program in told:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from roslab.decide.launch_calls import started_launch, with_included
+from roslab.decide.brought_launches import with_brought
+from roslab.decide.launch_calls import started_launch
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 
@@ -32,7 +33,7 @@ def _nodes(evidence: Evidence, argv: tuple[str, ...]) -> frozenset[tuple[str, st
     if len(words) > 1:
         return frozenset([(words[0], words[1])])
     launch = started_launch(evidence, argv)
-    return frozenset(node for each in with_included(evidence, launch) for node in each.nodes) if launch else frozenset()
+    return frozenset(node for each in with_brought(evidence, launch) for node in each.nodes) if launch else frozenset()
 
 
 def _stem(file: str) -> str:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
-from roslab.decide.brought_launches import all_brought, brought, file_of
+from roslab.decide.brought_launches import Brings, all_brought
 from roslab.decide.candidate import Candidate
 from roslab.decide.first_command import LAUNCHERS
-from roslab.decide.launch_calls import launch_calls
+from roslab.decide.launch_calls import launch_calls, started_launch
 from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
 from roslab.decide.startable_launches import known
@@ -83,7 +83,7 @@ def _runs(said: Mention) -> bool:
     return name.endswith(".sh") and bool(RUNS.match(name) or _COMMANDS.search(said.text))
 
 
-def named_like_it(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
+def named_like_it(candidates: Iterable[Candidate], evidence: Evidence, brings: Brings) -> Candidate | None:
     """Return the one launch file that is named like its package, else the one named like a demonstration.
 
     Of many launch files, none is told apart by its name. What another package of the tree includes is a part of that.
@@ -91,7 +91,6 @@ def named_like_it(candidates: Iterable[Candidate], evidence: Evidence) -> Candid
     launched = _launched(candidates)
     if len(launched) > MANY:
         return None
-    brings = brought(evidence)
     launched = [c for c in launched if not _part(c, evidence, brings)]
     launched = [c for c in launched if not _shows_others(c.argv[-2], evidence)]
     own = [c for c in launched if _like_its_package(c)]
@@ -127,36 +126,34 @@ def _like_its_package(candidate: Candidate) -> bool:
     return _stem(candidate) == candidate.argv[-2].lower()
 
 
-def _part(candidate: Candidate, evidence: Evidence, brings: Mapping[str, frozenset[str]]) -> bool:
+def _part(candidate: Candidate, evidence: Evidence, brings: Brings) -> bool:
     """Tell whether a launch file of another package brings one; a package's own may only give it other arguments."""
-    file, package = file_of(candidate.argv, evidence), candidate.argv[-2]
+    started, package = started_launch(evidence, candidate.argv), candidate.argv[-2]
     others = (launch for launch in evidence.launch if launch.package not in {None, package} and not launch.tests)
-    return any(file in brings[launch.file] for launch in others)
+    return any(started in brings[launch.file] for launch in others)
 
 
 _SHOWN = pattern(r"^(?:examples?|tests?)[_.-]", re.IGNORECASE)
 """A launch file that shows how others are written, or tests them."""
 
 
-def whole_of(candidates: Iterable[Candidate], evidence: Evidence) -> Candidate | None:
+def whole_of(candidates: Iterable[Candidate], evidence: Evidence, brings: Brings) -> Candidate | None:
     """Return the launch file that brings most of the others, itself brought by none: it starts the whole.
 
     It has to bring two or more, or one of another package that is named like that, and more than any other that nothing
     brings, and nothing of a package that neither the tree has, nor a package.xml asks for, nor any distribution of ROS
     released.
     """
-    brings = brought(evidence)
-    launches = {launch.file: launch for launch in evidence.launch}
-    parts = {file for files in brings.values() for file in files}
+    parts = {part.file for brought in brings.values() for part in brought}
     sizes: list[tuple[int, Candidate]] = []
     launched = _launched(candidates)
     fewest = 1 if any(_like_its_package(c) and _part(c, evidence, brings) for c in launched) else FEWEST
+    calls = launch_calls(evidence)
     for candidate in launched:
-        file = file_of(candidate.argv, evidence)
-        whole = file and file not in parts and not _SHOWN.search(file.rpartition("/")[2])
-        if file and whole and not candidate.strong:
-            below = all_brought(file, brings)
-            if all(known(launches[each], evidence) for each in (file, *below)):
+        started = None if candidate.strong else started_launch(evidence, candidate.argv, calls)
+        if started and started.file not in parts and not _SHOWN.search(started.file.rpartition("/")[2]):
+            below = all_brought(started, brings)
+            if all(known(each, evidence) for each in (started, *below)):
                 sizes.append((len(below), candidate))
     sizes.sort(key=lambda each: -each[0])
     alone = sizes and sizes[0][0] >= fewest and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])

@@ -86,7 +86,8 @@ def _of_others(launch: LaunchFile, own: AbstractSet[str | None], files: Abstract
     """
     named = {asked.name for asked in launch.dependencies if asked.namespace == "ros"}
     python = launch.file.endswith(".py")
-    return bool(named) and not (python or named & (own | {launch.package}) or files & {*launch.includes})
+    others = {name for _, name in launch.includes} - {launch.file.rpartition("/")[2]}
+    return bool(named) and not (python or named & (own | {launch.package}) or files & others)
 
 
 def _of_tree(evidence: Evidence) -> set[str | None]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslab.decide.brought_launches import with_brought
 from roslab.decide.decision import Warning_
-from roslab.decide.launch_calls import with_included
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 
@@ -14,7 +14,7 @@ MOST = 3
 
 def unmade_nodes(evidence: Evidence, launch: LaunchFile) -> Iterator[Warning_]:
     """Yield a warning for each of a launch file and those that it includes, with the name that is most like it."""
-    found = {(each[:2]): (one, each[2]) for one in with_included(evidence, launch) for each in one.unmade}
+    found = {(each[:2]): (one, each[2]) for one in with_brought(evidence, launch) for each in one.unmade}
     for (package, program), (file, near) in [*found.items()][:MOST]:
         hint = f" (it has {near})" if near else ""
         message = f"the default command starts {program} of the package {package}, which installs no such program{hint}"

@@ -28,10 +28,8 @@ class LaunchFile:
     """Packages that what it starts needs, whatever the arguments are: other launch files, descriptions, programs."""
     gone: tuple[tuple[str, str, str, int], ...] = ()
     """What it includes of the tree's packages in any case and they do not have: package, name, and where it does."""
-    includes: tuple[str, ...] = ()
-    """The names of other files that it names, as it does to include them: ``map.launch``."""
-    included: tuple[tuple[str, str], ...] = ()
-    """Those of them that it names as files of a package, each as package and name."""
+    includes: tuple[tuple[str, str], ...] = ()
+    """Package and name of the others that it names, as it does to include them; ``""`` where it says no package."""
     nodes: tuple[tuple[str, str], ...] = ()
     """Package and program of each node that it starts."""
     unmade: tuple[tuple[str, str, str], ...] = ()

@@ -29,6 +29,12 @@ FILES = {
     "up/launch/all.launch.py": LAUNCH.format(
         "IncludeLaunchDescription(PythonLaunchDescriptionSource(os.path.join(here, 'sim.launch.py')))"
     ),
+    "down/launch/all.launch.py": LAUNCH.format(
+        "IncludeLaunchDescription(PythonLaunchDescriptionSource(os.path.join(here, 'sim.launch.py')))"
+    ),
+    "down/package.xml": PACKAGE.format("down"),
+    "down/setup.py": SETUP.format("down"),
+    "down/launch/sim.launch.py": LAUNCH.format("Node(package='arm', executable='drive')"),
     "requirements.txt": "mujoco==3.2.0\n",
 }
 
@@ -40,6 +46,7 @@ FILES = {
         ("ros2 launch up turned.launch.py", True),
         ("ros2 launch up all.launch.py", True),
         ("ros2 launch up drive.launch.py", False),
+        ("ros2 launch down all.launch.py", False),
         ("ros2 run arm sim", True),
         ("ros2 run arm drive", False),
     ],

@@ -12,10 +12,11 @@ _OF_PACKAGE = pattern(
 )
 
 
-def included(text: str, own: str, package: str | None) -> tuple[tuple[str, ...], tuple[tuple[str, str], ...]]:
-    """Return the names, and those of which the package is said (``$(find PACKAGE)/…/NAME``) as ``(package, name)``.
+def included(text: str, own: str, package: str | None) -> tuple[tuple[str, str], ...]:
+    """Return package (``$(find PACKAGE)/…/NAME``) and name of each, sorted by the name.
 
-    Both are sorted; ``own`` and ``package`` are the file's, which does not include itself.
+    The package is ``""`` where none is said of the name; ``own`` and ``package`` are the file's, which does not
+    include itself.
     """
     names: set[str] = set()
     said: set[tuple[str, str]] = set()
@@ -23,4 +24,6 @@ def included(text: str, own: str, package: str | None) -> tuple[tuple[str, ...],
         end = end_of_line(text, start)
         names.update(_INCLUDED.findall(text, start, end))
         said.update(_OF_PACKAGE.findall(text, start, end))
-    return tuple(sorted(names - {own})), tuple(sorted(said - {(package or "", own)}))
+    said.discard((package or "", own))
+    alone = names - {own, *(name for _, name in said)}
+    return tuple(sorted({*said, *(("", name) for name in alone)}, key=lambda each: (each[1], each[0])))

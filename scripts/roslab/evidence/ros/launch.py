@@ -99,7 +99,6 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
         text = _uncommented(text, "xml" if xml else "hash")
         old = bool(xml) and not _new(text) and not file.name.endswith(".launch.xml")
         package = _owner(file.folder, packages)
-        names, said = included(text, file.name, package)
         found.append(
             LaunchFile(
                 file=file.path,
@@ -108,8 +107,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 ros=1 if old else 2,
                 dependencies=tuple(_named(text, file, python=python)),
                 gui=any(matches_at(_GUI, text, *_VIEWERS)) or opens_window(text, _conditional, python=python),
-                includes=names,
-                included=said,
+                includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text))),
                 demands=_demanded(text) if xml else _declared(text) if python else (),
                 variables=launch_variables.needed(text, _conditional) if xml else (),
