@@ -40,6 +40,8 @@ class Candidate:
     """pip installs the program with the repository."""
     elsewhere: bool = False
     """It is a script that cannot do without a folder of its author's computer."""
+    unmade: bool = False
+    """A node that it starts is installed by no package, so that it stops."""
     contained: bool = False
     """A container of an author's Dockerfile starts it."""
     tried: bool = False

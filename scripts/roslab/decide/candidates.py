@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
@@ -15,6 +15,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import NOTEBOOK
 from roslab.decide.startable_launches import unstartable
 from roslab.decide.system.switches import given
+from roslab.decide.unmade_nodes import with_unmade
 from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -35,7 +36,9 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     calls = launch_calls(evidence)
     demands = {calls[each.file]: each.demands for each in evidence.launch if each.file in calls}
     said = written(evidence, kind, ros=ros, compiled=compiled)
-    yield from (_cut(each, demands) for each in said)
+    unmade = with_unmade(evidence)
+    stops = [calls[file] for file in unmade if file in calls]
+    yield from (replace(_cut(each, demands), unmade=_starts(each, stops)) for each in said)
     yield from contained(evidence, kind, compiled=compiled)
     if not compiled and not any(each.strong for each in said):
         yield from _explained(evidence)
@@ -43,6 +46,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         launched = tuple(_launched(evidence, kind, calls))
         nodes = tuple(_nodes(evidence, kind))
         vain = unstartable(evidence, programs=bool(nodes)) if launched else frozenset()
+        vain |= unmade if any(each.file not in vain | unmade for each in launched) else frozenset()
         yield from (replace(each, cut=True) if each.file in vain else _cut(each, demands) for each in launched)
         yield from nodes if all(each.file in vain for each in launched) else ()
     elif compiled:
@@ -67,10 +71,20 @@ def _explained(evidence: Evidence) -> Iterator[Candidate]:
             )
 
 
+def _starts(candidate: Candidate, calls: Collection[tuple[str, ...]]) -> bool:
+    """Tell whether a command starts one of the launch files with these calls."""
+    rest = _launched_by(candidate.argv)
+    return rest[:1] in calls or rest[:2] in calls
+
+
+def _launched_by(argv: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the words of a command behind those that start a launch file, if it does."""
+    return argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
+
+
 def _cut(candidate: Candidate, demands: Mapping[tuple[str, ...], tuple[str, ...]]) -> Candidate:
     """Return a command as one that lacks arguments, if its launch file demands some that it does not give."""
-    argv = candidate.argv
-    rest = argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
+    rest = _launched_by(candidate.argv)
     given = {word.partition(":=")[0] for word in rest}
     lacking = {*demands.get(rest[:1], ()), *demands.get(rest[:2], ())} - given
     return replace(candidate, cut=True) if lacking else candidate

@@ -91,7 +91,8 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     that is given with blanks to fill in comes last, one of Python after what other sections of its page run whole;
     programs that only serve others are never returned. What is named like a test is returned where a section about
     running it has nothing else: the purpose may be to test. A quick start may evaluate. Of two calls of a program in
-    one section, the one that needs no file which nothing brings.
+    one section, the one that needs no file which nothing brings. What starts a node that nothing installs comes last,
+    if another is whole.
     """
     written = [c for c in candidates if c.strong and not helps(c) and not upkeep(c)]
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in LAUNCHERS]
@@ -113,7 +114,8 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     ordered = sorted(
         kept, key=lambda c: _order(c, pages[c.file], gap=c.line >= gaps.get((c.file, c.heading), c.line + 1))
     )
-    ordered.sort(key=lambda c: (c.elsewhere, _stops(c, kept)))
+    starts_whole = any(not (c.unmade or c.elsewhere or c.cut or _lacks(c)) for c in kept)
+    ordered.sort(key=lambda c: (c.elsewhere, starts_whole and c.unmade, _stops(c, kept)))
     return variant(_filled_in(_by_another_device(ordered[0], written), rest), rest) if ordered else None
 
 

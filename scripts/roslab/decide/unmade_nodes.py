@@ -4,12 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.decide.brought_launches import with_brought
+from roslab.decide.brought_launches import all_brought, brought, with_brought
 from roslab.decide.decision import Warning_
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 
 MOST = 3
+
+
+def with_unmade(evidence: Evidence) -> frozenset[str]:
+    """Return the paths of the launch files that start such a node, or bring one that does."""
+    if not any(launch.unmade for launch in evidence.launch):
+        return frozenset()
+    brings = brought(evidence)
+    whole = ((launch, *all_brought(launch, brings)) for launch in evidence.launch)
+    return frozenset(files[0].file for files in whole if any(each.unmade for each in files))
 
 
 def unmade_nodes(evidence: Evidence, launch: LaunchFile) -> Iterator[Warning_]:

@@ -60,3 +60,23 @@ def test_by_python(tree: Tree, program: str, told: int) -> None:
     )
     decision = tree({**files, "setup.py": listing, "launch/demo.launch.py": LAUNCH.format(program)})
     assert not [w for w in decision.warnings if "installs no such program" in w.message]
+
+
+BOTH = "# demo\n## Usage\n```\nros2 launch demo broken.launch.py\nros2 launch demo whole.launch.py{}\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "second", "taken"),
+    [
+        (BOTH.format(""), "panel", "whole.launch.py"),
+        (BOTH.format(""), "lost", "broken.launch.py"),  # none is whole
+        (BOTH.format(""), "panel'), DeclareLaunchArgument('map", "broken.launch.py"),  # the other lacks an argument
+        ("# demo\n", "panel", "whole.launch.py"),
+    ],
+)
+def test_another_is_taken(tree: Tree, page: str, second: str, taken: str) -> None:
+    made = "add_executable(panel a.cpp)\ninstall(TARGETS panel DESTINATION lib/demo)"
+    files = {"package.xml": MANIFEST, "CMakeLists.txt": MADE.format(made), "README.md": page}
+    files["launch/broken.launch.py"] = LAUNCH.format("gone")
+    files["launch/whole.launch.py"] = LAUNCH.format(second)
+    assert tree(files).command == ("ros2", "launch", "demo", taken)
