@@ -30,6 +30,7 @@ def command(tree: Tree, launch: str, more: dict[str, str] | None = None) -> tupl
     "launch",
     [
         f'{OWN}<node pkg="nobodys_filter" type="x" name="b"/>',
+        f'{OWN}<arg name="a" default="1"/><node if="$(arg a)" pkg="nobodys_filter" type="x" name="b"/>',
         f'{OWN}<rosparam file="$(find nobodys_filter)/a.yaml"/>',
         '<node pkg="rviz" type="rviz" name="b"/>',
     ],
@@ -49,7 +50,7 @@ def test_else_it_is_a_shell(tree: Tree) -> None:
         (OWN, {}),
         (f'{OWN}<node pkg="lab_driver" type="x" name="b"/>', {}),  # a package.xml asks for it
         (f'{OWN}<node pkg="topic_tools" type="drop" name="b"/>', {}),
-        (f'{OWN}<arg name="a" default="1"/><node if="$(arg a)" pkg="nobodys_filter" type="x" name="b"/>', {}),
+        (f'{OWN}<arg name="a" default="0"/><node if="$(arg a)" pkg="nobodys_filter" type="x" name="b"/>', {}),
         (
             f'{OWN}<node pkg="nobodys_filter" type="x" name="b"/>',  # a clone may hold it
             {"README.md": "```\ncd ws/src\ngit clone https://github.com/lab/filters.git\n```\n"},

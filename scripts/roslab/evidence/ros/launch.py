@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from functools import cache
 from typing import Literal, TypedDict
 
 from roslab.evidence import places
@@ -17,6 +16,7 @@ from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
 from roslab.evidence.ros.included_launches import included
+from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES, conditional, started
 from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.unmade_nodes import with_unmade
 from roslab.evidence.ros.worlds import opens_window
@@ -63,21 +63,15 @@ _NEWER = ("find-pkg-share", "<node_container", "exec=", "namespace=", "<composab
 _GUI = pattern(r"\b(?:rviz2?|rqt\w*|gzclient|gzweb|plotjuggler|image_view|foxglove_studio)\b")
 _VIEWERS = ("rviz", "rqt", "gzclient", "gzweb", "plotjuggler", "image_view", "foxglove_studio")
 """What its matches begin with."""
+_NAMES = pattern(r"\b(?:pkg|package|type|exec|executable|plugin|cmd)\s?=\s?\[?\s?[\"']\Z")
+"""What stands before the name of a viewer that is started."""
+_OF_LAUNCH = pattern(r"[\w.-]{0,60}(?:\.|_)launch\b")
+"""What follows it in the name of a launch file."""
 _COMMENT = {"xml": pattern(r"<!--.*?-->", re.DOTALL), "hash": pattern(r"\n[ \t]*#[^\n]*")}
 """That of a hash begins with the end of the line before, which is found many times faster than its own beginning."""
 _NAME = pattern(r"<name>\s*([\w-]+)\s*</name>")
-NEAR = 300
-"""Most characters between a package's name and the end of the call or element that it belongs to."""
-_IF = pattern(r"(?<=\s)(?:if|unless)\s*=")
-_IFS = ("if", "unless")
-"""What its matches begin with."""
-_ACTIONS = "Node IncludeLaunchDescription ExecuteProcess LaunchDescription GroupAction DeclareLaunchArgument"
-_ACTION = pattern("|".join(rf"{name}\((?<!\w{name}\()" for name in _ACTIONS.split()))
-"""Each is a whole word; its letters are found much faster than the edge of a word."""
 _STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
 _QUOTED = pattern(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
-_ARGUMENT = pattern(r"<arg\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
-_ATTRIBUTES = pattern(r"([\w-]{1,40})\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
 _DECLARED = pattern(
     r"DeclareLaunchArgument\(((?:[^()\"']|\"[^\"\n]{0,600}\"|'[^'\n]{0,600}'|\((?:[^()]|\([^()]{0,200}\)){0,600}\)){0,900})\)"
 )
@@ -106,15 +100,15 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 package=package,
                 ros=1 if old else 2,
                 dependencies=tuple(_named(text, file, python=python)),
-                gui=any(matches_at(_GUI, text, *_VIEWERS)) or opens_window(text, _conditional, python=python),
+                gui=_shows(text) or opens_window(text, conditional, python=python),
                 includes=included(text, file.name, package),
-                nodes=tuple(dict.fromkeys(launch_programs.nodes(text))),
+                nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
                 demands=_demanded(text) if xml else _declared(text) if python else (),
-                variables=launch_variables.needed(text, _conditional) if xml else (),
+                variables=launch_variables.needed(text, conditional) if xml else (),
                 **_tested(text, repository if old else None),
             )
         )
-    whole = reached.with_reached(repository, tuple(found), packages, _conditional)
+    whole = reached.with_reached(repository, tuple(found), packages, conditional)
     return with_unmade(marked(whole, repository, packages), repository, packages)
 
 
@@ -143,14 +137,23 @@ def _new(text: str) -> bool:
     return any(word in text for word in _NEWER) and bool(_NEW.search(text))
 
 
+def _shows(text: str) -> bool:
+    """Tell whether a file names a viewer, and does not start all of them under conditions that do not hold."""
+    found = list(matches_at(_GUI, text, *_VIEWERS))
+    named = [match for match in found if _NAMES.search(text, max(0, match.start() - 40), match.start())]
+    included = any(_OF_LAUNCH.match(text, match.end()) for match in found)
+    waiting = named and all(started(text, match.start(), match.end()) is False for match in named)
+    return bool(found) and not (waiting and not included)
+
+
 def _demanded(text: str) -> tuple[str, ...]:
     """Return the arguments that an XML file declares without a default: whoever starts it has to give them.
 
     In ROS 1 (https://wiki.ros.org/roslaunch/XML/arg) and 2, 2026-11-23. Those under a condition are left out.
     """
     found: dict[str, None] = {}
-    for match in matches_at(_ARGUMENT, text, "<arg"):
-        said = {name: one or other for name, one, other in _ATTRIBUTES.findall(match[1])}
+    for match in matches_at(ARGUMENT, text, "<arg"):
+        said = {name: one or other for name, one, other in ATTRIBUTES.findall(match[1])}
         if said.get("name") and not said.keys() & {"default", "value", "if", "unless"}:
             found[said["name"]] = None
     return tuple(found)
@@ -214,11 +217,11 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
         if dependency.name not in seen:
             seen.add(dependency.name)
             yield dependency
-    yield from launch_programs.started_first(text, file, _conditional)
-    for match, conditional in better_launch.named(text):
+    yield from launch_programs.started_first(text, file, conditional)
+    for match, waiting in better_launch.named(text):
         if match[1] not in seen:
             asked = _of_ros(match[1], match, text, file)
-            yield replace(asked, strength="optional") if conditional else asked
+            yield replace(asked, strength="optional") if waiting else asked
     asked_by = launch_programs.of_parameters(text)
     yield from (_of_ros(match[1], match, text, file) for match in asked_by if match[1] not in seen)
 
@@ -233,7 +236,7 @@ def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> It
 
 
 def _of_ros(name: str, match: re.Match[str], text: str, file: File) -> Dependency:
-    strength: Strength = "optional" if _conditional(text, match.start(), match.end()) else "used"
+    strength: Strength = "optional" if conditional(text, match.start(), match.end()) else "used"
     return Dependency(
         namespace="ros", name=name, strength=strength, file=file.path, line=_line(text, match), role="exec"
     )
@@ -241,40 +244,6 @@ def _of_ros(name: str, match: re.Match[str], text: str, file: File) -> Dependenc
 
 def _line(text: str, match: re.Match[str]) -> int:
     return text.count("\n", 0, match.start()) + 1
-
-
-def _conditional(text: str, begin: int, end: int) -> bool:
-    """Tell whether what names a package or a program is only started under a condition."""
-    tags, calls = _conditions(text)
-    return (tags and _waiting_tag(text, begin, end)) or (calls and _waiting_call(text, begin, end))
-
-
-@cache
-def _conditions(text: str) -> tuple[bool, bool]:
-    """Tell whether a file has conditions of elements, and of calls; asked only of one that names something."""
-    return any(matches_at(_IF, text, *_IFS)), "condition" in text
-
-
-def _waiting_tag(text: str, begin: int, end: int) -> bool:
-    """Tell whether the element that names a package, or the group around it, has a condition: ``if="…"``."""
-    closed = text.find(">", end, end + NEAR)
-    tag = text[max(text.rfind("<", 0, begin), begin - NEAR, 0) : closed if closed >= 0 else end + NEAR]
-    if any(matches_at(_IF, tag, *_IFS)):
-        return True
-    group = text.rfind("<group", 0, begin)
-    inside = group >= 0 and text.rfind("</group", 0, begin) < group
-    return inside and any(matches_at(_IF, text[group : text.find(">", group)], *_IFS))
-
-
-def _waiting_call(text: str, begin: int, end: int) -> bool:
-    """Tell whether the call that names a package has a condition: ``condition=IfCondition(…)``."""
-    near = text[max(0, begin - 4 * NEAR) : end + 4 * NEAR]
-    if "condition" not in near or "condition=" not in near.replace(" ", ""):
-        return False
-    before = [match.end() for match in _ACTION.finditer(text, max(0, begin - 4 * NEAR), begin)]
-    after = _ACTION.search(text, end, end + 4 * NEAR)
-    call = text[before[-1] if before else begin : after.start() if after else end + 2 * NEAR]
-    return "condition=" in call.replace(" ", "")
 
 
 def _packages(repository: Repository) -> dict[str, str]:

@@ -68,11 +68,13 @@ def of_parameters(text: str) -> Iterator[re.Match[str]]:
     yield from (match for match in matches_at(_COMMAND, text, *_COMMANDS) if ever_released(match[1]))
 
 
-def nodes(text: str) -> Iterator[tuple[str, str]]:
-    """Yield the package and the program of each node that a launch file starts, whatever the condition is."""
+def nodes(text: str, started: Callable[[str, int, int], bool | None]) -> Iterator[tuple[str, str]]:
+    """Yield the package and the program of each node that a launch file starts, unless its condition does not hold."""
     if not any(word in text for word in ("exec", "type")):
         return
     for match in matches_at(_NODE, text, "package", "pkg"):
-        yield match[1], match[2]
+        if started(text, match.start(), match.end()) is not False:
+            yield match[1], match[2]
     for match in matches_at(_NODE_AFTER, text, "exec", "type"):
-        yield match[2], match[1]
+        if started(text, match.start(), match.end()) is not False:
+            yield match[2], match[1]
