@@ -54,6 +54,8 @@ class CMakeProject:
     """Packages that find_package finds once it is installed: ``gripper`` of ``gripper-config.cmake``."""
     linked: tuple[tuple[str, int], ...] = ()
     """Files of libraries below the source that it links and that are not there, as written, each with its line."""
+    lost: tuple[tuple[str, int], ...] = ()
+    """Paths of libraries in the tree that it always links and that are not there, each with its line."""
     lacks: bool = False
     """None of the files of code that its programs name is there: it cannot be built by itself."""
     guards: tuple[tuple[str, str], ...] = ()

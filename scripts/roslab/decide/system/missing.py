@@ -16,6 +16,7 @@ from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
+from roslab.decide.system.lost_libraries import lost_libraries
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.not_found import not_found
 from roslab.decide.system.other_than_carried import other_than_carried
@@ -158,6 +159,7 @@ def decide_missing(
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
     unfound = (*not_found(evidence, packages, target, names, build_tool, built=made),)
+    unfound += (*lost_libraries(evidence, packages, build_tool),)
     warnings += [warning for _, warning in unfound]
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]

@@ -8,6 +8,7 @@ from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, included, own_project
 from roslab.evidence.native.cmake_reading import Reading
 from roslab.evidence.native.installed_paths import installed, not_there
+from roslab.evidence.native.lost_libraries import lost, named
 from roslab.evidence.native.macros import macros
 from roslab.evidence.native.made_targets import TARGET, target
 from roslab.evidence.native.outside import of_workspace
@@ -193,6 +194,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         not_there=not_there(reading.installed, text, repository) if above.always or file.folder not in added else (),
         configs=tuple(reading.configs),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
+        lost=lost(reading.files, file.folder, text, repository) if above.always or file.folder not in added else (),
         guards=tuple((reading.written.file(name), package) for name, package in reading.guards),
         outside=tuple((reading.written.file(name), ros) for name, ros in reading.outside),
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
@@ -242,6 +244,7 @@ def _note(call: Call, path: str, reading: Reading) -> None:
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
+    reading.files |= dict(named(call, path.rpartition("/")[0], own=reading.name is not None))
     reading.macros |= macros(call)
 
 

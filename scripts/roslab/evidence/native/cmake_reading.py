@@ -47,6 +47,8 @@ class Reading:
     sources: list[GitSource] = field(default_factory=list)
     brought: dict[str, None] = field(default_factory=dict)
     linked: dict[str, int] = field(default_factory=dict)
+    files: dict[str, int] = field(default_factory=dict)
+    """Files of libraries below the source that it always links."""
     included: set[str] = field(default_factory=set)
     """Files of the tree that it includes, and those that they include."""
     newer: dict[str, Dependency] = field(default_factory=dict)

@@ -1,0 +1,55 @@
+"""Files of libraries below the source that a target is always linked with, and that nothing in the tree is or makes."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+
+from roslab.evidence.lex.cmake import Call
+from roslab.evidence.native.cmake_needs import MAX_LINKED
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_LINKS = frozenset({"target_link_libraries", "link_libraries"})
+_FILE = pattern(r"\$\{(PROJECT|CMAKE_CURRENT)_SOURCE_DIR\}/([\w.+/-]{1,200}/lib[\w+-]{1,60}\.(?:so|a))")
+_MAKES = pattern(
+    r"\b(?:execute_process|exec_program|externalproject_\w+|fetchcontent_\w+|cpm\w+|add_custom_\w+|file\s*\(\s*download)\b",
+    re.IGNORECASE,
+)
+"""Calls that may make a file while CMake configures or builds."""
+_OF_BUILDS = ("CMakeLists.txt", "Makefile", "makefile", "configure", "meson.build", "build.sh", "setup.py")
+
+
+def named(call: Call, folder: str, *, own: bool) -> Iterator[tuple[str, int]]:
+    """Yield such files of a call in a folder's CMakeLists.txt, each with its line; ``own``: it has a ``project()``."""
+    if call.name not in _LINKS or call.conditions or call.in_function:
+        return
+    for word in call.words[:MAX_LINKED]:
+        match = _FILE.fullmatch(word)
+        if match and (own or match[1] != "PROJECT"):
+            yield posixpath.normpath(posixpath.join(folder, match[2])), call.line
+
+
+def lost(files: dict[str, int], folder: str, text: str, repository: Repository) -> tuple[tuple[str, int], ...]:
+    """Return those that the tree does not have, none where the file calls what may make them.
+
+    What lies below another project than those around ``folder`` may be compiled there.
+    """
+    if not files or _MAKES.search(text):
+        return ()
+    return tuple(
+        (path, line)
+        for path, line in files.items()
+        if not path.startswith("..")
+        and not repository.may_have(path)
+        and not repository.named(posixpath.basename(path))
+        if not any(repository.has(f"{each}/{name}") for each in _beside(path, folder) for name in _OF_BUILDS)
+    )
+
+
+def _beside(path: str, folder: str) -> Iterator[str]:
+    """Yield the folders around a path that are not around, nor are, another folder."""
+    while path := posixpath.dirname(path):
+        if not f"{folder}/".startswith(f"{path}/"):
+            yield path
