@@ -87,3 +87,34 @@ def test_only_what_is_compiled_stops(tree: Tree, file: str, told: bool) -> None:
 def test_a_condition_may_leave_it_out(tree: Tree) -> None:
     code = '#ifdef WITH_LOST\n#include "other/Lost.h"\n#endif\nint main() {}\n'
     assert not _told(tree(_including("other/Lost.h", {"mine/src/a.cpp": code})))
+
+
+@pytest.mark.parametrize(
+    ("code", "more", "told"),
+    [
+        ("#include <acmelib/acmelib.h>\n", {}, True),
+        ("#ifndef A\n#define A\n#include <acmelib/acmelib.h>\n#endif\n", {}, True),
+        ("#ifdef WITH\n#include <acmelib/acmelib.h>\n#endif\n", {}, False),
+        ("#if __has_include(<acmelib/acmelib.h>)\n#include <acmelib/acmelib.h>\n#endif\n", {}, False),
+        ("#include <acmelib/other.h>\n", {}, False),
+        ("#include <glm/glm.hpp>\n", {}, False),
+        ("#include <yaml-cpp/yaml.h>\n", {}, False),
+        ("#include <acmelib/acmelib.h>\n", {"mine/include/acmelib/acmelib.h": "\n"}, False),
+        ("#include <acmelib/acmelib.h>\n", {"README.md": "ROS Noetic\n```\napt install libacmelib-dev\n```\n"}, False),
+        ("#include <acmelib/acmelib.h>\n", _package("mine", "add_executable(node src/b.cpp)\n"), False),
+        (
+            "#include <acmelib/acmelib.h>\n",
+            _package("mine", "find_package(Acme)\nadd_executable(a src/a.cpp)\n"),
+            False,
+        ),
+        ("#include <acmelib/acmelib.h>\n", _package("acmelib"), False),
+    ],
+)
+def test_a_library_that_nothing_names_or_brings_is_told(
+    tree: Tree, code: str, more: dict[str, str], *, told: bool
+) -> None:
+    files = _including("other/Some.h", {"mine/src/b.cpp": "int main() {}\n", "mine/src/a.cpp": code, **more})
+    decision = tree(files)
+    assert decision.may_fail == ()
+    said = [each for each in decision.warnings if "and nothing is known that brings acmelib" in each.message]
+    assert [each.file for each in said] == (["mine/src/a.cpp"] if told else [])

@@ -10,6 +10,7 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.evidence.native.nowhere import LIBRARY
 
 
 def nowhere(evidence: Evidence, packages: Packages, known: Callable[[str], bool]) -> dict[str, list[Dependency]]:
@@ -20,7 +21,11 @@ def nowhere(evidence: Evidence, packages: Packages, known: Callable[[str], bool]
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
     found: dict[str, list[Dependency]] = {}
     for each in evidence.code:
-        if each.namespace != "nowhere" or (each.name.startswith("..") and known(_folder(each.name))):
+        if (
+            each.namespace != "nowhere"
+            or each.role == LIBRARY
+            or (each.name.startswith("..") and known(_folder(each.name)))
+        ):
             continue
         if package := owner(each.file, folders):
             found.setdefault(package, []).append(each)

@@ -16,6 +16,7 @@ from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
+from roslab.decide.system.library_headers import without_library
 from roslab.decide.system.lost_libraries import lost_libraries
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.not_found import not_found
@@ -155,6 +156,7 @@ def decide_missing(
         told = {asked.name for _, asked in unmet}
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
+        warnings += without_library(evidence, packages, names, build_tool)
         warnings += without_own(evidence, packages, lambda name: plain(name) in names, build_tool)
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)

@@ -21,6 +21,10 @@ _PART = pattern(r"__\w+$|(?:Action)?(?:Request|Response|Goal|Result|Feedback|Act
 _GENERATED = pattern(r"Config\.h$|_export\.h$|\.pb\.h$|visibility_control\.h")
 """Headers that CMake makes of other files than messages."""
 _INTERFACES = (".msg", ".srv", ".action", ".idl")
+_OF_LIBRARY = pattern(r"([A-Za-z]\w{3,})/\1\.(?:h|hpp|hh)")
+"""The header that a library of the name has for all of its own: ``fbow/fbow.h``."""
+LIBRARY = "library"
+"""The role of such a header."""
 _WORKSPACE = pattern(r"(?:\.\./)+(?:[\w.-]+/)*(?:build|devel|install)/")
 """A path to what the workspace is built into."""
 
@@ -40,17 +44,19 @@ class Nowhere:
         """Note an include at a position of a file if its header is nowhere, and tell whether it is."""
         if name not in self.known:
             self.known[name] = bool(self.manifests) and self._lacks(name)
-        if not self.known[name]:
+        library = not self.known[name] and _OF_LIBRARY.fullmatch(name)
+        if not (self.known[name] or (library and self.manifests)):
             return False
         package = self._package(file.path)
         if package is not None and (name, package) not in self.found and not conditional(text, position):
             path = posixpath.normpath(posixpath.join(file.folder, name))
             if not name.startswith("../") or not (self.repository.may_have(path) or self._within(path, package)):
                 line = text.count("\n", 0, position) + 1
+                role = LIBRARY if library else ""
                 self.found[name, package] = Dependency(
-                    namespace="nowhere", name=name, strength="used", file=file.path, line=line
+                    namespace="nowhere", name=name, strength="used", file=file.path, line=line, role=role
                 )
-        return True
+        return self.known[name]
 
     def all(self, included: Collection[str]) -> Iterator[Dependency]:
         """Yield them where a compiler comes to the file; ``included``: the last parts of what is included."""

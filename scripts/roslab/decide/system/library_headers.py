@@ -1,0 +1,66 @@
+"""Headers of libraries that no table knows, that nothing names for the build, and that nothing is known to bring."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from roslab.decide.decision import Warning_
+from roslab.decide.programs import owner
+from roslab.decide.reasons import warn
+from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.workspace import Packages
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.evidence.native.nowhere import LIBRARY
+from roslab.knowledge.libraries import header, library
+from roslab.knowledge.released import ever_released, rosdep_keys
+
+_SHORTEST = 3
+"""Fewest letters of a name that a longer one may be called after."""
+
+
+def without_library(
+    evidence: Evidence, packages: Packages, provided: Collection[str], build_tool: str
+) -> Iterator[Warning_]:
+    """Yield a warning for each such header that a built package includes; ``provided``: names in one spelling.
+
+    What CMake, a manifest or a page names may bring the library, and what is called alike, its headers.
+    """
+    headers = [each for each in evidence.code if each.namespace == "nowhere" and each.role == LIBRARY]
+    folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
+    told: set[str] = set()
+    there = {*provided, *_named(evidence)} if headers else set[str]()
+    for each in headers:
+        name = each.name.partition("/")[0]
+        package = owner(each.file, folders)
+        if package and name not in told and not _known(each, name) and not _alike(plain(name), there):
+            told.add(name)
+            what = f"{package} includes {each.name}, and nothing is known that brings {name}"
+            then = "give its repository under `source` in roslab.yaml"
+            yield warn(f"{what}: {build_tool} will most likely stop there; {then}", each)
+
+
+def _named(evidence: Evidence) -> Iterator[str]:
+    """Yield what the tree names for its build, in one spelling."""
+    asked: list[Dependency] = [d for each in evidence.cmake for d in each.dependencies]
+    asked += [d for each in evidence.manifests for d in each.dependencies]
+    asked += [*evidence.prose, *(d for each in evidence.dockerfiles for d in each.dependencies)]
+    yield from (plain(each.name) for each in asked)
+    yield from (plain(each.name) for each in (*evidence.sources, *evidence.own_keys))
+    for project in evidence.cmake:
+        yield from (plain(name) for name in (*project.made, *project.brought))
+    yield from (plain(each.name) for each in evidence.manifests if each.name)
+    yield from (plain(each.key) for each in (*evidence.prose_pip, *evidence.listed))
+    yield from (plain(each.key) for file in evidence.requirements for each in file.requirements)
+
+
+def _known(each: Dependency, name: str) -> bool:
+    names = {name, name.lower()}
+    of_tables = any(library(naming, one, None) for naming in ("cmake", "link", "pkg-config") for one in names)
+    return (
+        bool(header(each.name, None)) or of_tables or any(ever_released(one) or one in rosdep_keys() for one in names)
+    )
+
+
+def _alike(name: str, there: Collection[str]) -> bool:
+    return any(name in each or (len(each) >= _SHORTEST and each in name) for each in there)
