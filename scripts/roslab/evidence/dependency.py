@@ -13,9 +13,12 @@ Strength = Literal["declared", "used", "optional", "prose"]
 ``used``: the code uses it (an include, an import, a launch file's package); ``optional``: behind a condition or
 ``QUIET`` alone; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
 """
-Namespace = Literal["rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link", "call", "nowhere"]
+Namespace = Literal[
+    "rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link", "call", "nowhere", "controller"
+]
 """What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``, ``call`` the
-library of a call that opens a window, ``nowhere`` a header that the tree would have, and does not."""
+library of a call that opens a window, ``nowhere`` a header that the tree would have, and does not, ``controller``
+what a parameter file calls a controller, whose role is the package of its type."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -101,3 +101,27 @@ def test_a_program_called_like_the_package_whose_headers_it_includes(tree: Tree,
     files["a.cpp"] = "#include <robot_mover/api.hpp>\nint main() {}\n"
     decision = tree(files | ({"include/robot_mover/api.hpp": ""} if own else {}))
     assert [each.name for each in decision.source] == looks
+
+
+@pytest.mark.parametrize(
+    ("config", "told"),
+    [
+        ("forward_position_controller:\n  type: forward_command_controller/ForwardCommandController\n", True),
+        ("forward_position_controller:\n  ros__parameters:\n    type: forward_command_controller/X\n", False),
+        ("other_controller:\n  type: forward_command_controller/ForwardCommandController\n", False),
+    ],
+)
+def test_the_name_of_a_controller_is_no_package(tree: Tree, config: str, *, told: bool) -> None:
+    decision = tree({**_files("forward_position_controller"), "config/controllers.yaml": f"# all\n{config}"})
+    said = [each.message for each in decision.warnings if "is a controller of config/controllers.yaml" in each.message]
+    assert bool(said) == told
+    assert bool(decision.source) != told
+    assert "ros-jazzy-forward-command-controller" in decision.apt_guessed or not told
+    assert ("forward_position_controller" in decision.skip_keys) == told
+
+
+def test_a_controller_that_is_called_like_its_package_is_that(tree: Tree) -> None:
+    config = "joint_state_broadcaster:\n  type: joint_state_broadcaster/JointStateBroadcaster\n"
+    decision = tree({**_files("joint_state_broadcaster"), "config/controllers.yaml": config})
+    assert "joint_state_broadcaster" in decision.rosdep
+    assert decision.skip_keys == ()

@@ -46,7 +46,8 @@ def _named(evidence: Evidence) -> Iterator[str]:
     asked += [d for each in evidence.manifests for d in each.dependencies]
     asked += [*evidence.prose, *(d for each in evidence.dockerfiles for d in each.dependencies)]
     yield from (plain(each.name) for each in asked)
-    yield from (plain(each.name) for each in (*evidence.sources, *evidence.own_keys))
+    yield from (plain(each.name) for each in evidence.sources)
+    yield from (plain(each.name) for each in evidence.own_keys)
     for project in evidence.cmake:
         yield from (plain(name) for name in (*project.made, *project.brought))
     yield from (plain(each.name) for each in evidence.manifests if each.name)

@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import because, configured
 from roslab.decide.ros.by_page import by_page
+from roslab.decide.ros.controllers import controllers, of_controller
 from roslab.decide.ros.keys import (
     Translated,
     declared_keys,
@@ -129,10 +130,13 @@ def decide_system(
     unknown = [key for key in keys if not target.knows(key.name) and key.name not in rosdep_keys()]
     found.skip |= dict.fromkeys((*own_targets(unknown, evidence), *sorted(by_page(unknown, evidence))))
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
+    ours = controllers(unknown, evidence)
     for key in keys:
         if key.name not in found.skip:
             cloned, where = may_hold(key.name), tried.get(key.name, "")
-            meant = translate(key, target, cloned=cloned, submodules=submodules, tried=where)
+            meant = of_controller(key, ours, target) or translate(
+                key, target, cloned=cloned, submodules=submodules, tried=where
+            )
             _keep(key, meant, found)
     defined = ((each, False) for listed in own.values() for each in listed)
     needed = (*defined, *needs(evidence, packages, kind, target.ros_distro))

@@ -12,13 +12,19 @@ MAX_SIZE = 256 * 1024
 MAX_FILES = 800
 """Most files that are opened, those nearest to the root first."""
 _TYPE = pattern(r"[^#\n]{0,99}\btype\"?[ \t]*:[ \t]*[\"']?(\w{1,60}/\w{1,60})")
+_NAMED = pattern(
+    r"(?m)^([ \t]*)(\w{1,60}):[ \t]*(?:#[^\n]*)?\n\1[ \t]+type\"?[ \t]*:[ \t]*"
+    r"[\"']?(\w{1,60}_(?:controllers?|broadcaster))/\w"
+)
+"""A controller's name with the line of its type below it."""
 _OF_ROS2 = "ros__parameters"
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the packages of these controllers, each once, where it is named first."""
+    """Return the packages of these controllers, each once, where it is named first, and all controllers by name."""
     files = [f for f in repository.suffixed(".yaml", ".yml") if f.size <= MAX_SIZE and not places.vendored(f.path)]
     found: dict[str, Dependency] = {}
+    named: dict[str, Dependency] = {}
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
         for match in matching_lines(_TYPE, text, "_controllers/"):
@@ -30,4 +36,10 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 found[name] = Dependency(
                     namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec"
                 )
-    return tuple(found.values())
+        for match in _NAMED.finditer(text) if "type" in text else ():
+            line = text.count("\n", 0, match.start(2)) + 1
+            controller = Dependency(
+                namespace="controller", name=match[2], strength="used", file=file.path, line=line, role=match[3]
+            )
+            named.setdefault(match[2], controller)
+    return (*found.values(), *named.values())
