@@ -9,6 +9,7 @@ from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.launched_windows import opened_by_nodes
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.linked_folders import linked_folders
 from roslab.decide.ros.nested_headers import nested_headers
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.decide.system.header_folders import compiler_variables
@@ -85,6 +86,7 @@ def decide_variables(
     further: list[tuple[str, str, str, Requirement | Dependency]] = [
         *compiler_variables(evidence),
         *nested_headers(evidence, ros),
+        *linked_folders(evidence, ros),
     ]
     for name, value, why, asks in (*(_drawing(asked, windows) if gui else _offscreen(asked)), *further):
         if name not in {*pairs, *given}:
