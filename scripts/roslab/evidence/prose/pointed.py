@@ -18,6 +18,15 @@ _SHOWS = pattern(r"\b(?:shows?|demonstrat(?:es?|ing)|illustrat(?:es?|ing)|explai
 """A sentence on what an example is for: ``example.py shows how to use it``."""
 _COMMAND = pattern(r"\b(?:roslaunch|rosrun|rosbag\s+(?:play|record|info|filter|reindex)|ros2)\s")
 """A line that runs something: it is read as a command."""
+_TUNED = pattern(
+    r"\b(?:tun(?:e[ds]?|ing)|adjust(?:s|ed|ing)?|configur(?:e[ds]?|ing)|edit(?:s|ed|ing)?|modif(?:y|ies|ied|ying)|"
+    r"chang(?:e[ds]?|ing)|explained|described|documented)\b[^.;]{0,120}\Z",
+    re.IGNORECASE,
+)
+"""The words of a sentence before a file in which something is set or explained: ``See how to tune it in a.launch``."""
+_STARTS = pattern(
+    r"\b(?:runs?|running|starts?|started|starting|execut(?:e[ds]?|ing)|launch(?!\s*-?files?\b)\w*)\b", re.IGNORECASE
+)
 MOST = 20
 """Most files that are kept."""
 
@@ -29,7 +38,8 @@ def read(repository: Repository) -> tuple[Mention, ...]:
         text = text_of(repository, page) if "/" not in page.path else ""
         for number, line, heading in _sentences(text) if any(word in text for word in _WORDS) else ():
             for match in (*_FILE.finditer(line), *(_EXAMPLE.finditer(line) if _SHOWS.search(line) else ())):
-                if (path := _path(match[0], repository)) and len(found) < MOST:
+                path = None if _only_set(line, match) else _path(match[0], repository)
+                if path and len(found) < MOST:
                     said = Mention(
                         topic="pointed",
                         value=path,
@@ -41,6 +51,16 @@ def read(repository: Repository) -> tuple[Mention, ...]:
                     )
                     found.setdefault(path, said)
     return tuple(found.values())
+
+
+def _only_set(line: str, match: re.Match[str]) -> bool:
+    """Tell whether a line names a file only as the place where something is set, and has nothing started.
+
+    A notebook that explains something is run for that.
+    """
+    if match[0].endswith(".ipynb") or not _TUNED.search(_FILE.sub("", line[: match.start()])):
+        return False
+    return not _STARTS.search(_FILE.sub("", line))
 
 
 def _path(written: str, repository: Repository) -> str | None:
