@@ -8,6 +8,7 @@ from roslab.config.model import Config
 from roslab.decide.ros.source_names import plain
 from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
+from roslab.evidence.prose.octave import file_of
 from roslab.repository.checkout import File, printable
 
 MOST = 3
@@ -24,6 +25,7 @@ def require_something(evidence: Evidence, config: Config, folder_name: str) -> N
         *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
         *(evidence.dockerfiles, evidence.programs, evidence.notebooks),
         *(sources, evidence.code, evidence.cuda_files),
+        *(mention for mention in evidence.mentions if file_of(mention)),
     )
     if any(found) or config.file:
         return

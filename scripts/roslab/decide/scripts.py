@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping
 
 from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.prose.octave import OCTAVE, file_of
 from roslab.values.pattern import pattern
 
 NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
@@ -24,7 +25,7 @@ RUNS = pattern(
 
 
 def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool) -> tuple[str, ...] | None:
-    """Return the call of a shell script of the tree (``sh run.sh``), of a notebook, or of a page that Streamlit serves.
+    """Return the call of a shell script of the tree (``sh run.sh``), a notebook, a page of Streamlit, or Octave.
 
     A script of compiled code has to be named like one that starts something; a notebook is none of such code's, and
     none of a workspace's.
@@ -34,6 +35,8 @@ def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool
         return (*NOTEBOOK, notebooks[0]) if notebooks and not (ros or compiled) else None
     if argv[:2] == STREAMLIT:
         return argv if not (ros or compiled) and {*argv[2:]} & {*mention.files} else None
+    if argv[0] in OCTAVE:
+        return None if ros or compiled or not file_of(mention) else argv
     script = argv[1:] if argv[0] in {"bash", "sh"} else argv
     known = bool(script) and script[0] in mention.files and (script[0].endswith(".sh") or bare(script[0]))
     known = known and (not compiled or bool(RUNS.match(posixpath.basename(script[0]))))

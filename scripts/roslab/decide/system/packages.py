@@ -62,6 +62,7 @@ _HOW = {
     "linked": "a compiled file of the tree is linked with {}",
     "make": "what compiles the project calls {}",
     "script": "a script that the page compiles with names {}",
+    "octave": "a program that the page runs needs {}",
 }
 
 

@@ -27,6 +27,7 @@ from roslab.evidence.prose import (
     libtorch,
     links,
     mentions,
+    octave,
     python_path,
 )
 from roslab.evidence.prose.absent_launches import absent_launch
@@ -169,7 +170,7 @@ def of_page(repository: Repository, file: File) -> Prose:
     """Return what a page says; in its commands, files of the tree are relative to the root: ``../map.yaml``."""
     prose = _read(text_of(repository, file), file)
     told = tuple(each for m in prose.mentions for each in _checked(m, repository))
-    asked = (each for mention in told for each in called(mention, repository))
+    asked = (each for mention in told for each in (*called(mention, repository), *octave.asked(mention, repository)))
     return replace(prose, mentions=told, dependencies=(*prose.dependencies, *asked))
 
 

@@ -32,6 +32,7 @@ SIGNS: Signs = tuple(
         ("accelerate", r"\baccelerate\s+launch\s"),
         (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
         ("streamlit", r"\bstreamlit\s+run\s"),
+        ("octave", r"\boctave(?:-cli)?\s[^\n]*\.m\b"),
         ("colcon", r"\bcolcon\b"),
         ("jupyter", r"\bjupyter[ -](?:notebook|lab)(?:[\s`]|$)"),
         ("cd", r"\b(?:ros)?cd\s"),
