@@ -20,6 +20,11 @@ class Weight:
 
 def _of_cpp(evidence: Evidence) -> Choice[BuildTool]:
     """Return CMake, or none where make, which is no tool of this table, builds it, or a script of the repository."""
+    if top_of(evidence) is None and not evidence.makefiles:
+        for said in evidence.mentions:
+            if said.topic == "other_builder":
+                why = f"{said.value} builds it, which no step of the image calls"
+                return Choice(answer="none", reasons=(because("build_tool", "none", why, said, weight=Weight.CPP),))
     return _made(evidence) or Choice(
         answer="cmake", reasons=(because("build_tool", "cmake", "plain C++", weight=Weight.CPP),)
     )

@@ -8,6 +8,7 @@ from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
 from roslab.decide.beside_cpp import built_otherwise, mostly_cpp, to_compile, uncompiled
 from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
+from roslab.decide.last_signs import OTHER_BUILDER, last_signs
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import built_by_cmake_alone, built_together, parts_of_cmake
@@ -81,7 +82,7 @@ def decide_kind(evidence: Evidence, config: Config, folder_name: str = "") -> Ch
         reasons.append(configured(config, "kind", "cuda", "base.cuda"))
     reasons += [*_ros(evidence, named=bool(_ROS_NAME.search(folder_name.lower()))), *_python(evidence), *_cpp(evidence)]
     if not reasons:
-        reasons += _built_by_ros(evidence)
+        reasons += last_signs(evidence)
     if not reasons:
         reasons.append(because("kind", "python", "nothing shows what it is: the default", weight=Weight.DEFAULT))
     best = strongest(reasons)
@@ -147,7 +148,7 @@ def _warnings(evidence: Evidence, kind: Kind, weight: int) -> tuple[Warning_, ..
 
     And about C++ that nothing says how to compile, or code that another build tool compiles, by the weight of the kind.
     """
-    if kind == "python":
+    if kind == "python" or (kind == "cpp" and weight == OTHER_BUILDER):
         otherwise = built_otherwise(evidence) if weight <= Weight.PROGRAM else ()
         open_ = uncompiled(evidence) if weight <= Weight.DEFAULT else ()
         return (*warnings_of_cuda(evidence), *(otherwise or open_))
@@ -189,19 +190,6 @@ def _meta(evidence: Evidence) -> list[Reason]:
     why = f"{len(listed)} repositories to import" + (f", and a ROS {version} distribution is named" if sides else "")
     weight = Weight.OWN_LIST if own and not parts_of_cmake(evidence, own) else Weight.LIST
     return [because("kind", f"ros{version}", why, (own or listed)[0], weight=weight)]
-
-
-def _built_by_ros(evidence: Evidence) -> list[Reason]:
-    """Return the ROS whose distribution and build tool the text names, of a tree that holds no code of its own.
-
-    Its scripts fetch what is built, or its links lead there.
-    """
-    tools = [m for m in evidence.mentions if m.topic == "build_tool" and m.value in WORKSPACE_TOOLS]
-    sides = [found.ros for m in evidence.mentions if m.topic == "distro" and (found := distro(m.value))]
-    if not tools or len({*sides}) != 1:
-        return []
-    why = f"nothing of its own is compiled; {tools[0].value} builds it, and a ROS {sides[0]} distribution is named"
-    return [because("kind", f"ros{sides[0]}", why, tools[0], weight=Weight.LIST)]
 
 
 def _python(evidence: Evidence) -> list[Reason]:

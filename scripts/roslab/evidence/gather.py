@@ -167,6 +167,8 @@ def gather(repository: Repository) -> Evidence:
     made = makefiles.read(own, prose.mentions)
     by_file = linked_files.read(own)
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
+    otherwise = tuple(other_builders.read(repository))
+    dates = manifests or cmake_projects or made or listed or by_file or otherwise
     return Evidence(
         manifests=manifests,
         cmake=cmake_projects,
@@ -234,11 +236,11 @@ def gather(repository: Repository) -> Evidence:
             *named_ports.read(own),
             *named_weights.read(own, (*prose.mentions, *by_name)),
             *launchers.read(own, prose.mentions),
-            *other_builders.read(repository),
+            *otherwise,
             *stops_without.read(own, cmake_projects),
             *(asked_variables.read(own, cmake_projects) if manifests or cmake_projects else ()),
             *commented.read(own, lists),
-            *(commit_date.read(repository) if manifests or cmake_projects or made or listed or by_file else ()),
+            *(commit_date.read(repository) if dates else ()),
         ),
         worked_on=worked_on.read(repository),
         old_code=extension_code.read(own, python_projects),

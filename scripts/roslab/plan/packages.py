@@ -57,6 +57,8 @@ def _needs(decision: Decision, config: Config) -> list[str]:
     compiled = decision.build_tool == "cmake" and decision.kind not in ("ros1", "ros2")  # a ROS base has a compiler
     if compiled:
         needs += ["build-essential", "cmake"]
+    elif decision.kind == "cpp" and not decision.scripts:  # another tool builds it, which its reader has to add
+        needs.append("build-essential")
     if SSH in config.secrets:
         needs.append("openssh-client")
     if any(source.zip for source in decision.source) or config.base.cmake_update or config.base.icub:

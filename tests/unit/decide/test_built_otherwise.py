@@ -36,6 +36,22 @@ def test_the_tool_is_told(tmp_path: Path, files: dict[str, str], tool: str) -> N
     assert message.startswith(f"the repository is built by {tool}, ")
 
 
+@pytest.mark.parametrize(
+    ("files", "kind"),
+    [
+        ({"WORKSPACE": "", "a/main.cc": "#include <opencv2/core.hpp>\n"}, "cpp"),
+        ({"WORKSPACE": "", "a/main.cc": "#include <opencv2/core.hpp>\n", "b.py": "import numpy\n"}, "python"),
+        ({"Cargo.toml": "[package]\n", "a/main.cc": "#include <opencv2/core.hpp>\n"}, "python"),
+    ],
+)
+def test_cpp_that_it_compiles_is_of_that_kind(tmp_path: Path, files: dict[str, str], kind: str) -> None:
+    assert told(tmp_path, files)
+    plan = plan_repository(tmp_path).plan
+    assert plan.kind == kind
+    assert plan.build_tool == "none"
+    assert ("build-essential" in plan.apt) == (kind == "cpp")
+
+
 def test_where_it_builds_all_that_is_told(tmp_path: Path) -> None:
     with pytest.raises(NothingToBuildError, match="nothing to build was found") as error:
         told(tmp_path, {"Cargo.toml": "[package]\n", "src/main.rs": "fn main() {}\n"})
