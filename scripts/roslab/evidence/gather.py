@@ -111,12 +111,13 @@ from roslab.evidence.ros import (
     package_xml,
     rosbuild,
     rosdep_lists,
+    started_by_scripts,
     vcs,
 )
 from roslab.repository.checkout import Repository
 
-LOADED = (gazebo_plugins.read, controllers.read, image_transports.read)
-"""What robots, worlds, launch files and parameters load, which few package.xml name."""
+LOADED = (gazebo_plugins.read, controllers.read, image_transports.read, started_by_scripts.read)
+"""What robots, worlds, launch files and parameters load and shell scripts start, which few package.xml name."""
 PROSE = (
     author_dockerfile.prose,  # the author's own image: the most reliable
     containers.read,  # what the author's containers run
