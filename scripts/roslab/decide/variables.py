@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from collections.abc import Set as AbstractSet
 
 from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.launched_windows import opened_by_nodes
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.author_variables import author_variables
 from roslab.decide.ros.linked_folders import linked_folders
 from roslab.decide.ros.nested_headers import nested_headers
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
@@ -45,13 +47,16 @@ def decide_variables(
     image: str = "",
     ros: str | None = None,
     gui: bool = True,
+    dockerfile: str | None = None,
+    apt: AbstractSet[str] = frozenset(),
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return each variable with the value that roslab.yaml gives it, else a page first.
 
     After them those that a page starts the default ``command`` with, without those of one machine, and what keeps a
     new CMake from refusing old code; ``asked``: what pip installs or builds with. Where the base ``image`` has CUDA's
     compiler, the folder that it lies in: NVIDIA's images do not say it, and build files read it. Without ``gui``, what
-    has packages draw where there is no display; with it, what they need to open a window.
+    has packages draw where there is no display; with it, what they need to open a window. ``dockerfile``: the author's
+    that the image is made with; ``apt``: what is installed.
     """
     if config.compatible:
         return Choice(answer=())
@@ -83,7 +88,8 @@ def decide_variables(
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
     windows = _windows(command, evidence)
-    further: list[tuple[str, str, str, Requirement | Dependency]] = [
+    further: list[tuple[str, str, str, Requirement | Dependency | Mention]] = [
+        *author_variables(evidence, ros, dockerfile, apt),
         *compiler_variables(evidence),
         *nested_headers(evidence, ros),
         *linked_folders(evidence, ros),

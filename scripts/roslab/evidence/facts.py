@@ -164,6 +164,9 @@ class AuthorDockerfile:
     copied: tuple[str, ...] = ()  # files and folders, relative to the root; none where a pattern is among them
     taken: tuple[tuple[str, int], ...] = ()  # images and named contexts that it takes files from, with the line
     enters: tuple[tuple[str, int], ...] = ()  # submodules without their files that its steps name, with the line
+    environment: tuple[
+        Mention, ...
+    ] = ()  # ``NAME=VALUE`` of it and of its service, for ROS and for what the tree reads
     hides: bool = False  # its steps may install more than its lines say
     service: Service | None = None  # the service of Docker Compose that a page at the root starts from it
 

@@ -87,6 +87,8 @@ class _Start:
     workdir: str = "/"
     source: str | None = None
     """The folder that the whole context is copied to."""
+    environment: tuple[tuple[str, str, int], ...] = ()
+    """Its variables, each with its value and the line that sets it."""
 
 
 @dataclass
@@ -125,7 +127,7 @@ class _Reading:
         if name == "FROM":
             self._from(body, line)
         elif name in {"ARG", "ENV"}:
-            self._set(name, body)
+            self._set(name, body, line)
         elif name == "RUN":
             self._enter(body, line)
             _collect(self.collector, instruction)
@@ -183,7 +185,7 @@ class _Reading:
                 self.stages[match[2].lower()] = self.base
                 self.starts[match[2].lower()] = self.start
 
-    def _set(self, name: str, body: str) -> None:
+    def _set(self, name: str, body: str, line: int) -> None:
         if name == "ARG":
             variable, _, default = body.strip().partition("=")
             if default:
@@ -192,10 +194,13 @@ class _Reading:
         self.known.update((key, expand(value.strip("\"'"), self.known)) for key, value in _PAIR.findall(body))
         if len(words := body.split(None, 1)) == 2 and "=" not in words[0]:
             self.known[words[0]] = expand(words[1].strip(), self.known)
+        names = [words[0]] if len(words) == 2 and "=" not in words[0] else [key for key, _ in _PAIR.findall(body)]
+        self.start.environment += tuple((key, self.known.get(key, ""), line) for key in names)
 
 
 def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.lex.dockerfile import instructions  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.author_variables import set_for_ros  # noqa: PLC0415 - as above
     from roslab.evidence.prose.build_context import build_context  # noqa: PLC0415 - as above
     from roslab.evidence.prose.composed import services  # noqa: PLC0415 - as above
     from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
@@ -249,6 +254,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         if in_copy(repository, file)
         else purpose_of(file.path, reading.base or "", problem, service),
         service=service,
+        environment=set_for_ros(repository, file.path, start.environment, service),
         problem=problem or reading.needs or missing,
         context=context,
         secrets=tuple(sorted(dict(reversed(reading.secrets)).items(), key=lambda found: found[1])),

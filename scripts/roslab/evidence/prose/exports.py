@@ -9,6 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose import own_places, search_paths
 from roslab.evidence.prose.python_path import HERE, folder_of
+from roslab.knowledge.machine_variables import of_every_image, of_one_machine
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
@@ -68,6 +69,13 @@ def of_line(repository: Repository, file: File, line: int, code: str, heading: s
         yield Mention(
             topic="exported", value=said, source="readme", file=file.path, line=line, text=said, heading=heading
         )
+
+
+def read_by_tree(name: str, repository: Repository) -> bool:
+    """Tell whether the tree's own files read a variable, but for ROS's, build tools' and those of one machine."""
+    return not (_OF_OTHERS.fullmatch(name) or of_one_machine(name) or of_every_image(name)) and _is_read(
+        name, repository
+    )
 
 
 def _is_read(name: str, repository: Repository) -> bool:

@@ -1,0 +1,34 @@
+"""Variables of ROS and of robots that the author's Dockerfiles set, where the image is made without them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
+
+from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.released import released
+
+_MIDDLEWARE = "RMW_IMPLEMENTATION"
+WITH_ROS = "rmw_fastrtps_cpp"
+"""The middleware that the images of ROS 2 have. https://docs.ros.org/en/rolling/Installation/RMW-Implementations.html"""
+
+
+def author_variables(
+    evidence: Evidence, ros: str | None, authored: str | None, apt: AbstractSet[str]
+) -> Iterator[tuple[str, str, str, Mention]]:
+    """Yield each with its value, why, and its place; none of which Dockerfiles give different values.
+
+    ``authored``: the Dockerfile that the image is made with, which sets its own; ``apt``: what the image installs, a
+    middleware among it: without the one that is named no node starts.
+    """
+    found: dict[str, dict[str, Mention]] = {}
+    for dockerfile in evidence.dockerfiles:
+        if dockerfile.purpose in {"project", "ci"} and dockerfile.file != authored:
+            for said in dockerfile.environment:
+                name, _, value = said.value.partition("=")
+                found.setdefault(name, {}).setdefault(value, said)
+    for name, values in found.items() if ros else ():
+        value, said = next(iter(values.items()))
+        there = value == WITH_ROS or (value in released(ros or "") and f"ros-{ros}-{value.replace('_', '-')}" in apt)
+        if len(values) == 1 and (name != _MIDDLEWARE or there):
+            yield name, value, "the author's own image sets it", said

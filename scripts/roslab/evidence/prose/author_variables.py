@@ -1,0 +1,33 @@
+"""Variables of an author's Dockerfile and of its service that ROS, a robot's packages or the tree's own files read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslab.evidence.facts import Mention
+from roslab.evidence.prose.exports import read_by_tree
+from roslab.evidence.service import Service
+from roslab.knowledge.robot_variables import of_robots
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_VALUE = pattern(r"(?!(?:\d+\.){3}\d+)[\w.+-]{1,60}")
+"""A value that is a word, and no path or address of a machine."""
+
+
+def set_for_ros(
+    repository: Repository, file: str, written: Iterable[tuple[str, str, int]], service: Service | None
+) -> tuple[Mention, ...]:
+    """Return each such variable once, with the value that the service gives it, else that of the Dockerfile.
+
+    ``written``: the variables of the Dockerfile's last stage, each with its value and line; the last one of a name
+    counts.
+    """
+    found = {name: (value, file, line) for name, value, line in written}
+    if service:
+        found |= {name: (value, service.file, service.line) for name, value in service.environment}
+    return tuple(
+        Mention(topic="variable", value=f"{name}={value}", source="dockerfile", file=where, line=line, text=name)
+        for name, (value, where, line) in found.items()
+        if _VALUE.fullmatch(value) and (of_robots(name) or read_by_tree(name, repository))
+    )

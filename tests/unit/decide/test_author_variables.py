@@ -1,0 +1,56 @@
+"""Variables that the author's Dockerfile sets, where the image is made without it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+ROS2 = {
+    "package.xml": "<package><name>demo</name><export><build_type>ament_cmake</build_type></export></package>",
+    "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+}
+CYCLONE = "RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"
+APT = "RUN apt-get update && apt-get install -y ros-humble-rmw-cyclonedds-cpp\n"
+
+
+def _set(tree: Tree, dockerfile: str, **more: str) -> dict[str, str]:
+    given = {"docker/Dockerfile": f"FROM ros:humble\n{dockerfile}", **more}
+    return dict(tree({**ROS2, **given}).variables)
+
+
+@pytest.mark.parametrize(
+    ("dockerfile", "there"),
+    [
+        ("ENV ROS_DOMAIN_ID=30 TURTLEBOT3_MODEL=burger\n", {"ROS_DOMAIN_ID": "30", "TURTLEBOT3_MODEL": "burger"}),
+        ("ENV ROS_DOMAIN_ID 30\n", {"ROS_DOMAIN_ID": "30"}),
+        ("ENV RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n", {"RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}),
+        (f"ENV {CYCLONE}\n", {}),
+        (f"{APT}ENV {CYCLONE}\n", {"RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp"}),
+        ("ENV DISPLAY=:0 HOME=/root ROS_MASTER_URI=http://robot:11311 ROS_IP=10.0.0.2 API_KEY=abc\n", {}),
+        ("ENV ROS_DOMAIN_ID=$DOMAIN\n", {}),
+        ("FROM ubuntu:22.04 AS other\nENV ROS_DOMAIN_ID=3\nFROM ros:humble\n", {}),
+    ],
+)
+def test_what_ros_reads(tree: Tree, dockerfile: str, there: dict[str, str]) -> None:
+    assert _set(tree, dockerfile) == there
+
+
+def test_what_the_tree_reads(tree: Tree) -> None:
+    launch = {"launch/a.launch.py": "import os\nos.environ['GRIPPER']\n"}
+    assert _set(tree, "ENV GRIPPER=soft OTHER=hard\n", **launch) == {"GRIPPER": "soft"}
+
+
+def test_two_that_differ(tree: Tree) -> None:
+    more = {"robot/Dockerfile": "FROM ros:humble\nENV ROS_DOMAIN_ID=7 TURTLEBOT3_MODEL=burger\n"}
+    assert _set(tree, "ENV ROS_DOMAIN_ID=30\n", **more) == {"TURTLEBOT3_MODEL": "burger"}
+
+
+def test_the_service_of_compose(tree: Tree) -> None:
+    composed = "services:\n  a:\n    build:\n      context: .\n      dockerfile: docker/Dockerfile\n    environment:\n"
+    composed += "      - ROS_DOMAIN_ID=${ROS_DOMAIN_ID:-12}\n      - DISPLAY=${DISPLAY}\n"
+    more = {"docker-compose.yml": composed, "README.md": "```bash\ndocker compose up -d\n```\n"}
+    assert _set(tree, "ENV ROS_DOMAIN_ID=30\n", **more) == {"ROS_DOMAIN_ID": "12"}
