@@ -58,6 +58,7 @@ def test_apt_lines(text: str, expected: list[str]) -> None:
 @pytest.mark.parametrize(
     "written",
     ["YOUR_DISTRO", "<distro>", "$ROS_DISTRO", "${ROS_DISTRO}", '"${ROS_DISTRO}"', "XXX", "xxx", "[distro]",
+     "your-distro", "your_ros_distro",
      "$(rosversion -d)",
      "${{ matrix.ros_distro }}", "${{ needs.find-ros-distro.outputs.distro }}", "{distro}", "<your-ros-version>"],
 )  # fmt: skip

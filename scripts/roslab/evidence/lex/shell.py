@@ -28,8 +28,8 @@ _PLACEHOLDER = pattern(
       | "?'?\$\{?\(?\w*(?:distro|version|rosver)\w*\}?\)?'?"?    # $ROS_DISTRO, "${ROS_DISTRO}"
       | \$\(\s*rosversion\s+-d\s*\) | `\s*rosversion\s+-d\s*`
       | <[^<>\n]{1,40}> | \[[^\[\]\n]{1,30}\] | \{[\w\s-]{1,30}\} | %\w+% | \#+
+      | (?:your[-_]?)?(?:ros[-_]?)?distro(?:[-_]?name)?          # your-distro
       | [A-Z][A-Z0-9_]*                                          # YOUR_DISTRO, XXX
-      | (?:your[-_]?)?(?:ros[-_]?)?distro(?:[-_]?name)?
     )-(?=[a-z0-9])""",
     re.VERBOSE | re.IGNORECASE,
 )
