@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Collection, Iterator, Mapping
 
@@ -38,7 +39,9 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     said = written(evidence, kind, ros=ros, compiled=compiled)
     unmade = with_unmade(evidence)
     stops = [calls[file] for file in unmade if file in calls]
-    yield from (replace(_cut(each, demands), unmade=_starts(each, stops)) for each in said)
+    for each in said:
+        told = _cut(_below(each, evidence) if compiled else each, demands)
+        yield replace(told, unmade=_starts(each, stops))
     yield from contained(evidence, kind, compiled=compiled)
     if not compiled and not any(each.strong for each in said):
         yield from _explained(evidence)
@@ -50,7 +53,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         yield from (replace(each, cut=True) if each.file in vain else _cut(each, demands) for each in launched)
         yield from nodes if all(each.file in vain for each in launched) else ()
     elif compiled:
-        yield from _compiled(evidence)
+        yield from (_below(each, evidence) for each in _compiled(evidence))
     elif not evidence.programs:
         yield from of_notebooks(evidence)
     else:
@@ -88,6 +91,16 @@ def _cut(candidate: Candidate, demands: Mapping[tuple[str, ...], tuple[str, ...]
     given = {word.partition(":=")[0] for word in rest}
     lacking = {*demands.get(rest[:1], ()), *demands.get(rest[:2], ())} - given
     return replace(candidate, cut=True) if lacking else candidate
+
+
+def _below(candidate: Candidate, evidence: Evidence) -> Candidate:
+    """Return a compiled program as one that starts in a folder of the tree, if it opens others from there: ``../data``.
+
+    Any folder beside the build folder will do, which the image does not have.
+    """
+    opens = {posixpath.basename(m.file).rpartition(".")[0]: m.value for m in evidence.mentions if m.topic == "above"}
+    folder = "" if candidate.inside else opens.get(candidate.argv[0], "")
+    return replace(candidate, inside=folder) if folder else candidate
 
 
 def _only_compiled(evidence: Evidence) -> bool:
