@@ -61,6 +61,37 @@ def test_the_lowest_bound_of_a_package_counts(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    "code",
+    [
+        "if MAJOR == 1 and MINOR < 8:\n    from torch._six import istuple\nelse:\n    istuple = None\n",
+        "if torch.__version__ >= '1.8':\n    import collections\nelse:\n    from torch._six import inf\n",
+        "if digit_version(torch.__version__) < digit_version('2'):\n\n    from torch._six import inf\n",
+        "def load():\n    if LooseVersion(v) < '2':\n        for a in b:\n            import torch._six\n",
+        "try:\n    from torch._six import inf\nexcept ImportError:\n    from torch import inf\n",
+        "try:\n    from torch import inf\nexcept (ImportError, KeyError):\n    from torch._six import inf\n",
+        "kind = np.float if hasattr(np, 'float') else float\n",
+    ],
+)
+def test_a_branch_for_some_versions_gives_none(tmp_path: Path, code: str) -> None:
+    assert bounds(tmp_path, code) == {}
+
+
+@pytest.mark.parametrize(
+    ("code", "line"),
+    [
+        ("if args.version == 'v1.0':\n    from torch._six import inf\n", 2),
+        ("if train:\n    x = 1\nelse:\n    from torch._six import inf\n", 4),
+        ("try:\n    from torch._six import inf\nexcept ImportError:\n    raise SystemExit('install torch')\n", 2),
+        ("try:\n    from torch._six import inf\nexcept KeyboardInterrupt:\n    stop()\n", 2),
+        ("if torch.__version__ < '2':\n    a = 1\nfrom torch._six import inf\n", 3),
+        ("if MAJOR < 2:\n    from torch._six import inf\nelse:\n    inf = 1\nfrom torch._six import b\n", 5),
+    ],
+)
+def test_a_line_that_always_runs_gives_one(tmp_path: Path, code: str, line: int) -> None:
+    assert bounds(tmp_path, code) == {"torch<2": line}
+
+
+@pytest.mark.parametrize(
     ("line", "bounded"),
     [("numpy", True), ("NumPy>=1.10", True), ("numpy==1.26.4", False), ("numpy<3", False), ("scipy", False)],
 )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+
+from roslab.evidence.python.branches import of_some_versions
 from roslab.evidence.python.modules import modules
 from roslab.evidence.removed_name import Removed
 from roslab.knowledge.hints import Search
@@ -13,7 +16,7 @@ def read(repository: Repository) -> tuple[Removed, ...]:
     """Return the lowest bound for each package that the code needs, with the first place that needs it.
 
     None for a package of which other modules use what only newer versions have: the older part, such as a baseline,
-    is not what the tree is for.
+    is not what the tree is for. Nor for a line that runs beside older versions alone, and has another one beside it.
     """
     found: dict[str, tuple[int, Removed]] = {}
     newer: set[str] = set()
@@ -25,7 +28,7 @@ def read(repository: Repository) -> tuple[Removed, ...]:
         for row in possible:
             if row.package in found and found[row.package][0] <= row.rank:
                 continue  # only a lower bound of the same package would matter
-            match = next((m for m in row.pattern.finditer(text) if not _comment(text, m.start())), None)
+            match = next((m for m in row.pattern.finditer(text) if _counts(text, m)), None)
             if match is None:
                 continue
             line = text.count("\n", 0, match.start()) + 1
@@ -33,6 +36,11 @@ def read(repository: Repository) -> tuple[Removed, ...]:
             found[row.package] = (row.rank, use)
     kept = (use for package, (_, use) in found.items() if package not in newer)
     return tuple(sorted(kept, key=lambda use: use.bound.written))
+
+
+def _counts(text: str, match: re.Match[str]) -> bool:
+    """Tell whether a use stands in the code, for every version of the library."""
+    return not _comment(text, match.start()) and not of_some_versions(text, match.end())
 
 
 def _comment(text: str, position: int) -> bool:
