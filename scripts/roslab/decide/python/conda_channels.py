@@ -30,3 +30,11 @@ def told(answer: Python) -> Iterator[Warning_]:
     for address in answer.conda_no_channels:
         message = f"{address} is no channel of conda: it is left out of {file}"
         yield warn(f"{message}; name the owner and the package there (owner::package)", Place(file=file))
+
+
+def default_channels(evidence: Evidence, conda: str | None) -> bool:
+    """Tell whether conda would add its default channels to those of the file.
+
+    https://docs.conda.io/projects/conda/en/stable/user-guide/tasks/manage-environments.html, read 2026-11-21.
+    """
+    return any(not {"defaults", "nodefaults"} & {*each.channels} for each in evidence.conda if each.file == conda)

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.python.agreeing import agreeing
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
-from roslab.decide.python.conda_channels import no_channels, told
+from roslab.decide.python.conda_channels import default_channels, no_channels, told
 from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
@@ -117,13 +118,21 @@ def decide_python(
     )
     by_pip = _without((*exact.answer, *everything), conda_asked if manager == "conda" else ())
     wheels = by_pip if kind == "cuda" and manager != "system" else ()
-    compiled = bool(wheels) and extended
     locked = evidence.locked if manager != "system" and of_what_is_installed(evidence.locked, chosen) else ()
     build = decide_build(
-        evidence, chosen, wheels, cuda, number, compiled=compiled, aged=bool(aged), bounds=bounds.answer, locked=locked
+        evidence,
+        chosen,
+        wheels,
+        cuda,
+        number,
+        compiled=bool(wheels) and extended,
+        aged=bool(aged),
+        bounds=bounds.answer,
+        locked=locked,
     )
     native = decide_native_parts(everything, chosen.guessed, chosen.projects, evidence.pip_day)
-    limits = (*bounds.answer, *exact.answer, *named.answer.limits, *build.answer[0], *native.answer.bounds)
+    made = (*exact.answer, *named.answer.limits, *build.answer[0], *native.answer.bounds)
+    limits = (*(bounds := agreeing(bounds, made, number)).answer, *made)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number, chosen.guessed)
     undeclared = decide_undeclared((*everything, *limits, *of_lock.answer) if manager != "system" else ())
@@ -171,7 +180,7 @@ def decide_python(
         conda_limits=in_conda.answer,
         conda_cuda=cuda_of_conda(evidence, kind, conda, cuda) if conda or alone.specs else "",
         setuptools=older.answer,
-        conda_defaults=not pixi and _default_channels(evidence, conda),
+        conda_defaults=not pixi and default_channels(evidence, conda),
         first=compiled_first,
         defines=defines.answer,
         bounds=(*limits, *numpy.answer),
@@ -228,14 +237,6 @@ def decide_python(
 def _without(asked: Sequence[Requirement], of_conda: Sequence[Requirement]) -> tuple[Requirement, ...]:
     """Return what pip is asked for and conda's own packages do not bring: their build is the file's choice."""
     return tuple(each for each in asked if each.key not in {of.key for of in of_conda})
-
-
-def _default_channels(evidence: Evidence, conda: str | None) -> bool:
-    """Tell whether conda would add its default channels to those of the file.
-
-    https://docs.conda.io/projects/conda/en/stable/user-guide/tasks/manage-environments.html, read 2026-11-21.
-    """
-    return any(not {"defaults", "nodefaults"} & {*each.channels} for each in evidence.conda if each.file == conda)
 
 
 def _interpreter(version: str | None) -> Interpreter:
