@@ -16,6 +16,7 @@ PACKAGE = "<package><name>demo</name><buildtool_depend>{tool}</buildtool_depend>
 ROS1 = {
     "package.xml": PACKAGE.format(tool="catkin"),
     "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(${PROJECT_NAME}_node a.cpp)\n",
+    **{f"scripts/{name}.py": "" for name in ("engine_generation", "onnx_to_trt", "map_generation")},
     "launch/map.launch": "<launch/>",
     "launch/odometry.launch": "<launch/>",
     "launch/replay.launch": "<launch/>",
@@ -49,6 +50,9 @@ ROS2 = {
         ("ros2 launch demo map.launch.py\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
         ("roslaunch demo replay.launch bag:=data/a.bag\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
         ("rosrun demo download_bags.sh\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
+        ("rosrun demo engine_generation.py\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
+        ("rosrun demo onnx_to_trt.py\nroslaunch demo map.launch\n", "roslaunch demo map.launch"),
+        ("rosrun demo map_generation.py\nroslaunch demo map.launch\n", "rosrun demo map_generation.py"),
         ("roslaunch launch/map.launch\n", "roslaunch demo map.launch"),
         ("Start it:\n```\n./devel/lib/demo/demo_node --fast\n```\n", "rosrun demo demo_node --fast"),
         ("roslaunch demo gone.launch\n", "bash"),
