@@ -30,6 +30,8 @@ def apt_for_wheels(
                 continue
             name = name_in(apt, ubuntu or "bookworm")
             found.setdefault(name.replace("python3-", "python-") if of_python2 else name, asked)
+    if ubuntu and python.manager == "venv" and (used := _drawing_by_tk(evidence)):
+        found.setdefault(_TK, used)
     if python.manager == "system":
         pinned = _pinned(python, installed)
         for dependency in evidence.code:
@@ -42,6 +44,12 @@ def apt_for_wheels(
             if dependency.name in {"matplotlib", "pylab"}:
                 found.setdefault("python-tk" if ubuntu in ubuntus_with_python2() else "python3-tk", dependency)
     return tuple(found.items())
+
+
+def _drawing_by_tk(evidence: Evidence) -> Dependency | None:
+    """Return the first import of a part of Python's library that Ubuntu has in a package with Tk: ``turtle``."""
+    used = (each for each in evidence.code if each.namespace == "import" and each.strength == "used")
+    return next((each for each in used if imports().get(each.name) == (None, _TK)), None)
 
 
 def _pinned(python: Python, installed: tuple[Requirement, ...]) -> set[str]:

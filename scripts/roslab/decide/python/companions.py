@@ -1,0 +1,29 @@
+"""Packages that functions of others need: ``knn_graph`` of torch_geometric that of torch-cluster."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Set
+
+from roslab.evidence.facts import Evidence
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+
+def companions_of(evidence: Evidence, guessed: Iterable[Requirement], known: Set[str]) -> Iterator[Requirement]:
+    """Yield what used functions of packages among ``guessed`` and the ``known`` ones need and nothing names.
+
+    An extra of such a package is asked for in the version of the guess.
+    """
+    by_name = {each.key: each for each in guessed}
+    named = {*known, *by_name}
+    for used in evidence.mentions:
+        if used.topic != "companion" or used.value not in named:
+            continue
+        asked = stated(used.text, "import", used.file, used.line)
+        guess = by_name.get(used.value)
+        if asked.key != used.value:
+            if asked.key not in named:
+                named.add(asked.key)
+                yield asked
+        elif guess is None or not (guess.extras or guess.url):
+            yield stated(f"{used.text}{guess.specifier if guess else ''}", "import", used.file, used.line)

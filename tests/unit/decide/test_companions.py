@@ -1,0 +1,67 @@
+"""What functions of a package need beside it, and pip does not bring, is installed with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+LANDER = 'import gymnasium as gym\nenv = gym.make("LunarLander-v3")\n'
+
+
+def guessed(tree: Tree, code: str, **files: str) -> set[str]:
+    python = tree({"train.py": code, "README.md": "# Net\nRun `python train.py`.\n", **files}).python
+    return {each.written for each in python.pip_guessed}
+
+
+@pytest.mark.parametrize(
+    ("code", "needs"),
+    [
+        ("import torch\nfrom torch_geometric.nn import voxel_grid, knn_graph\n", "torch-cluster"),
+        ("from stable_baselines3 import PPO\nPPO('MlpPolicy', e, tensorboard_log='logs')\n", "tensorboard"),
+        (LANDER, "gymnasium[box2d]"),
+        ("import gymnasium as gym\nenv = gym.make('CartPole-v1', render_mode='human')\n", "pygame"),
+    ],
+)
+def test_a_used_function_brings_it(tree: Tree, code: str, needs: str) -> None:
+    assert needs in guessed(tree, code)
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import torch_geometric\n# knn_graph\n",
+        "import torch\nfrom mine import knn_graph\n",
+        "from stable_baselines3 import PPO\nPPO('MlpPolicy', e, tensorboard_log=None)\n",
+        "import gymnasium as gym\nenv = gym.make('CartPole-v1')\n",
+        "import gymnasium as gym\nname = 'LunarLander'\n",
+    ],
+)
+def test_what_does_not_use_it_brings_none(tree: Tree, code: str) -> None:
+    assert not guessed(tree, code) & {"torch-cluster", "tensorboard", "gymnasium[box2d]", "pygame"}
+
+
+def test_beside_a_list_of_packages(tree: Tree) -> None:
+    assert "gymnasium[box2d]" in guessed(tree, LANDER, **{"requirements.txt": "gymnasium==1.0.0\n"})
+    named = guessed(
+        tree,
+        "from stable_baselines3 import PPO\nPPO(tensorboard_log='a')\n",
+        **{"requirements.txt": "stable-baselines3\ntensorboard==2.14\n"},
+    )
+    assert not named
+
+
+def test_a_turtle_needs_tk(tree: Tree) -> None:
+    page = "# Net\n## Requirements\n- Ubuntu 22.04\n- Python 3.10\n"
+    decision = tree({"watch.py": "from turtle import done\nimport numpy\ndone()\n", "README.md": page})
+    assert decision.base_image == "ubuntu:22.04"
+    assert "python3-tk" in {*decision.apt, *decision.apt_guessed}
+
+
+def test_descartes_keeps_the_shapely_of_its_time(tree: Tree) -> None:
+    page = "# Net\n```\npip install shapely descartes\n```\n"
+    python = tree({"README.md": page, "draw.py": "import descartes, shapely\n"}).python
+    assert "shapely<2" in {each.written for each in python.pip_guessed}
