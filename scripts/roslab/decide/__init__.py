@@ -55,6 +55,7 @@ from roslab.decide.system.inside import compiled_inside
 from roslab.decide.system.libraries import decide_libraries
 from roslab.decide.system.missing import decide_missing, provided
 from roslab.decide.system.names import Target
+from roslab.decide.system.of_vendors import may_lack
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
 from roslab.decide.system.sections import of_this_ubuntu
@@ -160,10 +161,13 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cuda=cuda.answer.version if target.cuda else None,
     )
     sources = with_recipes(sources, libraries)
-    system = with_release(with_libraries(system, frozenset(s.name for s, _ in libraries), evidence), evidence, target)
+    system = may_lack(
+        with_release(with_libraries(system, frozenset(s.name for s, _ in libraries), evidence), evidence, target),
+        base.answer.image,
+    )
 
     repositories = decide_apt_sources(
-        evidence, config, frozenset((*system.answer.apt, *system.answer.apt_guessed)), base.answer.ubuntu
+        evidence, config, {*system.answer.apt, *system.answer.apt_guessed}, base.answer.ubuntu, base.answer.image
     )
     inside = compiled_inside(evidence, config, kind.answer)
     scripts = decide_scripts(evidence, config, kind.answer, inside, python.answer.projects, target=target)

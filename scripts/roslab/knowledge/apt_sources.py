@@ -20,7 +20,10 @@ class AddedSource:
     """The releases that it has them for; its suites are called so."""
     url: str
     components: str
+    """``""`` for a source without suites."""
     key: str
+    base: str
+    """How the names of images begin that have the source, ``""`` for none."""
 
 
 @cache

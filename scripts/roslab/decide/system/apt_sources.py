@@ -24,7 +24,7 @@ _COMPUTED = pattern(r"[$`{}()…]")
 
 
 def decide_apt_sources(
-    evidence: Evidence, config: Config, installed: Collection[str], ubuntu: str | None
+    evidence: Evidence, config: Config, installed: Collection[str], ubuntu: str | None, base_image: str = ""
 ) -> Choice[tuple[str, ...]]:
     """Return the sources to add: ``ppa:OWNER/NAME``, or lines of apt in which ``signed-by`` is the address of the key.
 
@@ -57,11 +57,12 @@ def decide_apt_sources(
         line = url if ppa else " ".join((f"deb [signed-by={key}]", url, suite, *source.components))
         why = f"{_who(source)} installs {asked} from it"
         added.setdefault(line, because("dependencies", url, why, source, weight=WEIGHT))
-    for each in added_sources():
+    for each in (row for row in added_sources() if not (row.base and base_image.startswith(row.base))):
         name = next((name for name in sorted(installed) if each.packages.fullmatch(name)), None)
-        there = any(host_of(each.url) == host_of(line.split()[-3]) for line in added if " " in line)
+        there = any(host_of(each.url) == host_of(line.split()[2]) for line in added if " " in line)
         if name and not there and ubuntu in each.ubuntu:
-            line = f"deb [signed-by={each.key}] {each.url} {ubuntu} {each.components}"
+            suite = f"{ubuntu} {each.components}" if each.components else "/"
+            line = f"deb [signed-by={each.key}] {each.url} {suite}"
             added[line] = because(
                 "dependencies", each.url, f"{name} is there, and in no archive of Ubuntu", None, weight=WEIGHT
             )
