@@ -26,6 +26,7 @@ from roslab.decide.scripts import ports_in, ports_of
 from roslab.decide.sections import about_running
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.evidence.prose.copies import below
 from roslab.evidence.prose.runners import SIMULATORS
@@ -262,6 +263,12 @@ def _opened(evidence: Evidence, config: Config, command: str) -> bool:
     return config.gui if config.gui is not None else _gui(evidence, command)
 
 
+def _example(call: Dependency, words: list[str]) -> bool:
+    """Tell whether a call is in the source of the example that a command starts, which is called like it."""
+    stem = call.file.rpartition("/")[2].partition(".")[0]
+    return call.role == "example" and any(word.rpartition("/")[2] == stem for word in words[:3])
+
+
 def _as_module(file: str) -> str:
     """Return the name by which ``python -m`` starts a file."""
     return file.removesuffix(".py").removesuffix("/__main__").replace("/", ".")
@@ -273,7 +280,7 @@ def _gui(evidence: Evidence, command: str) -> bool:
         return True
     calls = (d for d in evidence.code if d.namespace == "call")
     words = command.split()
-    if any(d.file in command or d.role == "build" or _as_module(d.file) in words for d in calls):
+    if any(d.file in command or d.role == "build" or _as_module(d.file) in words or _example(d, words) for d in calls):
         return True  # a compiled program is not named like its file
     if any(launch.gui for launch in evidence.launch) or opened_by_nodes(evidence, tuple(words)):
         return True

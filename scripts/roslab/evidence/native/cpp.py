@@ -101,11 +101,13 @@ def _is_settled(name: str, signs: Signs | None) -> bool:
 
 
 def _note_windows(file: File, text: str, opened: dict[str, Dependency]) -> None:
-    """Note the libraries whose calls in a file open windows, each at its first place."""
-    for opener, place in shown_by(text, "c++").items() if not places.example(file.path) else ():
+    """Note the libraries whose calls in a file open windows, each at its first place, and in each example."""
+    example = places.example(file.path)
+    for opener, place in shown_by(text, "c++").items():
         at = text.count("\n", 0, place) + 1
-        said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role="build")
-        opened.setdefault(opener, said)
+        role = "example" if example else "build"
+        said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role=role)
+        opened.setdefault(f"{opener} {file.path}" if example else opener, said)
 
 
 def _includes(text: str, settled: Collection[str]) -> Iterator[re.Match[str]]:
