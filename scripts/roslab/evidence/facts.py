@@ -182,7 +182,8 @@ class Mention:
         "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked", "runs",
         "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld", "entered",
         "parameter", "other_builder", "conflict", "made", "unlaunched", "machine", "own_setup", "demanded",
-        "cloned_head", "at_top", "sibling", "contained", "weights", "port", "listens", "own_package", "opened", "above", "companion",
+        "cloned_head", "at_top", "sibling", "contained", "weights", "port", "listens", "own_package", "opened", "above",
+        "companion",
     ]  # fmt: skip
     value: str
     source: Literal[
