@@ -580,6 +580,7 @@ def test_a_terminal_that_a_script_of_the_page_opens(tmp_path: Path, script: str,
 
 
 CUDA = "nvidia-cuda-toolkit"
+GPU = "option(WITH_GPU 'a' OFF)\n"
 
 
 @pytest.mark.parametrize(
@@ -589,6 +590,13 @@ CUDA = "nvidia-cuda-toolkit"
         ("enable_language(CUDA)\n", True),
         ("find_package(CUDA)\n", False),
         ("if(WITH_GPU)\n  find_package(CUDA REQUIRED)\nendif()\n", False),
+        (f"{GPU}if(WITH_GPU)\n  cuda_add_library(a a.cu)\nendif()\n", False),
+        (f"{GPU}if(WITH_GPU)\n  enable_language(CUDA)\nendif()\n", False),
+        (f"{GPU}if(WITH_GPU AND UNIX)\n  enable_language(CUDA)\nendif()\n", False),
+        (f"{GPU}if(NOT WITH_GPU)\nelse()\n  enable_language(CUDA)\nendif()\n", False),
+        (f"{GPU}if(NOT WITH_GPU)\n  enable_language(CUDA)\nendif()\n", True),
+        (f"{GPU}set(WITH_GPU ON)\nif(WITH_GPU)\n  enable_language(CUDA)\nendif()\n", True),
+        ("option(WITH_GPU 'a' ON)\nif(WITH_GPU)\n  enable_language(CUDA)\nendif()\n", True),
     ],
 )
 def test_cuda_that_a_package_of_ros_cannot_do_without(tmp_path: Path, cmake: str, asked: bool) -> None:
@@ -597,6 +605,19 @@ def test_cuda_that_a_package_of_ros_cannot_do_without(tmp_path: Path, cmake: str
     assert (CUDA in decided(tmp_path, files).apt_guessed) == asked
     files["Dockerfile"] = "FROM nvidia/cuda:11.8.0-devel-ubuntu20.04\nRUN apt-get install -y ros-noetic-ros-base\n"
     assert CUDA not in decided(tmp_path, files).apt_guessed
+
+
+@pytest.mark.parametrize(
+    ("page", "asked"),
+    [
+        ("catkin_make -DWITH_GPU=ON", True),
+        ("catkin_make\n```\nOn a GPU:\n```\ncatkin_make -DWITH_GPU=ON", False),
+    ],
+)
+def test_cuda_of_an_option_that_the_page_turns_on(tmp_path: Path, page: str, asked: bool) -> None:
+    cmake = f"project(demo)\nfind_package(catkin REQUIRED)\n{GPU}if(WITH_GPU)\n  enable_language(CUDA)\nendif()\n"
+    files = {**package(), "CMakeLists.txt": cmake, "README.md": f"ROS noetic\n```\n{page}\n```\n"}
+    assert (CUDA in decided(tmp_path, files).apt_guessed) == asked
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from roslab.evidence.native.installed_paths import installed, not_there
 from roslab.evidence.native.lost_libraries import lost, named
 from roslab.evidence.native.macros import macros
 from roslab.evidence.native.made_targets import TARGET, target
+from roslab.evidence.native.optional_cuda import brings
 from roslab.evidence.native.outside import of_workspace
 from roslab.evidence.native.own_configs import configs
 from roslab.evidence.native.program_folders import VARIABLES
@@ -172,7 +173,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         top=file.folder if above.top is None else above.top,
         always=above.always,
         languages=tuple(dict.fromkeys(reading.languages)),
-        macros=tuple(reading.macros | ({"cuda": None} if "CUDA" in reading.languages else {})),
+        macros=tuple(name for name in reading.macros if name != "cuda" or brings(reading.cuda, options, repository)),
         executables=tuple((reading.written.file(name), line) for name, line in reading.executables.items()),
         dependencies=tuple(
             dict.fromkeys(
@@ -245,7 +246,8 @@ def _note(call: Call, path: str, reading: Reading) -> None:
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
     reading.files |= dict(named(call, path.rpartition("/")[0], own=reading.name is not None))
-    reading.macros |= macros(call)
+    reading.macros |= (families := macros(call))
+    reading.cuda += [told] if "cuda" in families else []
 
 
 def _joined(folder: str, path: str) -> str:

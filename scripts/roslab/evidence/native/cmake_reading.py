@@ -30,6 +30,8 @@ class Reading:
     minimum: Dependency | None = None
     languages: list[str] = field(default_factory=list)
     macros: dict[str, None] = field(default_factory=dict)
+    cuda: list[Call] = field(default_factory=list)
+    """The calls that bring CUDA."""
     executables: dict[str, int] = field(default_factory=dict)
     guards: dict[tuple[str, str], None] = field(default_factory=dict)
     optional: dict[tuple[str, str], None] = field(default_factory=dict)

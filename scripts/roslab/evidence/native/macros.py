@@ -18,6 +18,7 @@ _FOUND = (
     ("ament", pattern(r"ament_|autoware_cmake$")),
 )
 _CUDA = pattern(r"(?:CUDA|CUDAToolkit|CUDNN|TensorRT)$")
+_LANGUAGES = frozenset({"project", "enable_language"})
 
 
 def macros(call: Call) -> dict[str, None]:
@@ -28,6 +29,8 @@ def macros(call: Call) -> dict[str, None]:
         found = found | dict.fromkeys(family for family, pattern in _FOUND if pattern.match(words[0]))
         if _CUDA.match(words[0]) and "REQUIRED" in words:
             found["cuda"] = None
+    if name in _LANGUAGES and "CUDA" in words:
+        found = found | {"cuda": None}
     return found
 
 
