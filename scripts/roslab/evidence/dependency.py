@@ -78,6 +78,8 @@ class GitSource:
     """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False
     """A submodule that is not checked out; its ``ref`` is the commit that the repository records, if git tells it."""
+    moved: str = ""
+    """The name in .gitmodules of a submodule that lies at another path than its entry says: git finds none there."""
     by_name: bool = False
     """Its address is that of a repository which ROS lists under its name; it is the one if it has the commit."""
     into: str = ""

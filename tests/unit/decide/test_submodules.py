@@ -157,6 +157,8 @@ def test_a_submodule_that_was_moved_keeps_its_address(
     assert [(each.name, each.ref) for each in plan.workspace.submodules] == cloned
     told = " ".join(each.message for each in plan.warnings)
     assert ("nothing tells its address" in told) == (len(recorded) + (cloned[0][1] is None) > 1)
+    first = f"git config -f .gitmodules submodule.planner.path {cloned[0][0]} && git submodule update --init"
+    assert (first in told) == (cloned[0][1] is not None and cloned[0][0] != "old/planner")
 
 
 def test_a_library_that_a_submodule_links_is_built(tree: Tree) -> None:

@@ -87,14 +87,19 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
 
 
 def _fetched(repository: Repository, there: Sequence[GitSource]) -> str:
-    """Return the command that fetches submodules: by name where git stops at one without an address in .gitmodules."""
+    """Return the command that fetches submodules: by name where git stops at one without an address in .gitmodules.
+
+    One that was moved without its entry has its path written there first: git refuses any other.
+    """
     known = {*submodules(repository)}
     unknown = [path for path in repository.links if path not in known]
+    moved = [(f"submodule.{source.moved}.path", source.name) for source in there if source.moved]
+    first = "".join(f"git config -f .gitmodules {shlex.join(each)} && " for each in moved)
     if not unknown:
-        return "git submodule update --init --recursive"
+        return f"{first}git submodule update --init --recursive"
     paths = " ".join(shlex.quote(source.name) for source in there)
     why = f".gitmodules has no address for {', '.join(unknown[:MAX_TOLD])}, which stays empty"
-    return f"git submodule update --init --recursive {paths} ({why})"
+    return f"{first}git submodule update --init --recursive {paths} ({why})"
 
 
 def submodules(repository: Repository) -> tuple[str, ...]:
@@ -253,7 +258,8 @@ def _submodules(repository: Repository) -> tuple[GitSource, ...]:
 
     That is the only path of its name at which the commit records a commit, where it records none at that of the entry.
     """
-    modules = tuple(_of_gitmodules(repository)) if repository.has(".gitmodules") else ()
+    entries = {module: name for name, module in _of_gitmodules(repository)} if repository.has(".gitmodules") else {}
+    modules = tuple(entries)
     named = {module.name for module in modules}
     moved: dict[str, str] = {}
     for module in modules:
@@ -265,11 +271,11 @@ def _submodules(repository: Repository) -> tuple[GitSource, ...]:
     recorded = repository.recorded((*moved, *moved.values())) if moved else {}
     there = {new: old for old, new in moved.items() if new in recorded and old not in recorded}
     there = {old: new for new, old in there.items()}
-    return tuple(replace(module, name=there.get(module.name, module.name)) for module in modules)
+    return tuple(replace(m, name=there[m.name], moved=entries[m]) if m.name in there else m for m in modules)
 
 
-def _of_gitmodules(repository: Repository) -> Iterator[GitSource]:
-    """Only the .gitmodules at the root has an effect: nested ones are leftovers of copied trees."""
+def _of_gitmodules(repository: Repository) -> Iterator[tuple[str, GitSource]]:
+    """Yield each after its entry's name; only the .gitmodules at the root counts: nested ones are of copied trees."""
     text = repository.read(".gitmodules")
     import configparser  # noqa: PLC0415 - few repositories have submodules
 
@@ -281,7 +287,7 @@ def _of_gitmodules(repository: Repository) -> Iterator[GitSource]:
     for section in parser.sections():
         path, url = parser.get(section, "path", fallback=None), parser.get(section, "url", fallback=None)
         if section.startswith("submodule") and path and url:
-            yield GitSource(
+            module = GitSource(
                 name=path.strip("/"),
                 url=https(url, repository.origin),
                 ref=parser.get(section, "branch", fallback=None),
@@ -290,3 +296,4 @@ def _of_gitmodules(repository: Repository) -> Iterator[GitSource]:
                 line=_line(text, url),
                 kind="submodule",
             )
+            yield section.partition('"')[2].rstrip('"'), module
