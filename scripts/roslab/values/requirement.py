@@ -66,7 +66,7 @@ class Requirement:
     origin: RequirementOrigin
     role: Role = ""
     group: str = ""
-    """The name of the extra, if the role is ``extra``."""
+    """The name of the extra, if the role is ``extra``; of a ``project``, its manager, where it is not pip."""
     file: str = ""
     line: int = 1
     beside: bool = False

@@ -67,3 +67,40 @@ def test_one_build_of_a_lock_with_several(tree: Tree, builds: tuple[str, ...]) -
     )
     bounds = [each.written for each in python.python.bounds if each.key.startswith("torch")]
     assert bounds == ["torch==2.3.1+cu121", "torchvision==0.18.1+cu121"]
+
+
+SMALL = """\
+version = 1
+
+[[package]]
+name = "numpy"
+version = "1.26.4"
+source = { registry = "https://pypi.org/simple" }
+
+[[package]]
+name = "requests"
+version = "2.31.0"
+source = { registry = "https://pypi.org/simple" }
+"""
+SYNC, PIP = "```\nuv sync\n```\n", "```\npip install -r requirements.txt\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "listed", "installed"),
+    [
+        (f"{SYNC}Or with pip:\n{PIP}", "numpy==1.24.0\n", False),
+        ("", "numpy==1.24.0\n", False),
+        (f"{PIP}Or with uv:\n{SYNC}", "numpy==1.24.0\n", True),
+        (f"```\npip install -e .\n```\n{PIP}", "numpy==1.24.0\n", True),
+        (f"{SYNC}Then:\n{PIP}", "numpy==1.24.0\nshapely==2.0.4\n", True),
+        (f"{SYNC}Then:\n{PIP}", "numpy==1.24.0\nrequests==2.31.0\n", True),
+        (f"{SYNC}Or with pip:\n{PIP}", "numpy==1.26.4\n", True),
+    ],
+)
+def test_a_list_that_is_the_second_way_beside_a_lock(tree: Tree, page: str, listed: str, installed: bool) -> None:
+    project = PROJECT.replace('"numpy==1.26.4"', '"numpy"')
+    files = {"pyproject.toml": project, "uv.lock": SMALL, "README.md": f"# Demo\n{page}", "requirements.txt": listed}
+    found = tree({**CODE, **files})
+    assert found.python.requirements == (("requirements.txt",) if installed else ())
+    assert any("uv.lock has another" in each.message for each in found.warnings) is not installed
+    assert installed or [each.written for each in found.python.bounds] == ["numpy==1.26.4"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 
 from roslab.decide.decision import Choice
+from roslab.decide.python.beside_lock import differs, needed
 from roslab.decide.python.bounds import Constraints
 from roslab.decide.python.framework_pins import WHY_LOCKED
 from roslab.decide.python.packages import Chosen
@@ -53,7 +54,7 @@ def locked_releases(
     apart |= {need for name in apart for each in by_name.get(name, ()) for need in each.needs}
     taken = tuple(taken)
     other = {each.key for each in taken if not _agrees(each, one)}
-    other |= {each.key for each in packages if _differs(each, one)}
+    other |= {each.key for each in packages if differs(each, one)}
     other |= {name for name, same in by_name.items() if any(each.elsewhere for each in same)}
     other = _needing(_families(other), by_name) | {*INSTALLERS}
     pinned = {each.key for each in packages if each.release}
@@ -78,7 +79,7 @@ def of_what_is_installed(locked: Collection[Locked], chosen: Chosen) -> bool:
 
 def _of_an_extra(guess: Requirement, one: Mapping[str, Locked]) -> bool:
     """Tell whether an extra of the project limits a guess to what the lock has, too."""
-    return bool(guess.group and guess.package) and guess.key in one and not _differs(guess, one)
+    return bool(guess.group and guess.package) and guess.key in one and not differs(guess, one)
 
 
 def _agrees(taken: Requirement, one: Mapping[str, Locked]) -> bool:
@@ -86,12 +87,6 @@ def _agrees(taken: Requirement, one: Mapping[str, Locked]) -> bool:
     locked = one[taken.key].requirement.release if taken.key in one else None
     releases = {each.version.partition("+")[0] for each in taken.specifier if each.operator == "=="}
     return locked is not None and locked.partition("+")[0] in releases
-
-
-def _differs(asked: Requirement, one: Mapping[str, Locked]) -> bool:
-    """Tell whether a manifest asks for another release than the lock has: the lock is older, or of another part."""
-    release = one[asked.key].requirement.release if asked.key in one else None
-    return release is not None and not asked.specifier.contains(release, prereleases=True)
 
 
 def _families(names: Collection[str]) -> set[str]:
@@ -114,14 +109,7 @@ def _beneath(wanted: set[str], more: set[str], free: set[str], by_name: Mapping[
 
     Nothing where a manifest asks for what the lock does not know: the lock is older, or of another part.
     """
-    return _needed((wanted | more) - free, by_name) - _needed(free, by_name) if wanted <= {*by_name, *free} else set()
-
-
-def _needed(names: set[str], by_name: Mapping[str, Iterable[Locked]]) -> set[str]:
-    """Return the names and all that they need, directly or not."""
-    while more := {need for name in names for each in by_name.get(name, ()) for need in each.needs} - names:
-        names = names | more
-    return names
+    return needed((wanted | more) - free, by_name) - needed(free, by_name) if wanted <= {*by_name, *free} else set()
 
 
 def _has_wheel(each: Locked, python: str) -> bool:

@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Warning_
+from roslab.decide.python.beside_lock import beside_lock, left_to_lock
 from roslab.decide.python.compiling import COMPILED_ON_IMPORT
 from roslab.decide.python.gpu_projects import only_on_gpu
 from roslab.decide.python.machine_lists import not_installed, of_machines
@@ -77,9 +78,10 @@ def declares(evidence: Evidence) -> bool:
 
 
 def left_to_parts(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
-    """Yield a warning for each of these lists that is not among the chosen files."""
+    """Yield a warning for each of these lists, and of those beside a lock, that is not among the chosen files."""
     why = "only pages of folders ask for it, and the page at the root has pip install the project alone"
-    return not_installed(evidence, of_pages_below(evidence), chosen, why)
+    yield from not_installed(evidence, of_pages_below(evidence), chosen, why)
+    yield from left_to_lock(evidence, chosen)
 
 
 def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str | None) -> tuple[RequirementFile, ...]:
@@ -91,6 +93,7 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
         wanted = {posixpath.normpath(path) for path in config.requirements}
         return tuple(file for file in evidence.requirements if file.file in wanted)
     aside = for_reference(evidence) | of_parts(evidence) | of_machines(evidence) | of_pages_below(evidence)
+    aside |= beside_lock(evidence)
     run = {
         file.file: file
         for file in evidence.requirements

@@ -85,7 +85,10 @@ def manager_asks(command: Command, file: str, here: Callable[[str], str]) -> Ite
         return  # it says nothing that the project does not
     written = here(folder) + (f"[{','.join(names)}]" if names else "")
     if UNKNOWN not in written:
-        yield Requirement(name="", written=written, origin="prose", role="project", file=file, line=command.line)
+        by = command.words[0].rpartition("/")[2]
+        yield Requirement(
+            name="", written=written, origin="prose", role="project", group=by, file=file, line=command.line
+        )
 
 
 def _options(words: tuple[str, ...], manager: _Manager) -> Iterator[tuple[str, str]]:
