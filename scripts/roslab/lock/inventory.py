@@ -109,6 +109,7 @@ def _lines(text: str) -> list[tuple[str, ...]]:
 
 def _python(found: Sequence[tuple[str, ...]]) -> Iterator[Installed]:
     seen = set()
+    clones = [fields[1:5] for fields in found if fields[0] == "clone"]
     for kind, environment, name, version, installer, direct in found:
         key = (environment, canonicalize_name(name))
         if kind != "python" or not name or not version or installer == "conda" or key in seen:
@@ -116,9 +117,19 @@ def _python(found: Sequence[tuple[str, ...]]) -> Iterator[Installed]:
         seen.add(key)  # the first on the path is the one that is imported
         url, hashes = _from(direct)
         if url.startswith("file:"):
-            continue  # the repository's own, or a library of the image's
+            url = _cloned(url.removeprefix("file://"), clones)
+            if not url:
+                continue  # the repository's own, or a library of the image's
         package = Distribution(name=canonicalize_name(name), version=version, hashes=hashes, url=url)
         yield Installed(environment=environment, package=package)
+
+
+def _cloned(folder: str, clones: Sequence[tuple[str, ...]]) -> str:
+    """Return the URL of the clone that a folder belongs to, with its commit, ``""`` for none."""
+    for project, url, commit, below in clones:
+        if f"{folder}/".startswith(f"{project}/"):
+            return f"git+{url}@{commit}" + (f"#subdirectory={below}" if below else "")
+    return ""
 
 
 def _from(text: str) -> tuple[str, tuple[str, ...]]:
@@ -130,7 +141,8 @@ def _from(text: str) -> tuple[str, tuple[str, ...]]:
         data = json.loads(text) if text else {}
         url = str(data.get("url", ""))
         if version := data.get("vcs_info"):
-            return f"{version['vcs']}+{url}@{version['commit_id']}", ()
+            below = f"#subdirectory={data['subdirectory']}" if data.get("subdirectory") else ""
+            return f"{version['vcs']}+{url}@{version['commit_id']}{below}", ()
         found = (data.get("archive_info") or {}).get("hashes") or {}
         return url, (f"sha256:{found['sha256']}",) if "sha256" in found else ()
     except (ValueError, KeyError, TypeError, AttributeError):

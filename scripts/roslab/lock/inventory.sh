@@ -4,6 +4,7 @@
 #   base NAME VERSION                         one that the base brought, in a generated image
 #   history LINE                              apt's own record of what each call installed
 #   python ENVIRONMENT NAME VERSION INSTALLER DIRECT-URL
+#   clone FOLDER URL COMMIT SUBFOLDER         a folder of a repository that pip installed editable
 #   conda URL                                 a package of the conda environment, with its MD5 sum
 #   source NAME URL COMMIT                    a repository that was cloned
 set -u
@@ -30,6 +31,7 @@ packages() {
     for found in "${folder}"/*.dist-info/METADATA "${folder}"/*.egg-info/PKG-INFO "${folder}"/*.egg-info; do
       if [ ! -f "${found}" ]; then continue; fi
       direct='' installer=''
+      case "${folder}" in *-packages) ;; *) direct="{\"url\": \"file://${folder}\"}" ;; esac # an old pip's editable one
       if [ -r "${found%/*}/direct_url.json" ]; then direct="$(tr -d '\n\r\t' <"${found%/*}/direct_url.json")"; fi
       if [ -r "${found%/*}/INSTALLER" ]; then installer="$(tr -d '\n\r\t ' <"${found%/*}/INSTALLER")"; fi
       printf 'python\t%s\t%s\t%s\t%s\t%s\n' "$1" "$(field "${found}" Name)" "$(field "${found}" Version)" \
@@ -46,6 +48,8 @@ for python in python3 python; do
 done
 if command -v python2 >/dev/null 2>&1; then packages python2 python2; fi
 if [ -x /opt/jupyter/bin/python ]; then packages jupyter /opt/jupyter/bin/python; fi
+
+if [ -r /usr/local/share/roslab/clones ]; then sed "s/^/clone${tab}/" /usr/local/share/roslab/clones; fi
 
 for found in "${CONDA_PREFIX:-/opt/conda}"/conda-meta/*.json; do
   if [ ! -f "${found}" ]; then continue; fi

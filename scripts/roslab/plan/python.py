@@ -33,6 +33,8 @@ class PythonPlan:
     pip_tried: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
     """Lines of ``pip`` and ``pip_guessed`` that a page has built without isolation."""
+    editable: tuple[str, ...] = ()
+    """Lines of ``pip_guessed`` that a page clones and installs editable: the clone stays in the image."""
     conda_specs: tuple[str, ...] = ()
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
@@ -71,6 +73,7 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         pip_tried=_lines(python.pip_tried),
         pip_guessed=_lines(python.pip_guessed),
         beside=_lines(each for each in (*python.pip, *python.pip_guessed) if each.beside),
+        editable=_lines(each for each in python.pip_guessed if each.editable),
         requirements=python.requirements,
         manifests=python.manifests,
         projects=python.projects,

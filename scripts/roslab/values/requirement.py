@@ -71,6 +71,8 @@ class Requirement:
     line: int = 1
     beside: bool = False
     """Whether it is to be built beside what is installed: ``--no-build-isolation``."""
+    editable: bool = False
+    """Whether a page installs its folder so that the files there are used: ``-e``, or ``develop`` of setuptools."""
 
     @property
     def key(self) -> str:

@@ -54,12 +54,31 @@ def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> No
     assert texts == urls, "pip refuses a package that has another name than its repository"
 
 
+@pytest.mark.parametrize(
+    ("install", "editable"),
+    [
+        ("pip install -e .", True),
+        ("pip3 install --no-deps --editable .", True),
+        ("python setup.py develop --user", True),
+        ("pip install .", False),
+        ("python setup.py install", False),
+        ("pip install numpy . # -e is for developers", False),
+    ],
+)
+def test_what_a_page_installs_editable_keeps_its_clone(tree: Tree, install: str, editable: bool) -> None:
+    decision = tree({**CODE, "README.md": f"```\n{API}cd graspAPI\n{install}\n```\n"})
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
+    url = "git+https://github.com/lab/graspAPI.git"
+    assert f"{' --editable=' if editable else ' '}{url}\n" in text
+    assert ("COPY --from=scripts /clone-editable " in text) == editable
+
+
 @pytest.mark.parametrize("option", ["", " --no-build-isolation"])
 def test_what_a_page_builds_beside_torch_is_built_so_first(tree: Tree, option: str) -> None:
     page = f"```\npip install torch==2.1.0\n{API}cd graspAPI\npip install -e .{option}\n```\n"
     decision = tree({**CODE, "README.md": page})
     text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
-    assert ("--no-build-isolation=git+https://github.com/lab/graspAPI.git" in text) == bool(option)
+    assert ("--no-build-isolation=--editable=git+https://github.com/lab/graspAPI.git" in text) == bool(option)
     assert "git+https://github.com/lab/graspAPI.git" in text
 
 

@@ -158,6 +158,24 @@ def test_a_commit_of_git_has_no_hash(repository: Path) -> None:
     assert "--require-hashes" not in text
 
 
+def test_a_clone_that_is_installed_editable_comes_at_its_commit_in_its_own_step(repository: Path) -> None:
+    page = "git clone -b v1 https://github.com/a/robot.git\ncd robot/python\npip install {}.\n"
+    url, commit = "git+https://github.com/a/robot.git", "6" * 40
+    from_git = pip("robot", "1.0", url=f"{url}@{commit}#subdirectory=python")
+    made = lock(machine(python=(Environment(name="image", packages=(from_git,)),)))
+    for option, line in (
+        ("-e ", f" --editable={url}@{commit}#subdirectory=python'"),
+        ("", f"\n{url}@{commit}#subdirectory=python&egg=robot\n"),
+    ):
+        (repository / "README.md").write_text(f"# Install\n```\n{page.format(option)}```\n")
+        (repository / "roslab.lock").unlink(missing_ok=True)
+        assert f"{url}@v1#subdirectory=python'" in text_of(repository)
+        (repository / "roslab.lock").write_text(to_text(made))
+        text = text_of(repository).replace(" '", " ")
+        assert line in text
+        assert ("pip-unchecked" in text) == (not option)
+
+
 def test_a_lock_of_another_base_or_python_is_told(repository: Path) -> None:
     (repository / "roslab.lock").write_text(to_text(lock(base="python:3.8-slim", python="conda 3.8")))
     with pytest.raises(ConfigurationError) as raised:

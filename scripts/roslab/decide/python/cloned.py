@@ -45,7 +45,7 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
         name = max(at, key=lambda name: folder.rindex(f"/{name}/"), default=None)
         if name is None and before and _of_clone(asked.written, evidence):  # the page has not gone into the clone
             inside = f"git+{https(before[-1].url)}#subdirectory={folder.strip('/')}"
-            yield replace(stated(inside, "prose", asked.file, asked.line), beside=asked.beside)
+            yield replace(stated(inside, "prose", asked.file, asked.line), beside=asked.beside, editable=asked.editable)
         if name is None or canonicalize_name(at[name].name) in named:
             continue
         git = at[name]
@@ -58,7 +58,8 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
             continue  # a page may go into the repository itself after it
         ref = git.ref if git.ref and not (moves(git.ref) and name.endswith(git.ref)) else ""
         url = f"git+{https(git.url)}" + (f"@{ref}" if ref else "") + (f"#subdirectory={below}" if below else "")
-        yield replace(stated(url, "prose", asked.file, asked.line or 1), beside=asked.beside)
+        found = stated(url, "prose", asked.file, asked.line or 1)
+        yield replace(found, beside=asked.beside, editable=asked.editable)
 
 
 def _of_clone(written: str, evidence: Evidence) -> bool:

@@ -31,6 +31,7 @@ _PIP_VALUED = frozenset(
         "--platform", "--python-version", "--abi", "--implementation",
     }
 )  # fmt: skip
+_EDITABLE = frozenset({"-e", "--editable"})
 _PIP_OPTIONS = {
     "-f": "--find-links", "--find-links": "--find-links", "-i": "--index-url", "--index-url": "--index-url",
     "--extra-index-url": "--extra-index-url",
@@ -63,8 +64,8 @@ def setup_asks(command: Command, file: str, here: Callable[[str], str]) -> Itera
     """Yield the folder whose setup.py is run; ``here`` makes it relative to the text's folder."""
     script = command.words[1]
     if script.rpartition("/")[2] == "setup.py" and not builds_in_place(command.words[1:]):
-        folder = here(script.removesuffix("setup.py") or ".")
-        yield Requirement(name="", written=folder, origin="prose", role="project", file=file, line=command.line)
+        asked = _argument(here(script.removesuffix("setup.py") or "."), "project", file, command.line)
+        yield replace(asked, editable=True) if "develop" in command.words[2:] else asked
 
 
 def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterator[Requirement]:
@@ -74,7 +75,7 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
         return
     role: Role = "python2" if words[0].rpartition("/")[2].startswith("pip2") else ""
     index = words.index("install") + 1
-    editable = {word for flag, word in itertools.pairwise(words) if flag in {"-e", "--editable"}}
+    editable = {word for flag, word in itertools.pairwise(words) if flag in _EDITABLE}
     beside = "--no-build-isolation" in words
     while index < len(words):
         word, line = words[index].strip(), command.lines[index]
@@ -92,7 +93,8 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
             yield _argument(here(target), "file", file, line)
         elif not word.startswith("-") and UNKNOWN not in word:  # the path after `-e` is handled like other words
             if _PATH.search(word) or _FOLDER.fullmatch(word) or (word in editable and _NAME.fullmatch(word)):
-                yield replace(_argument(here(word), "project", file, line), beside=beside)
+                asked = _argument(here(word), "project", file, line)
+                yield replace(asked, beside=beside, editable=word in editable)
             elif (name := _bare(word)).lower() in STOP:
                 break  # the rest is a sentence, not a command
             elif found := requirement(name, "prose", file, line, role=role, repair=False):

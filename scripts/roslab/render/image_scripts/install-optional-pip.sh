@@ -3,7 +3,8 @@
 # Installs each package that pip finds, with the given options: those of a version that a page names first. For the
 # others nothing is replaced that pip has installed by then. Of one that has not the exact version which a page names,
 # one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot be built by itself is built beside what
-# is there (torch); `--no-build-isolation=PACKAGE` is built so first. The others are named and left out.
+# is there (torch); `--no-build-isolation=PACKAGE` is built so first. `--editable=git+URL` is cloned and installed from
+# its folder, which stays; where that fails, as any other. The others are named and left out.
 set -euo pipefail
 
 python="$1"
@@ -18,6 +19,7 @@ of_a_version=()
 others=()
 for package in "$@"; do
   line="${package#--no-build-isolation=}"
+  line="${line#--editable=}"
   case "${line%% @ *}" in *[\<=\>]*) of_a_version+=("${package}") ;; *) others+=("${package}") ;; esac
 done
 kept="$(mktemp)"
@@ -31,6 +33,18 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
   tries=("" --no-build-isolation)
   case "${package}" in --no-build-isolation=*) tries=(--no-build-isolation "") ;; esac
   package="${package#--no-build-isolation=}"
+  if [ "${package}" != "${package#--editable=}" ]; then
+    package="${package#--editable=}"
+    if folder="$(clone-editable "${package}")"; then
+      for try in "${tries[@]}"; do
+        if "${pip[@]}" ${try:+"${try}"} --editable "${folder}"; then
+          clone-editable --installed "${package}"
+          continue 2
+        fi
+      done
+      echo "roslab: pip cannot install ${package} editable here: it is installed from elsewhere" >&2
+    fi
+  fi
   case "${package}" in
     --) keep && continue ;;
     *[\<=\>]* | *://*) limits=() ;;
@@ -56,3 +70,4 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
   fi
   echo "pip ${package}" | tee --append /usr/local/share/roslab/left-out.txt
 done
+if command -v clone-editable >/dev/null; then clone-editable --tidy; fi

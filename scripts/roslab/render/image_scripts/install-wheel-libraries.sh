@@ -12,6 +12,7 @@ work="$(mktemp --directory)"
 # Without the distribution's own packages, for which apt has brought everything
 "$1" -c 'import sys; print("\n".join([p for p in sys.path if p.endswith("-packages") and not p.startswith("/usr/lib/")]))' \
   >"${work}/folders"
+echo /opt/cloned >>"${work}/folders" # what was cloned and is installed editable
 while read -r folder; do
   if [ -d "${folder}" ]; then find "${folder}" ! -type d -regextype posix-extended -regex '.*\.so(\.[0-9.]+)?' -print; fi
 done <"${work}/folders" >"${work}/files"

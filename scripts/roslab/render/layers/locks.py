@@ -9,10 +9,13 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import caches, shell
 from roslab.render.layers.shell import Around
+from roslab.values.pattern import pattern
 
 FOLDER = "/usr/local/share/roslab/lock"
 MACHINES = {"linux/amd64": "x86_64", "linux/arm64": "aarch64"}
 """What Python calls the machines of platforms."""
+_FROM_GIT = pattern(r"(git\+[a-z+]+://[^/]+/[^@#]+)(?:@[^#]*)?(#subdirectory=.*)?")
+"""The address of a repository, a ref, and a folder in it."""
 
 
 def apt(plan: Plan, *steps: str) -> Around:
@@ -62,8 +65,10 @@ def pip(plan: Plan, python: str, options: str, environment: str = "image") -> tu
     """Return the instruction that brings an environment's locked files, and the commands that install from them.
 
     What pip checks by a hash and what has none (a commit of git) are installed by two calls, as pip wants all or none.
+    What is cloned and installed editable is not among them: ``at_commit`` tells its step.
     """
-    packages = _packages(plan, environment)
+    cloned = set(map(_place, plan.python.editable))
+    packages = [each for each in _packages(plan, environment) if not each[0].url or _place(each[0].url) not in cloned]
     hashed: dict[tuple[str, str, str], dict[str, None]] = {}
     for package, marker in packages:
         if package.hashes:
@@ -82,6 +87,18 @@ def pip(plan: Plan, python: str, options: str, environment: str = "image") -> tu
                 f"{python} -m pip install {caches.pip_option(plan)} --no-deps{flag}{options} --requirement {file}"
             )
     return before, tuple(commands)
+
+
+def at_commit(plan: Plan, line: str) -> str:
+    """Return a line of pip that names a repository of git with the locked commit in the place of its ref."""
+    locked = (package.url for package, _ in _packages(plan, "image") if package.url)
+    return next((url for url in locked if _place(url) == _place(line)), line)
+
+
+def _place(url: str) -> tuple[str, str] | None:
+    """Return a repository and a folder in it, without a ref; ``None`` for what is from elsewhere."""
+    match = _FROM_GIT.fullmatch(url)
+    return (match[1], match[2] or "") if match else None
 
 
 def conda(plan: Plan) -> tuple[str, str]:
@@ -115,8 +132,6 @@ def _marker(platforms: Iterable[str]) -> str:
 
 
 def _unchecked(package: Distribution) -> str:
-    return (
-        f"{package.url}#egg={package.name}"
-        if package.url.startswith("git+")
-        else (package.url or f"{package.name}=={package.version}")
-    )
+    if package.url.startswith("git+"):
+        return f"{package.url}{'&' if '#' in package.url else '#'}egg={package.name}"
+    return package.url or f"{package.name}=={package.version}"

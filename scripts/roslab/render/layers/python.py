@@ -199,12 +199,17 @@ def guessed_packages(plan: Plan) -> str:
     if not plan.python.pip_guessed:
         return ""
     options = f"{caches.pip_option(plan)}{pip_options(plan.python.options)}"
-    beside = plan.python.beside
-    lines = (f"{'--no-build-isolation=' * (line in beside)}{line}" for line in plan.python.pip_guessed)
+    beside, editable = plan.python.beside, plan.python.editable
+    lines = (
+        f"{'--no-build-isolation=' * (line in beside)}"
+        + (f"--editable={locks.at_commit(plan, line)}" if line in editable else line)
+        for line in plan.python.pip_guessed
+    )
     return shell.call(
         "install-optional-pip",
         f" {interpreter(plan)} {options} --{shell.words(lines)}",
         comment="Imported or named in a page, declared nowhere else: none of them stops the build",
+        before=shell.copy_script("clone-editable") if editable else "",
         secrets=secrets.for_tries_of_pip(plan),
     )
 
