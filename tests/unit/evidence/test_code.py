@@ -98,6 +98,21 @@ def test_plugins_of_parameter_files(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("plugin", "found"),
+    [
+        ("dwb_core::DWBLocalPlanner", ["dwb_core", "dwb_critics", "dwb_plugins"]),
+        (
+            "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController",
+            ["nav2_regulated_pure_pursuit_controller"],
+        ),
+    ],
+)
+def test_plugins_that_a_plugin_loads_by_short_names(tmp_path: Path, plugin: str, found: list[str]) -> None:
+    text = f'FollowPath:\n  plugin: "{plugin}"\n  critics: ["RotateToGoal", "PathAlign"]\n'
+    assert [each.name for each in launch.plugins(tree(tmp_path, {"a.yaml": text}))] == found
+
+
+@pytest.mark.parametrize(
     ("path", "text"),
     [
         ("demo.repos", "repositories:\n  glim:\n    type: git\n    url: git@github.com:koide3/glim.git\n    version: v1.0\n"),  # noqa: E501

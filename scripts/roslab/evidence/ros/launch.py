@@ -113,7 +113,10 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
 
 
 def plugins(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the packages that parameter files and robot descriptions name, and rviz for its own files."""
+    """Return the packages that parameter files and robot descriptions name, and rviz for its own files.
+
+    What a named plugin loads by short names or by default is one of them.
+    """
     found: dict[str, Dependency] = {}
     files = [
         f
@@ -125,6 +128,11 @@ def plugins(repository: Repository) -> tuple[Dependency, ...]:
         patterns = (_PLUGIN,) if file.name.endswith(("yaml", "yml")) else (_FIND,)
         for dependency in _matches(text, file, patterns):
             found.setdefault(dependency.name, dependency)
+    for dependency in tuple(found.values()):
+        from roslab.knowledge.plugin_companions import plugin_companions  # noqa: PLC0415 - few trees name plugins
+
+        for name in plugin_companions().get(dependency.name, ()):
+            found.setdefault(name, replace(dependency, name=name))
     for file in repository.suffixed(".rviz")[:1]:
         name = "rviz2" if "rviz_common/" in repository.read(file) else "rviz"
         viewer = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=1, role="exec")
