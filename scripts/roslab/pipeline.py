@@ -81,8 +81,8 @@ def plan_repository(
 
         found = _what_is_there(repository) + nothing.of_ros(evidence, repository.suffixed(".rosinstall", ".repos"))
         if number := matlab.files(repository):
-            simulink = matlab.simulink(repository)
-            raise NothingToBuildError(nothing.of_matlab(number, found, simulink=simulink)) from None
+            octave = matlab.for_octave(repository)
+            raise NothingToBuildError(nothing.of_matlab(number, found, octave=octave)) from None
         raise NothingToBuildError(*(replace(p, message=f"{p.message}; {found}") for p in error.problems)) from None
     decision, version = _with_version(decision, evidence, repository)
     plan = make_plan(

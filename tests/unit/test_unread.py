@@ -97,6 +97,25 @@ def test_octave_is_no_hint_for_models_of_simulink(tmp_path: Path, beside: str, *
 
 
 @pytest.mark.parametrize(
+    ("files", "hinted"),
+    [
+        ({"main.m": "camera = webcam(1);\n"}, False),
+        ({"main.m": "rosinit;\n"}, False),
+        ({"main.m": "% as of webcam(1)\nplot(1)\n"}, True),
+        ({"main.m": "camera = webcam(1);\n", "webcam.m": "function c = webcam(n)\nc = n;\n"}, True),
+        ({"main.m": "a = imwarp(b, c, OutputView=imref2d([1 2]));\n"}, False),
+        ({"main.m": "if f(b, C == 1), A = 2; end % f(x, Name=value)\ng(x, 'Name', 1); D = 3;\n"}, True),
+    ],
+)
+def test_octave_is_no_hint_for_what_only_matlab_runs(tmp_path: Path, files: dict[str, str], *, hinted: bool) -> None:
+    for name, text in files.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    with pytest.raises(NothingToBuildError, match="MATLAB code") as error:
+        plan_repository(tmp_path)
+    assert ("octave" in (error.value.problems[0].hint or "")) == hinted
+
+
+@pytest.mark.parametrize(
     "config", ["matlab: {host_path: /usr/local/MATLAB/R2020b}\n", "apt: [octave]\ncommand: octave\n"]
 )
 def test_what_the_refusal_of_matlab_names_is_planned(tmp_path: Path, config: str) -> None:

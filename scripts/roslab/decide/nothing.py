@@ -55,15 +55,15 @@ def of_ros(evidence: Evidence, lists: Iterable[File]) -> str:
     return f"; what is there of ROS ({named}{more}) names packages of others alone"
 
 
-def of_matlab(files: int, found: str, *, simulink: bool) -> Problem:
+def of_matlab(files: int, found: str, *, octave: bool) -> Problem:
     """Return the problem of a tree whose only code are files of MATLAB; ``found`` says what else there is.
 
-    ``simulink``: there are models of Simulink, which Octave does not open.
+    ``octave``: nothing shows that Octave cannot run them.
     """
-    octave = "" if simulink else "; if it runs with Octave: `apt: [octave]` and `command: octave`"
+    otherwise = "; if it runs with Octave: `apt: [octave]` and `command: octave`" if octave else ""
     return Problem(
         message=f"nothing to build was found but MATLAB code: {files} .m file{'s' * (files > 1)}; "
         f"MATLAB is licensed and never in an image; {found}",
         hint="to start it with the MATLAB of the host, write its folder in roslab.yaml: `matlab: {host_path: "
-        f"/usr/local/MATLAB/R2020b}}`{octave}",
+        f"/usr/local/MATLAB/R2020b}}`{otherwise}",
     )

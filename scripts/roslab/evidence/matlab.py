@@ -15,6 +15,11 @@ _APPLE = pattern(
 
 _LOADS = pattern(r"^[ \t]*pkg[ \t]*\(?[ \t]*['\"]?load['\"]?[ \t,]+['\"]?([A-Za-z][\w-]*)", re.MULTILINE)
 
+_COMMENT = pattern(r"%[^\n]*")
+_CALLED = pattern(r"(?<![\w.])([A-Za-z]\w{2,40})[ \t]*[(;]")
+_NAME_VALUE = pattern(r"^[^%\n]{0,200}?\w\([^()%'\"\n]{1,200},[ \t]*[A-Z]\w{1,40}[ \t]*=(?!=)", re.MULTILINE)
+"""``imwarp(image, form, OutputView=view)``"""
+
 
 def files(repository: Repository) -> int:
     """Return the number of a tree's files of MATLAB, 0 where one of that ending is Objective-C."""
@@ -29,6 +34,18 @@ def loaded(repository: Repository) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name.lower() for file in found for name in _LOADS.findall(repository.read(file))))
 
 
-def simulink(repository: Repository) -> bool:
-    """Tell whether a tree has models of Simulink."""
-    return bool(repository.suffixed(".slx", ".mdl"))
+def for_octave(repository: Repository) -> bool:
+    """Tell whether Octave may run a tree's files.
+
+    It opens no models of Simulink, lacks the functions of MATLAB's products, and gives no options by ``Name=value``
+    (https://www.mathworks.com/help/matlab/matlab_prog/function-argument-syntax.html, MATLAB R2021a, 2026-11-27).
+    """
+    from roslab.knowledge.matlab_only import matlab_only  # noqa: PLC0415 - of a refusal
+
+    if repository.suffixed(".slx", ".mdl"):
+        return False
+    found = nearest([file for file in repository.suffixed(".m") if file.size])
+    texts = [repository.read(file) for file in found[:READ]]
+    lacking = matlab_only() - {file.name.partition(".")[0] for file in found}
+    called = {name for text in texts for name in _CALLED.findall(_COMMENT.sub("", text))}
+    return not (called & lacking or any(_NAME_VALUE.search(text) for text in texts))
