@@ -136,7 +136,7 @@ PROSE = (
 def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
     manifests = package_xml.read(repository) or rosbuild.read(repository)
-    repository = marked.without(repository, manifests)
+    repository = other_builders.without(marked.without(repository, manifests))
     fetched = fetching.read(repository)
     signs, intrinsics = Signs(), x86.Intrinsics()
     nowhere = Nowhere(repository, manifests, vcs.submodules(repository))

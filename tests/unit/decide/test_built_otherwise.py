@@ -72,3 +72,27 @@ def test_where_it_builds_all_that_is_told(tmp_path: Path) -> None:
 )
 def test_what_is_built_as_usual_tells_nothing(tmp_path: Path, files: dict[str, str]) -> None:
     assert told(tmp_path, files) == []
+
+
+RUNNER = {
+    "linux/CMakeLists.txt": "project(runner LANGUAGES CXX)\nadd_executable(app main.cc)\n",
+    "linux/main.cc": "#include <opencv2/core.hpp>\nint main() {}\n",
+}
+
+
+@pytest.mark.parametrize("text", ["name: app\ndependencies:\n  flutter:\n    sdk: flutter\n", "name: a\nflutter:\n"])
+def test_the_runner_of_flutter_is_not_compiled_alone(tmp_path: Path, text: str) -> None:
+    with pytest.raises(NothingToBuildError, match="nothing to build was found") as error:
+        told(tmp_path, {"pubspec.yaml": text, "lib/main.dart": "void main() {}\n", **RUNNER})
+    assert "Flutter builds pubspec.yaml, and no step of the image calls it" in str(error.value)
+
+
+def test_beside_an_app_of_flutter_the_rest_is_planned(tmp_path: Path) -> None:
+    files = {"app/pubspec.yaml": "name: app\nflutter:\n", **{f"app/{name}": text for name, text in RUNNER.items()}}
+    assert told(tmp_path, {"main.py": "import numpy\n", **files}) == []
+    assert plan_repository(tmp_path).plan.kind == "python"
+
+
+def test_a_folder_of_the_runner_s_name_without_flutter_is_compiled(tmp_path: Path) -> None:
+    assert told(tmp_path, {"pubspec.yaml": "name: app\n", **RUNNER}) == []
+    assert plan_repository(tmp_path).plan.kind == "cpp"

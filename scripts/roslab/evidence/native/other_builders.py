@@ -1,18 +1,43 @@
-"""Files of build tools that no step of the image calls, at the root of a repository."""
+"""Files of build tools that no step of the image calls, at a repository's root, and folders that only they build."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
-from roslab.knowledge.other_builders import other_builders
+from roslab.knowledge.other_builders import OtherBuilder, other_builders
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
 
 
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield one mention for each tool."""
     told = set[str]()
-    for name, tool in other_builders().items():
-        if tool not in told and repository.has(name):
-            told.add(tool)
-            yield Mention(topic="other_builder", value=tool, source="filename", file=name, line=1, text=name)
+    for each in other_builders():
+        if each.builder not in told and repository.has(each.file) and _meant(repository, each, each.file):
+            told.add(each.builder)
+            yield Mention(
+                topic="other_builder", value=each.builder, source="filename", file=each.file, line=1, text=each.file
+            )
+
+
+def without(repository: Repository) -> Repository:
+    """Return the repository without the folders whose CMake includes what only such a tool makes.
+
+    Flutter's ``linux`` includes ``flutter/ephemeral/generated_config.cmake``, which ``flutter build`` writes.
+    """
+    folders = tuple(
+        f"{file.folder}/{folder}/".lstrip("/")
+        for each in other_builders()
+        if each.makes_cmake_in
+        for file in repository.named(each.file)
+        if _meant(repository, each, file.path)
+        for folder in each.makes_cmake_in
+    )
+    if not folders:
+        return repository
+    return repository.leaving_out({file.path for file in repository.files if file.path.startswith(folders)})
+
+
+def _meant(repository: Repository, each: OtherBuilder, path: str) -> bool:
+    return not each.contains or bool(pattern(each.contains).search(repository.read(path)))
