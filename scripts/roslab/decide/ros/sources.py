@@ -11,6 +11,7 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.imported_clones import with_imported
 from roslab.decide.ros.in_tree import in_tree
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.misnamed import left_over
@@ -107,8 +108,9 @@ def decide_sources(
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys() | by_page(used, evidence)
     choice = chosen.choice(files)
+    answer = with_imported(replace(choice.answer, asked=frozenset(plain(each.name) for each in needed)), evidence)
     return with_sought(
-        replace(choice, answer=replace(choice.answer, asked=frozenset(plain(each.name) for each in needed))),
+        replace(choice, answer=answer),
         evidence,
         config,
         build_tool=build_tool,
