@@ -1,8 +1,8 @@
 #!/bin/bash
 # usage: install-python-clones PYTHON [OPTION...] -- FOLDER...
-# Has pip install, with the given options, those of the folders that hold a Python project and no package.xml, beside what is
-# there; colcon then passes them by. One that pip has installed from elsewhere is only passed by. What cannot be installed
-# is told and stops nothing.
+# Has pip install, with the given options, those of the folders that hold a Python project, no package.xml and no project of
+# CMake, beside what is there; colcon then passes them by. One that pip has installed from elsewhere is only passed by. What
+# cannot be installed is told and stops nothing.
 set -euo pipefail
 
 pip=()
@@ -13,8 +13,8 @@ done
 shift
 for folder in "$@"; do
   if [ ! -f "${folder}/setup.py" ] && [ ! -f "${folder}/pyproject.toml" ]; then continue; fi
-  if [ -n "$(find "${folder}" -name package.xml -print -quit)" ]; then continue; fi
-  if [ ! -f "${folder}/CMakeLists.txt" ]; then touch "${folder}/COLCON_IGNORE"; fi
+  if [ -f "${folder}/CMakeLists.txt" ] || [ -n "$(find "${folder}" -name package.xml -print -quit)" ]; then continue; fi
+  touch "${folder}/COLCON_IGNORE"
   if "${pip[0]}" -m pip show --quiet "$(basename "${folder}")" 2>/dev/null; then continue; fi
   echo "roslab: ${folder} has no package.xml: pip installs it with what it needs"
   install-optional-pip "${pip[@]}" -- "--no-build-isolation=${folder}"
