@@ -117,3 +117,11 @@ def test_a_file_that_the_workspace_never_comes_to_asks_for_nothing(tree: Tree) -
     inside = {f"nav/{name}": text for name, text in CODE.items()}
     both = NAV["nav/CMakeLists.txt"] + "find_package(Torch REQUIRED)\n"
     assert [each.name for each in tree(NAV | inside | {"nav/CMakeLists.txt": both}).source] == ["libtorch"]
+
+
+def test_a_component_of_catkin_that_is_no_package_of_ros_is_the_library(tree: Tree) -> None:
+    asked = "project(demo)\nfind_package(catkin REQUIRED COMPONENTS roscpp Torch)\nadd_executable(a a.cpp)\n"
+    manifest = "<package><name>demo</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend></package>"
+    page = "Tested on Ubuntu 20.04 with ROS Noetic and libtorch 1.10.2\n"
+    decision = tree(CODE | {"CMakeLists.txt": asked, "package.xml": manifest, "README.md": page})
+    assert [(each.name, each.zip) for each in decision.source] == [("libtorch", libtorch_archive("1.10.2", None))]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource, Strength
@@ -92,6 +92,7 @@ _INSIDE = pattern(
 _VERSION = pattern(r"^\d+(?:\.\d+)*$")
 _MODULE = pattern(r"^([A-Za-z][\w.+-]*?)(?:(?:>=|<=|=|>|<)[\d.]+)?$")
 MAX_LINKED = 60
+_Namespace: TypeAlias = Literal["cmake", "ros", "pkg-config", "link"]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -180,13 +181,22 @@ def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
             continue
         if name in _ROS_FINDERS:
             for component in finder.components:
-                yield replace(_dependency("ros", component, strength, call, path), required=required)
+                namespace: _Namespace = "cmake" if _no_ros_package(component) else "ros"
+                yield replace(_dependency(namespace, component, strength, call, path), required=required)
         else:
             yield replace(_dependency("cmake", name, strength, call, path, finder.version), required=required)
             for component in (*finder.components, *finder.optional):
                 lesser = "optional" if component in finder.optional else strength
                 for part in _apart(name, component):
                     yield _dependency("cmake", part, lesser, call, path)
+
+
+def _no_ros_package(component: str) -> bool:
+    """Tell whether a component of catkin is a library of its own, for which catkin calls ``find_package``: ``Torch``.
+
+    No package of ROS has capital letters: https://www.ros.org/reps/rep-0144.html, read 2026-11-27.
+    """
+    return component != component.lower() and library("cmake", component, None) is not None
 
 
 def _apart(name: str, component: str) -> tuple[str, ...]:
@@ -232,7 +242,7 @@ def _strength(call: Call, *, required: bool, quiet: bool = False) -> Strength:
 
 
 def _dependency(  # noqa: PLR0917 - called in one file, in the order of its sentence
-    namespace: Literal["cmake", "ros", "pkg-config", "link"],
+    namespace: _Namespace,
     name: str,
     strength: Strength,
     call: Call,
