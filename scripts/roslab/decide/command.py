@@ -178,7 +178,7 @@ def _obvious(
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)
     clear = len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0]))
-    if only := obvious[0] if clear else _alone(found, every):
+    if only := _behind_others(found, every) or (obvious[0] if clear else _alone(found, every)):
         why = f"the only one: {only.why}"
         argv = given(only, authored) if dockerfile and authored else only.argv
         return argv, because("command", shlex.join(argv), why, only, weight=Weight.ONLY_ONE)
@@ -205,6 +205,16 @@ def _alone(found: list[Candidate], ours: list[Candidate]) -> Candidate | None:
         return None
     whole = (c for c in ours if c.strong and not c.cut and about_running(c.heading) >= 0)
     return next((c for c in whole if c.argv[0] in LAUNCHERS or not helps(c)), None)
+
+
+def _behind_others(found: list[Candidate], ours: list[Candidate]) -> Candidate | None:
+    """Return the only program of the tree that pages run, where others' are started before it: drivers, a planner."""
+    own = [c for c in ours if c.strong]
+    only = _alone(own, own)
+    if only is None or only.argv[0] not in LAUNCHERS or helps(only):
+        return None
+    others = (c for c in found if c.strong and c not in own)
+    return only if any(c.file == only.file and c.line < only.line for c in others) else None
 
 
 def _found(candidate: Candidate) -> Reason:

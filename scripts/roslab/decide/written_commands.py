@@ -295,6 +295,6 @@ def _run(package: str, program: str, rest: tuple[str, ...], tree: _Tree) -> tupl
 
 
 def _tests(argv: tuple[str, ...]) -> bool:
-    """Tell whether a command only runs tests or benchmarks."""
-    programs = [part for part in argv if part.endswith(".py")]
+    """Tell whether a command only runs tests or benchmarks; a node that a page starts by its name may be called so."""
+    programs = [part for part in argv if argv[0] not in _WORDS and part.endswith(".py")]
     return any(part.endswith("_test.py") or places.test(part) for part in programs)
