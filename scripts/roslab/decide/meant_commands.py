@@ -142,11 +142,13 @@ def whole_of(candidates: Iterable[Candidate], evidence: Evidence, brings: Brings
 
     It has to bring two or more, or one of another package that is named like that, and more than any other that nothing
     brings, and nothing of a package that neither the tree has, nor a package.xml asks for, nor any distribution of ROS
-    released.
+    released. What MoveIt's assistant writes for a demonstration in Gazebo comes behind the one beside it without.
     """
     parts = {part.file for brought in brings.values() for part in brought}
     sizes: list[tuple[int, Candidate]] = []
     launched = _launched(candidates)
+    plain = {c.argv[-2] for c in launched if _stem(c) == "demo"}
+    launched = [c for c in launched if _stem(c) != "demo_gazebo" or c.argv[-2] not in plain]
     fewest = 1 if any(_like_its_package(c) and _part(c, evidence, brings) for c in launched) else FEWEST
     calls = launch_calls(evidence)
     for candidate in launched:

@@ -284,3 +284,50 @@ def test_packages_of_other_launch_files(tree: Tree, launch: str, more: str, name
     assert [(w.message.partition("them: ")[2].partition(";")[0], w.file) for w in said] == (
         [(named, "launch/other.launch")] if named else []
     )
+
+
+@pytest.mark.parametrize(
+    ("given", "part", "told_of"),
+    [
+        ("true", "", ["acme_arm_description"]),
+        ("false", "", []),
+        ("true", "<!-- {} -->", []),
+        ("$(arg load)", "", []),
+    ],
+)
+def test_what_the_including_file_switches_on_is_needed(tree: Tree, given: str, part: str, told_of: list[str]) -> None:
+    include = '<xacro:include filename="$(find acme_arm_description)/urdf/arm.xacro"/>'
+    more = {
+        "launch/context.launch": '<launch><arg name="load" default="false"/>\n<param if="$(arg load)" name="robot" '
+        "command=\"xacro '$(find demo)/urdf/robot.urdf.xacro'\"/></launch>\n",
+        "urdf/robot.urdf.xacro": f"<robot>{part.format(include) if part else include}</robot>\n",
+        "README.md": "ROS Noetic\n```\nroslaunch demo demo.launch\n```\n",
+    }
+    launch = f'<include file="$(find demo)/launch/context.launch">\n<arg name="load" value="{given}"/>\n</include>\n'
+    decision = tree({**PACKAGE, "launch/demo.launch": f"<launch>\n{launch}{NODE}</launch>", **more})
+    words = [w.message for w in decision.warnings if w.message.startswith("the default command needs the package")]
+    assert [message.split()[6].rstrip(",") for message in words] == told_of
+
+
+def test_a_description_that_another_distribution_released_comes_from_its_repository(tree: Tree) -> None:
+    more = {"README.md": "ROS Melodic\n```\nroslaunch demo demo.launch\n```\n"}
+    load = '<param name="robot" command="xacro $(find demo)/robot.xacro"/>'
+    more["robot.xacro"] = '<robot><xacro:include filename="$(find ur_e_description)/urdf/ur5e.urdf.xacro"/></robot>'
+    decision = tree({**PACKAGE, "launch/demo.launch": f"<launch>{load}{NODE}</launch>", **more})
+    assert [(each.name, each.ref) for each in decision.source] == [("universal_robot", "1.2.7")]
+    assert not [w for w in decision.warnings if "ur_e_description" in w.message]
+
+
+def test_moveits_demonstration_comes_before_the_one_in_gazebo(tree: Tree) -> None:
+    parts = {f"launch/{name}.launch": f"<launch>{NODE}</launch>\n" for name in ("move_group", "rviz", "gazebo")}
+    load = '<include file="$(find demo)/launch/{}.launch"/>'
+    demo = {"launch/demo.launch": f"<launch>{load.format('move_group')}{load.format('rviz')}</launch>\n"}
+    demo["launch/demo_gazebo.launch"] = demo["launch/demo.launch"].replace("</l", f"{load.format('gazebo')}</l")
+    more = {f"launch/start_{number}.launch": f"<launch>{NODE}</launch>\n" for number in range(6)}
+    manifest = PACKAGE["package.xml"].replace("demo", "arm")
+    files = {
+        file: text.replace("find demo", "find arm").replace('"demo"', '"arm"')
+        for file, text in (parts | demo | more).items()
+    }
+    decision = tree({**PACKAGE, **files, "package.xml": manifest})
+    assert decision.command == ("roslaunch", "arm", "demo.launch")

@@ -13,6 +13,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.always_run import always_run
 from roslab.evidence.ros import author_paths
+from roslab.evidence.ros.given_arguments import Given, filled, given_to
 from roslab.evidence.ros.gone import included_elsewhere
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -76,7 +77,7 @@ class _Follow:
         self.repository, self.conditional = repository, conditional
         self.launch = {each.file: each for each in launch}
         self.packages = {name: folder for folder, name in folders.items()}
-        self.read: dict[str, tuple[tuple[str, ...], tuple[Dependency, ...]]] = {}
+        self.read: dict[tuple[str, Given], tuple[tuple[tuple[str, Given], ...], tuple[Dependency, ...]]] = {}
 
     def needs(self, start: LaunchFile) -> Iterator[Dependency]:
         """Yield each package once that the files need which a launch file loads, but not what it names itself."""
@@ -123,59 +124,65 @@ class _Follow:
 
     def _loaded(self, start: str) -> Iterator[str]:
         """Yield a launch file and each file once that it loads."""
-        taken, waiting = set[str](), [start]
+        told, taken = set[str](), set[tuple[str, Given]]()
+        waiting: list[tuple[str, Given]] = [(start, ())]
         while waiting and len(taken) < MOST:
-            path = waiting.pop(0)
-            if path not in taken:
-                taken.add(path)
-                yield path
-                waiting += self._of(path)[0]
+            path, given = waiting.pop(0)
+            if (path, given) not in taken:
+                taken.add((path, given))
+                yield from (path,) if path not in told else ()
+                told.add(path)
+                waiting += self._of(path, given)[0]
 
     def _file(self, path: str) -> File | None:
         found = next((each for each in self.repository.named(posixpath.basename(path)) if each.path == path), None)
         return found if found and found.size <= MAX_SIZE else None
 
-    def _of(self, path: str) -> tuple[tuple[str, ...], tuple[Dependency, ...]]:
-        """Return the files that a file loads and the packages that it needs."""
-        if path not in self.read:
-            self.read[path] = self._reading(path)
-        return self.read[path]
+    def _of(self, path: str, given: Given = ()) -> tuple[tuple[tuple[str, Given], ...], tuple[Dependency, ...]]:
+        """Return the files that a file loads, each with the arguments that it is given, and the packages it needs."""
+        if (path, given) not in self.read:
+            self.read[path, given] = self._reading(path, given)
+        return self.read[path, given]
 
-    def _reading(self, path: str) -> tuple[tuple[str, ...], tuple[Dependency, ...]]:
+    def _reading(self, path: str, given: Given) -> tuple[tuple[tuple[str, Given], ...], tuple[Dependency, ...]]:
         if (file := self._file(path)) is None:
             return (), ()
         text = self.repository.read(file)
         if path in self.launch:
-            loads = self._quoted(text) if path.endswith(".py") else self._started(_without(_COMMENT, text))
+            xml = filled(_without(_COMMENT, text), given)
+            loads = ((each, ()) for each in self._quoted(text)) if path.endswith(".py") else self._started(xml)
             named = self.launch[path].dependencies
             return tuple(loads), tuple(d for d in named if d.namespace == "ros" and d.strength != "optional")
         if path.endswith(_DESCRIPTIONS):
             text = _always(_without(_COMMENT, text))
-            return tuple(self._files(text)), tuple(_asked(m[1], m, text, file) for m in _FOUND.finditer(text))
+            return tuple((each, ()) for each, _ in self._files(text)), tuple(
+                _asked(m[1], m, text, file) for m in _FOUND.finditer(text)
+            )
         if path.endswith(".py"):
             found = _LOOKED_UP.finditer(text) if any(call in text for call in _LOOK_UP) else ()
             return (), tuple(_asked(m[1], m, text, file) for m in found if always_run(text, m.start()))
         return (), ()
 
-    def _started(self, text: str) -> Iterator[str]:
+    def _started(self, text: str) -> Iterator[tuple[str, Given]]:
         """Yield the files that a launch file in XML includes or loads, and the programs of Python that it starts."""
-        yield from self._files(text)
+        yield from ((each, given_to(text, place)) for each, place in self._files(text))
         for match in _NODE.finditer(text):
             said = dict(_SAID.findall(match[1]))
             name, folder = said.get("type") or said.get("exec") or "", self.packages.get(said.get("pkg", ""))
             if name.endswith(".py") and folder is not None and not self.conditional(text, match.start(), match.end()):
-                there = [
-                    each.path
+                there: list[tuple[str, Given]] = [
+                    (each.path, ())
                     for each in self.repository.named(name)
                     if each.path.startswith(f"{folder}/" if folder else "")
                 ]
                 yield from there if len(there) == 1 else ()
 
-    def _files(self, text: str) -> Iterator[str]:
+    def _files(self, text: str) -> Iterator[tuple[str, int]]:
+        """Yield the files of the tree's packages that a text names to load, each with its place in the text."""
         for match in _FOUND.finditer(text):
             folder = self.packages.get(match[1])
             if match[2] and folder is not None and not self.conditional(text, match.start(), match.end()):
-                yield posixpath.normpath(posixpath.join(folder, match[2]))
+                yield posixpath.normpath(posixpath.join(folder, match[2])), match.start()
 
     def _quoted(self, text: str) -> Iterator[str]:
         """Yield what a launch file in Python names that is the only file of its name."""
