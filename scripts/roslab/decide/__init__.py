@@ -46,6 +46,7 @@ from roslab.decide.ros.used import asked
 from roslab.decide.ros.with_recipes import with_recipes
 from roslab.decide.ros.workspace import of_one_ros, of_what_is_built, packages_of
 from roslab.decide.steps import decide_steps
+from roslab.decide.switched_off import without_what_is_lacking
 from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.as_tried import as_tried
 from roslab.decide.system.compiled_signs import with_compiled_signs
@@ -105,7 +106,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     dockerfile = own.answer.file if own.answer else None
     mended = decide_bases(evidence, config, dockerfile)
     base, cuda, python = as_authored(dockerfile, evidence, config, mended.answer, base=base, cuda=cuda, python=python)
-    command = decide_command(evidence, config, kind.answer, dockerfile, python.answer.version)
+    evidence, command = without_what_is_lacking(
+        evidence, config, decide_command(evidence, config, kind.answer, dockerfile, python.answer.version), distro
+    )
     evidence = of_this_ubuntu(
         required_by_command(evidence, command.answer.command, kind.answer), base.answer.ubuntu, distro
     )

@@ -36,6 +36,8 @@ class LaunchFile:
     """Of these the package, the program and the one most like it, where it is a package of the tree without that."""
     demands: tuple[str, ...] = ()
     """Arguments without a default, without which it is not started."""
+    switches: tuple[tuple[str, str], ...] = ()
+    """Packages of which it includes something only where an argument is true, as it is by default, each with that."""
     variables: tuple[tuple[str, int], ...] = ()
     """Variables of the environment without which it does not start, each with its line."""
     foreign: tuple[tuple[str, str], ...] = ()

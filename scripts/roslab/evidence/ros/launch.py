@@ -17,6 +17,7 @@ from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
 from roslab.evidence.ros.included_launches import included
 from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES, conditional, started
+from roslab.evidence.ros.launch_switches import switches
 from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.unmade_nodes import with_unmade
 from roslab.evidence.ros.worlds import opens_window
@@ -104,6 +105,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
                 demands=_demanded(text) if xml else _declared(text) if python else (),
+                switches=switches(text) if old else (),
                 variables=launch_variables.needed(text, conditional) if xml else (),
                 **_tested(text, repository if old else None),
             )
