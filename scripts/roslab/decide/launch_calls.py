@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Mapping
 
+from roslab.decide.ros.slips import meant
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
+from roslab.knowledge.released import ever_released
 
 
 def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
@@ -18,6 +20,26 @@ def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
     named = [(each.file, each.package, each.file.rpartition("/")[2]) for each in evidence.launch if each.package]
     often = Counter((package, name) for _, package, name in named)
     return {file: (file,) if often[package, name] > 1 else (package, name) for file, package, name in named}
+
+
+def names_of_launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
+    """Return the names of the launch files of each package, ``""`` for those of none."""
+    found: dict[str, set[str]] = {}
+    for launch in evidence.launch:
+        found.setdefault(launch.package or "", set()).add(launch.file.rpartition("/")[2])
+    return {package: frozenset(names) for package, names in found.items()}
+
+
+def of_own_package(words: tuple[str, ...], launched: Mapping[str, Collection[str]]) -> tuple[str, ...]:
+    """Return package, launch file and arguments, with the tree's package of nearly that name which has the file.
+
+    A page may misspell it. What is a package of a distribution is meant.
+    """
+    package, *rest = words
+    if package in launched or not rest or ever_released(package):
+        return words
+    near = [name for name in meant(package, launched.keys()) if rest[0] in launched[name]]
+    return (near[0], *rest) if len(near) == 1 else words
 
 
 def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collection[str]) -> tuple[str, ...]:

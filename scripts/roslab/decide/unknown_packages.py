@@ -8,6 +8,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought import tried
 from roslab.decide.ros.source_names import plain
 from roslab.decide.system.needs import started
@@ -42,8 +43,16 @@ def decide_unknown_packages(
     }
     if not found:
         return Choice(answer=None)
+    own = {name for name in (manifest.name for manifest in evidence.manifests) if name}
+    slips = {name: near[0] for name in found if len(near := meant(name, own)) == 1}
+    told = tuple(
+        warn(f"the README runs {name}, and {near} of the tree is meant: correct the name there", found.pop(name))
+        for name, near in slips.items()
+    )
+    if not found:
+        return Choice(answer=None, warnings=told)
     more = f" and {len(found) - MOST} more" if len(found) > MOST else ""
     what = f"{', '.join([*found][:MOST])}{more}: nothing is known to bring a package of that name"
     hint = "these commands do not start; give its repository under `source` in roslab.yaml"
     first = next(iter(found.values()))
-    return Choice(answer=None, warnings=(warn(f"the README runs programs of {what}, and {hint}", first),))
+    return Choice(answer=None, warnings=(*told, warn(f"the README runs programs of {what}, and {hint}", first)))

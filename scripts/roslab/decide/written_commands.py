@@ -10,7 +10,7 @@ from roslab.decide.absent import absent
 from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
 from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
-from roslab.decide.launch_calls import call_of, launch_calls, without_package
+from roslab.decide.launch_calls import call_of, launch_calls, names_of_launch_files, of_own_package, without_package
 from roslab.decide.made_folders import made_before
 from roslab.decide.pages_of_tools import of_a_tool
 from roslab.decide.programs import compiled as programs_of
@@ -70,7 +70,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         programs=tuple(script.file for script in evidence.programs),
         nodes=frozenset(script.file for script in evidence.programs if script.kind == "node" and not ros),
         compiled=in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
-        launched=_launch_files(evidence),
+        launched=names_of_launch_files(evidence),
         calls=launch_calls(evidence),
         alone=frozenset(each.file for each in evidence.launch if not each.package),
         simulators=simulators_of(evidence),
@@ -178,13 +178,6 @@ class _Tree:
     """Programs that a Makefile may compile, each with its folder."""
 
 
-def _launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:
-    found: dict[str, set[str]] = {}
-    for launch in evidence.launch:
-        found.setdefault(launch.package or "", set()).add(launch.file.rpartition("/")[2])
-    return {package: frozenset(names) for package, names in found.items()}
-
-
 def _runnable(
     words: tuple[str, ...], mention: Mention, tree: _Tree, *, ros: bool, compiled: bool
 ) -> tuple[str, ...] | None:
@@ -225,7 +218,8 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
     start = argv[:1] if argv[0] == "roslaunch" else argv[:2] if argv[1:2] == ("launch",) else ()
     if not start:
         return _program_of_ros(argv, tree)
-    package, *rest = argv[len(start) :]
+    package, *rest = words = of_own_package(argv[len(start) :], tree.launched)
+    argv = (*start, *words)
     if LAUNCH.search(package) or package in tree.alone:
         call = call_of(package, tree.calls, tree.alone)
         return (*start, *call, *rest) if call else None
