@@ -26,7 +26,7 @@ from roslab.decide.python.paths import python_path
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.in_tree import apart
-from roslab.decide.ros.keys import by_pip, stopping
+from roslab.decide.ros.keys import by_pip, once, stopping
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
@@ -103,7 +103,8 @@ def _unknown_packages(of: Choices, evidence: Evidence, config: Config) -> Choice
 
 def _as_needed(of: Choices, evidence: Evidence, needed: tuple[str, ...]) -> Choice[SystemPackages]:
     """Return the system packages with what is told of those without which the default command does not start."""
-    return replace(of.system, warnings=tuple(stopping(of.system.warnings, of.packages, needed, evidence)))
+    told = once(of.system.warnings, of.missing.warnings)
+    return replace(of.system, warnings=tuple(stopping(told, of.packages, needed, evidence)))
 
 
 def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name: str) -> Decision:

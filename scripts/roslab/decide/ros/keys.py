@@ -24,6 +24,7 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 _NO_KEY = pattern(r"rosdep has no key (\S+) for ROS (\S+): (.+)")
+_OF_CMAKE = pattern(r"nothing is known that brings (\S+), which CMake requires")
 _GOES_ON = ", and goes on without it where it is not there"
 _LOOKS = f"the build looks for it in {{}}{_GOES_ON}"
 _STOPS = "the build looks for it in {}, and stops where it is not there"
@@ -242,6 +243,15 @@ def stopping(
         package = stopped.get(match[1]) if match else None
         said = warning.message.replace(_GOES_ON, _STOPS_AT.format(package)) if package else warning.message
         yield replace(warning, message=said)
+
+
+def once(warnings: Iterable[Warning_], of_cmake: Iterable[Warning_]) -> Iterator[Warning_]:
+    """Yield the warnings without those on keys of which CMake's tell more, unless another name is meant."""
+    told = {match[1] for each in of_cmake if (match := _OF_CMAKE.match(each.message))}
+    for warning in warnings:
+        match = _NO_KEY.fullmatch(warning.message)
+        if not (match and match[1] in told and " meant?)" not in match[3]):
+            yield warning
 
 
 def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:
