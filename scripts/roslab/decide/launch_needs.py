@@ -87,6 +87,15 @@ def decide_launch_needs(
         for package, name, file, line in launch.gone
     ]
     told += _elsewhere(evidence, launch, ros_distro)
+    told += [
+        Warning_(
+            message=f"the default command loads {file}, which names {path}, a path of its author's computer: it is not "
+            "in the image; write a path of the tree there, or mount what is meant",
+            file=file,
+            line=line,
+        )
+        for file, path, line in launch.homes
+    ]
     told += unmade_nodes(evidence, launch)
     told += lacking_simulators(evidence, config, launch, given)
     told += lacking_vendors(evidence, config, launch, ros_distro)

@@ -61,6 +61,7 @@ def with_reached(
             foreign=tuple(follow.foreign(each)) if each.ros == 1 else (),
             elsewhere=tuple(follow.elsewhere(each.file)),
             gone=tuple(follow.gone(each.file)),
+            homes=tuple(follow.homes(each.file)),
         )
         for each in found
     )
@@ -107,6 +108,13 @@ class _Follow:
             file = self._file(path) if path != start and path.endswith(".py") and path not in self.launch else None
             if file is not None:
                 yield from ((path, folder, line) for folder, line in author_paths.read(self.repository.read(file)))
+
+    def homes(self, start: str) -> Iterator[tuple[str, str, int]]:
+        """Yield the parameter files that a launch file loads and that have a path below an author's home, with that."""
+        for path in self._loaded(start):
+            file = self._file(path) if path.endswith((".yaml", ".yml")) and path not in self.launch else None
+            if file and (found := author_paths.in_parameters(self.repository.read(file))):
+                yield (path, *found)
 
     def _installed(self, path: str) -> bool:
         made = (
