@@ -19,6 +19,7 @@ def _patterns() -> dict[str, tuple[re.Pattern[str], ...]]:
     return {kind: tuple(pattern(row["pattern"]) for row in rows("windows") if row["where"] == kind) for kind in kinds}
 
 
+@cache
 def opens(where: str, name: str) -> bool:
     """Tell whether a library opens windows, by its name for ``find_package``, its header or its Python module."""
     return any(each.search(name) for each in _patterns().get(where, ()))

@@ -13,6 +13,7 @@ from roslab.evidence.native.limits import Signs, conditional, tells
 from roslab.evidence.native.message_headers import MessageHeaders
 from roslab.evidence.native.nowhere import Nowhere
 from roslab.knowledge.libraries import library, only_missed
+from roslab.knowledge.windows import opens
 from roslab.knowledge.windows import shown as shown_by
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
@@ -70,6 +71,7 @@ def read(
             if name not in outside:
                 inside[name] = not _standard(name) and _local(repository, name)
                 outside[name] = not _standard(name) and not inside[name]
+            _note_copied(repository, file, match, opened)
             lost = (
                 (outside[name] or name.startswith(".")) and nowhere and nowhere.header(name, file, text, match.start())
             )
@@ -102,12 +104,26 @@ def _is_settled(name: str, signs: Signs | None) -> bool:
 
 def _note_windows(file: File, text: str, opened: dict[str, Dependency]) -> None:
     """Note the libraries whose calls in a file open windows, each at its first place, and in each example."""
-    example = places.example(file.path)
     for opener, place in shown_by(text, "c++").items():
-        at = text.count("\n", 0, place) + 1
-        role = "example" if example else "build"
-        said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=at, role=role)
-        opened.setdefault(f"{opener} {file.path}" if example else opener, said)
+        _note_window(file, opener, text.count("\n", 0, place) + 1, opened)
+
+
+def _note_window(file: File, opener: str, line: int, opened: dict[str, Dependency]) -> None:
+    example = places.example(file.path)
+    role = "example" if example else "build"
+    said = Dependency(namespace="call", name=opener, strength="used", file=file.path, line=line, role=role)
+    opened.setdefault(f"{opener} {file.path}" if example else opener, said)
+
+
+def _note_copied(repository: Repository, file: File, include: re.Match[str], opened: dict[str, Dependency]) -> None:
+    """Note a library of windows that is copied into the tree: its header is there, and only in vendored code."""
+    name = include[1]
+    if not opens("include", name):
+        return
+    files = repository.by_name.get(name.rpartition("/")[2].lower(), ())
+    ours = [each.path for each in files if f"/{each.path}".endswith(f"/{name}")]
+    if ours and all(map(places.vendored, ours)):
+        _note_window(file, name, include.string.count("\n", 0, include.start(1)) + 1, opened)
 
 
 def _includes(text: str, settled: Collection[str]) -> Iterator[re.Match[str]]:
