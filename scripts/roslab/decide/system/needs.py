@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Kind
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.compiled_libraries import needs_of_libraries
 from roslab.decide.system.documentation import without_documentation
 from roslab.decide.system.names import written_for
 from roslab.decide.system.switches import given, switched_off
@@ -53,6 +54,8 @@ def _all(
         if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:
             yield dependency, False
     for dependency in _made(evidence) if kind in {"cpp", "cuda"} else ():
+        yield dependency, False
+    for dependency in needs_of_libraries(evidence) if kind != "python" else ():
         yield dependency, False
     for dependency in started(evidence, kind):
         yield dependency, False

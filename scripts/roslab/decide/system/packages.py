@@ -60,6 +60,7 @@ _HOW = {
     "shebang": "the first line of a program names {}",
     "named": "the page names {}",
     "linked": "a compiled file of the tree is linked with {}",
+    "compiled": "a library compiled with the project needs {}",
     "make": "what compiles the project calls {}",
     "script": "a script that the page compiles with names {}",
     "octave": "a program that the page runs needs {}",
