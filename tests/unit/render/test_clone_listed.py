@@ -100,7 +100,13 @@ BOTH = AMENT.replace("<name>", '<buildtool_depend condition="$ROS_VERSION == 1">
         (("--ros2",), BOTH, {"ros2": AMENT}, BOTH, ""),
         (("--ros2",), AMENT, {"ros2": BOTH}, AMENT, ""),
         (("--ros2",), "<package><name>a</name></package>", {"ros2": AMENT}, "<package><name>a</name></package>", ""),
+        (("--ros1",), AMENT, {"ros1": CATKIN}, CATKIN, "its branch ros1 is taken"),
+        (("--ros1", "--before", "2999-01-01"), AMENT, {"humble-devel": CATKIN}, CATKIN, "its branch humble-devel is"),
+        (("--ros1",), AMENT, {"ros1": AMENT}, AMENT, "no branch for ROS 1"),
+        (("--ros1",), BOTH, {"ros1": CATKIN}, BOTH, ""),
+        (("--ros1",), CATKIN, {"ros2": AMENT}, CATKIN, ""),
         ((), CATKIN, {"ros2": AMENT}, CATKIN, ""),
+        ((), AMENT, {"ros1": CATKIN}, AMENT, ""),
     ],
 )
 def test_packages_of_the_other_ros(
@@ -125,10 +131,10 @@ def test_packages_of_the_other_ros(
     answer = _run(*options, remote.as_uri(), str(tmp_path / "copy"))
     assert (answer.returncode, (tmp_path / "copy/a/package.xml").read_text()) == (0, taken), answer.stderr
     assert told in answer.stdout
-    assert ("of ROS 1 alone" in answer.stdout) == bool(told)
+    assert (f"of ROS {1 if '--ros2' in options else 2} alone" in answer.stdout) == bool(told)
 
 
-@pytest.mark.parametrize(("kind", "option"), [("ros1", ""), ("ros2", "--ros2 ")])
+@pytest.mark.parametrize(("kind", "option"), [("ros1", "--ros1 "), ("ros2", "--ros2 ")])
 def test_it_is_told_for_which_ros(plan: Callable[..., Plan], kind: str, option: str) -> None:
     source = Source(name="quad", repo="https://example.org/quad.git", ref="devel", build="colcon", listed=True)
     text = dockerfile(plan(kind=kind, sources=(source,)))

@@ -1,21 +1,21 @@
 #!/bin/bash
-# usage: clone-listed [--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
+# usage: clone-listed [--ros1|--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
 # Clones to a folder of the workspace, as its owner's, a repository that a list or a page names. Where its host asks for a
 # password or has no such repository, it is named and left out, as are such submodules; what else fails stops the build.
-#   --ros2           for a workspace of ROS 2: where all its packages are of ROS 1, a branch for ROS 2 is taken if there is one
+#   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
 #   --ref REF        a tag or commit
 #   --branch BRANCH  a branch, which may be gone
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD)
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-ref='' branch='' day='' ros2=''
+ref='' branch='' day='' ros=''
 while [[ "$1" = --* ]]; do
-  if [ "$1" = --ros2 ]; then
-    ros2=yes
-    shift
-    continue
-  fi
   case "$1" in
+    --ros[12])
+      ros="${1#--ros}"
+      shift
+      continue
+      ;;
     --ref) ref="$2" ;;
     --branch) branch="$2" ;;
     --before) day="$2" ;;
@@ -66,18 +66,25 @@ of_day() { # BRANCH
 if [ -n "${day}" ]; then take "$(of_day HEAD)"; fi
 
 has() { git -C "${folder}" grep --quiet --extended-regexp "$1" "$2" -- 'package.xml' '*/package.xml'; }
-if [ -n "${ros2}" ] && has '<buildtool_depend[^>]*>\s*catkin' HEAD && ! has 'ament|<build_type>\s*cmake' HEAD; then
-  said="${url} has packages of ROS 1 alone at $(git -C "${folder}" rev-parse --short HEAD)"
-  for other in ros2 ${ROS_DISTRO:+"${ROS_DISTRO}" "${ROS_DISTRO}-devel" "ros2-${ROS_DISTRO}"} ros2-devel ros2-master; do
+catkin='<buildtool_depend[^>]*>\s*catkin' ament='ament|<build_type>\s*cmake' ours='' theirs=''
+if [ "${ros}" = 1 ]; then
+  ours="${catkin}" theirs=ament
+elif [ "${ros}" = 2 ]; then
+  ours="${ament}" theirs="${catkin}"
+fi
+if [ -n "${ros}" ] && has "${theirs}" HEAD && ! has "${ours}" HEAD; then
+  said="${url} has packages of ROS $((3 - ros)) alone at $(git -C "${folder}" rev-parse --short HEAD)"
+  named=("ros${ros}" ${ROS_DISTRO:+"${ROS_DISTRO}" "${ROS_DISTRO}-devel" "ros${ros}-${ROS_DISTRO}"} "ros${ros}-devel" "ros${ros}-master")
+  for other in "${named[@]}"; do
     if ! git -C "${folder}" rev-parse --quiet --verify "origin/${other}" >/dev/null; then continue; fi
     at="$(of_day "origin/${other}")"
-    if has ament "${at}"; then
+    if has "${ours%%|*}" "${at}"; then
       take "${at}"
       said+=": its branch ${other} is taken"
       break
     fi
   done
-  if [[ "${said}" != *taken ]]; then said+=", and no branch for ROS 2: what needs it cannot be built"; fi
+  if [[ "${said}" != *taken ]]; then said+=", and no branch for ROS ${ros}: what needs it cannot be built"; fi
   echo "roslab: ${said}"
 fi
 if ! try -C "${folder}" submodule update --init --recursive; then leave_out "submodules of ${url}"; fi

@@ -58,7 +58,7 @@ def _all_listed(plan: Plan, sources: list[Source]) -> list[str]:
         return []
     scripts = [LISTED, shell.CHECKOUT] if any(map(_is_branch, sources)) else [LISTED]
     why = "# What lists and pages name: what only its author can clone is told and left out"
-    script = f"{LISTED} --ros2" if plan.kind == "ros2" else LISTED
+    script = f"{LISTED} --{plan.kind}" if plan.kind in {"ros1", "ros2"} else LISTED
     runs = [shell.run(_called(script, s), secrets=secrets.for_git(plan)) for s in sources]
     return [why, "USER root", *(shell.copy_script(name).rstrip() for name in scripts), *runs, "USER ${NB_USER}"]
 
