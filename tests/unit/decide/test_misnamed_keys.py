@@ -32,6 +32,21 @@ def test_the_names_of_pip_are_ubuntus_packages(tree: Tree, key: str, apt: str) -
     assert decision.source == ()
 
 
+@pytest.mark.parametrize(
+    ("cmake", "code", "apt"),
+    [
+        ("find_package(pcl REQUIRED)\n", "", "libpcl-dev"),
+        ("", "#include <pcl/point_types.h>\n", "libpcl-dev"),
+        ("", "", "python3-pcl"),
+    ],
+)
+def test_a_library_of_the_code_is_no_package_of_pip(tree: Tree, cmake: str, code: str, apt: str) -> None:
+    files = _files("pcl")
+    decision = tree({**files, "CMakeLists.txt": files["CMakeLists.txt"] + cmake, "src/a.cpp": code})
+    assert {"libpcl-dev", "python3-pcl"} & {*decision.apt, *decision.apt_guessed} == {apt}
+    assert [each.message for each in decision.warnings if f"{apt} is installed for it" in each.message]
+
+
 def test_a_build_type_is_no_package(tree: Tree) -> None:
     decision = tree(_files("ament_python"))
     assert decision.skip_keys == ("ament_python",)

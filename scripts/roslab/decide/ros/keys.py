@@ -124,6 +124,16 @@ def own_packages(keys: Iterable[Dependency], evidence: Evidence, target: Target)
     return found
 
 
+def _of_code(key: Dependency, evidence: Evidence) -> bool:
+    """Tell whether CMake of the key's package asks for it by its name, or the package's code includes its headers."""
+    folder = key.file.rpartition("/")[0]
+    cmake = f"{folder}/CMakeLists.txt".lstrip("/")
+    if any(d.name == key.name for project in evidence.cmake if project.file == cmake for d in project.dependencies):
+        return True
+    included = (d for d in evidence.code if d.namespace == "include" and d.name.startswith(f"{key.name}/"))
+    return any(not folder or d.file.startswith(f"{folder}/") for d in included)
+
+
 def translate(
     key: Dependency,
     target: Target,
@@ -131,22 +141,24 @@ def translate(
     cloned: bool,
     submodules: tuple[str, ...] = (),
     tried: str = "",
+    evidence: Evidence,
 ) -> Translated:
     """Return what to do about a key that rosdep cannot resolve: a library's packages or recipe, else a warning.
 
     ``cloned``: a sister repository, whose packages are not known before it is cloned, may hold it. ``submodules``: the
     folders of submodules; one that is named like the key and has no package.xml is not checked out. ``tried``: where
-    the build looks for it, in words.
+    the build looks for it, in words. ``evidence``: code of C++ may be compiled with it.
     """
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or "") or _of_python_2(name, target):
         return Translated()
     if useless := _useless(name, target.ros_distro):
         return Translated(skip=True, warning=warn(useless, key))
-    if python := packaged(name, target):
+    found = library("cmake", name, target.ubuntu)
+    python = packaged(name, target)
+    if python and not (found and found.apt and _of_code(key, evidence)):
         message = f"{name} is the name of a package of pip, not a key of rosdep: {python[0]} is installed for it"
         return Translated(guessed=python, skip=True, warning=warn(message, key))
-    found = library("cmake", name, target.ubuntu)
     if found and found.ros and target.knows(found.ros):
         found = replace(found, apt=(target.ros(found.ros),))
     if found is None or not (found.apt or found.recipe):

@@ -137,7 +137,7 @@ def decide_system(
         if key.name not in found.skip:
             cloned, where = may_hold(key.name), tried.get(key.name, "")
             meant = of_controller(key, ours, target) or translate(
-                key, target, cloned=cloned, submodules=submodules, tried=where
+                key, target, cloned=cloned, submodules=submodules, tried=where, evidence=evidence
             )
             _keep(key, meant, found)
     defined = ((each, False) for listed in own.values() for each in listed)
