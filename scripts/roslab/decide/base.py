@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from roslab.config.model import Config, Kind
+from roslab.decide.cuda.opengl import for_opengl
 from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.day import existed
@@ -144,7 +145,9 @@ def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
     own = [
         authored
         for authored in evidence.dockerfiles
-        if authored.purpose == "project" and (authored.base or "").startswith(_ROOTS)
+        if authored.purpose == "project"
+        and (authored.base or "").startswith(_ROOTS)
+        and not for_opengl(evidence, authored)
     ]
     own.sort(
         key=lambda authored: (
