@@ -15,6 +15,7 @@ from roslab.decide.programs import in_packages
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import NOTEBOOK
 from roslab.decide.startable_launches import unstartable
+from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.switches import given
 from roslab.decide.unmade_nodes import with_unmade
 from roslab.decide.written_commands import written
@@ -54,6 +55,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         yield from nodes if all(each.file in vain for each in launched) else ()
     elif compiled:
         yield from (_below(each, evidence) for each in _compiled(evidence))
+        yield from _made(evidence)
     elif not evidence.programs:
         yield from of_notebooks(evidence)
     else:
@@ -152,6 +154,14 @@ def _compiled(evidence: Evidence) -> Iterator[Candidate]:
             continue
         why = "a program that CMake compiles"
         yield Candidate(argv=(program.name,), why=why, file=program.file, line=program.line, strong=False)
+
+
+def _made(evidence: Evidence) -> Iterator[Candidate]:
+    """Yield the one program of the Makefile that is the whole project."""
+    made = builds_all(evidence)
+    if made and made.only:
+        why = "a program that make compiles"
+        yield Candidate(argv=(f"./{made.only}",), why=why, file=made.file, line=made.line, strong=False)
 
 
 def _left_out(evidence: Evidence) -> Iterator[tuple[str, str]]:

@@ -24,6 +24,8 @@ class Makefile:
     called_in: str | None = None
     """The folder in which a page calls it, ``None`` for its own."""
 
+    only: str | None = None
+    """The one program that it makes, by its path from there, where it names no other."""
     qt: tuple[str, ...] = ()
     """The modules of Qt that a project of qmake asks for, as it calls them."""
 

@@ -30,7 +30,34 @@ def test_make_runs_in_the_image(tmp_path: Path) -> None:
         (tmp_path / path).write_text(text, encoding="utf-8")
     plan = plan_repository(tmp_path).plan
     assert "build-essential" in plan.apt
-    assert "{ make || echo" in dockerfile(plan)
+    text = dockerfile(plan)
+    assert "make" in text
+    assert "{ make || echo" not in text
+
+
+OPENCV = "CC = g++\nEXECUTABLE = filter.bin\nLDFLAGS = $(shell pkg-config opencv --libs)\nall: $(EXECUTABLE)\n"
+LINKS = "\t$(CC) *.cpp $(LDFLAGS) -o $@\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "command", "required"),
+    [
+        ({"Makefile": f"{OPENCV}$(EXECUTABLE):\n{LINKS}"}, ("./filter.bin",), True),
+        ({"Makefile": f"{OPENCV}BIN = other\n$(EXECUTABLE):\n{LINKS}"}, ("bash",), True),
+        ({"Makefile": f"{OPENCV}\t$(CC) a.cpp -o tool\n"}, ("bash",), True),
+        ({"Makefile": f"{OPENCV.replace('filter.bin', 'libfilter.so')}{LINKS}"}, ("bash",), True),
+        ({"a/Makefile": f"{OPENCV}{LINKS}", "b/Makefile": f"{OPENCV}{LINKS}"}, ("bash",), False),
+    ],
+    ids=["one", "two", "named-in-a-line", "library", "folders"],
+)
+def test_the_makefile_that_is_the_project(
+    tree: Tree, files: dict[str, str], command: tuple[str, ...], *, required: bool
+) -> None:
+    decision = tree({**CODE, **files})
+    assert decision.command == command
+    assert {script.required for script in decision.scripts} == {required}
+    assert ("libopencv-dev" in decision.apt) is required
+    assert "libopencv-dev" in {*decision.apt, *decision.apt_guessed}
 
 
 def test_makefiles_of_folders_are_run_where_the_root_has_none(tree: Tree) -> None:

@@ -7,13 +7,14 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Kind
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.compiled_libraries import needs_of_libraries
 from roslab.decide.system.documentation import without_documentation
 from roslab.decide.system.names import written_for
 from roslab.decide.system.switches import given, switched_off
 from roslab.decide.system.tests import always_compiled, always_of_packages
 from roslab.evidence import places
-from roslab.evidence.dependency import Dependency
+from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.cuda_toolkits import host_compilers
 from roslab.knowledge.frameworks import imports
@@ -54,7 +55,7 @@ def _all(
         if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:
             yield dependency, False
     for dependency in _made(evidence) if kind in {"cpp", "cuda"} else ():
-        yield dependency, False
+        yield dependency, dependency.strength == "declared"
     for dependency in needs_of_libraries(evidence) if kind != "python" else ():
         yield dependency, False
     for dependency in started(evidence, kind):
@@ -65,11 +66,13 @@ def _all(
 
 def _made(evidence: Evidence) -> Iterator[Dependency]:
     """Yield what Makefiles link and ask pkg-config for, that program itself, and Qt with qmake."""
+    whole = builds_all(evidence)
     for made in evidence.makefiles:
+        asked: Strength = "declared" if made is whole else "used"
         for name in made.linked:
             yield Dependency(namespace="link", name=name, strength="used", file=made.file, line=1, role="build")
         for name in made.modules:
-            yield Dependency(namespace="pkg-config", name=name, strength="used", file=made.file, line=1, role="build")
+            yield Dependency(namespace="pkg-config", name=name, strength=asked, file=made.file, line=1, role="build")
         for name in filter(None, (qt_modules().get(each) for each in made.qt)):
             yield Dependency(namespace="cmake", name=name, strength="used", file=made.file, line=1, role="build")
         if made.qt:

@@ -14,6 +14,7 @@ from roslab.decide.programs import beside_top, found_by, names_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
+from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.inside import meant
 from roslab.decide.system.names import Target
 from roslab.evidence import places
@@ -68,7 +69,7 @@ def decide_scripts(
         return _of_packages(evidence, target) if kind == "ros1" else Choice(answer=())
     listed = evidence.python or evidence.requirements or evidence.conda
     if evidence.makefiles and (kind == "cpp" or (kind == "cuda" and not listed)):
-        return _made(evidence)
+        return _made(evidence, kind)
     compiled = {folder for folder, _ in inside.answer} | {reason.file for reason in inside.reasons}
     modules = tuple(f"{git.name}/" for git in evidence.sources if git.kind == "submodule")
     absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
@@ -163,10 +164,11 @@ def _part(project: CMakeProject, *, found: bool, options: str = "") -> OwnScript
     return OwnScript(folder=folder, path=project.file, command=f"{make} install" if found else make)
 
 
-def _made(evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
+def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
     """Return the call of make in each folder whose Makefile builds the project, or the scripts that do in its place.
 
-    Of scripts the first is the build: without what it makes, the image has nothing to run.
+    Of scripts the first is the build, and so is the one Makefile at the root of a tree of C++: without what it makes,
+    the image has nothing to run.
     """
     made = evidence.makefiles
     why = "its Makefile compiles the project"
@@ -176,7 +178,7 @@ def _made(evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
                 folder=each.folder,
                 path=each.file,
                 command=each.script or (f"{_QMAKE} && make" if each.qt else "make"),
-                required=each.script is not None and each is made[0],
+                required=each is made[0] if each.script else kind == "cpp" and builds_all(evidence) is each,
             )
             for each in made
         ),

@@ -37,6 +37,8 @@ _TARGET = pattern(
 _RULE = pattern(r"^([\w./-]{1,80}(?: [\w./-]{1,80}){0,7}) ?:(?!=)", re.MULTILINE)
 _OF_ANY = pattern(r"^[^\s#][^\n:=]{0,100}%[^\n:=]{0,100}:(?!=)|\$[({]wildcard\s", re.MULTILINE)
 """A rule for files of any name, or a list of the files that are there."""
+_PROGRAM = pattern(r"(?:[\w.-]+/){0,4}[\w.-]+")
+_NO_PROGRAMS = (".a", ".so", ".o", ".exe", ".dll", ".cpp", ".cc", ".c")
 _MAIN = pattern(r"^[ \t]*(?:int|auto)\s+main\s*\(", re.MULTILINE)
 _SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu")
 MOST_SOURCES = 200
@@ -98,10 +100,20 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
         file=file.path,
         line=1,
         programs=tuple(dict.fromkeys(name for name in names if "." not in name and name not in _TASKS)),
+        only=_only(text),
         linked=compile_scripts.linked(text),
         cuda=compile_scripts.for_cuda(text),
         modules=compile_scripts.modules(text),
     )
+
+
+def _only(text: str) -> str | None:
+    """Return the one program that a Makefile's variables name, ``None`` where it may make another."""
+    named = {posixpath.normpath(word) for written in _TARGET.findall(text) for word in written.split()}
+    others = {*_OUTPUT.findall(text)} - {posixpath.basename(name) for name in named}
+    program = next(iter(named)) if len(named) == 1 and not others else ""
+    plain = _PROGRAM.fullmatch(program) and not program.endswith(_NO_PROGRAMS)
+    return program if plain else None
 
 
 def _mains(repository: Repository, folder: str) -> list[str]:
