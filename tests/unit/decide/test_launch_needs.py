@@ -331,3 +331,16 @@ def test_moveits_demonstration_comes_before_the_one_in_gazebo(tree: Tree) -> Non
     }
     decision = tree({**PACKAGE, **files, "package.xml": manifest})
     assert decision.command == ("roslaunch", "arm", "demo.launch")
+
+
+@pytest.mark.parametrize(("folder", "told_of"), [("", True), ("demo/", False)])
+def test_a_submodule_inside_of_a_package_holds_no_other(tree: Tree, folder: str, *, told_of: bool) -> None:
+    launches = {
+        "launch/demo.launch": f"<launch>{NODE}</launch>",
+        "launch/sim.launch": f'<launch><arg name="a" default="$(find px4)/a"/>{NODE}</launch>',
+    }
+    modules = '[submodule "a"]\n\tpath = external/solver\n\turl = https://github.com/lab/solver.git\n'
+    files = {f"{folder}{path}": text for path, text in {**PACKAGE, **launches}.items()}
+    decision = tree({**files, ".gitmodules": modules})
+    found = [each for each in decision.warnings if "stop without them: px4" in each.message]
+    assert bool(found) is told_of
