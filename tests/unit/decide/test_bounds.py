@@ -70,6 +70,11 @@ def test_the_lowest_bound_of_a_package_counts(tmp_path: Path) -> None:
         "try:\n    from torch._six import inf\nexcept ImportError:\n    from torch import inf\n",
         "try:\n    from torch import inf\nexcept (ImportError, KeyError):\n    from torch._six import inf\n",
         "kind = np.float if hasattr(np, 'float') else float\n",
+        "if torch_major < 2:\n    from torch._six import inf\n",
+        "if TORCH_VERSION < (2, 0):\n    from torch._six import inf\n",
+        "try:\n    from torch._six import inf\nexcept:\n    from torch import inf\n",
+        "try:\n    from torch import inf\nexcept:\n    from torch._six import inf\n",
+        "def f(x):\n    try:\n        return np.float(x)\n    except AttributeError:\n        return float(x)\n",
     ],
 )
 def test_a_branch_for_some_versions_gives_none(tmp_path: Path, code: str) -> None:
@@ -85,6 +90,14 @@ def test_a_branch_for_some_versions_gives_none(tmp_path: Path, code: str) -> Non
         ("try:\n    from torch._six import inf\nexcept KeyboardInterrupt:\n    stop()\n", 2),
         ("if torch.__version__ < '2':\n    a = 1\nfrom torch._six import inf\n", 3),
         ("if MAJOR < 2:\n    from torch._six import inf\nelse:\n    inf = 1\nfrom torch._six import b\n", 5),
+        ("if hasattr(self, 'viewer'):\n    from torch._six import inf\n", 2),
+        ("if major:\n    from torch._six import inf\n", 2),
+        ("if tf_verbose:\n    from torch._six import inf\n", 2),
+        ("try:\n    x = torch._six.inf\nexcept:\n    x = 0\n", 2),
+        ("try:\n    from torch._six import inf\nexcept:\n    traceback.print_exc()\n", 2),
+        ("try:\n    from torch._six import inf\nexcept ImportError: pass\nx = 1\n", 2),
+        ("def f():\n    try:\n        import torch._six\n    except ImportError:\n        return None\n", 3),
+        ("for a in b:\n    try:\n        import torch._six\n    except ImportError:\n        continue\n", 3),
     ],
 )
 def test_a_line_that_always_runs_gives_one(tmp_path: Path, code: str, line: int) -> None:

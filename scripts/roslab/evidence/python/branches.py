@@ -6,12 +6,24 @@ from collections.abc import Iterator
 
 from roslab.values.pattern import pattern
 
-_TESTED = pattern(
-    r"__version__|\bversion_info\b|(?i:\b\w*_?(?:MAJOR|MINOR)\b|\b(?:parse|loose|strict|digit)_?version\b|version\.parse)"
-    r"|\bhasattr\(|\b(?i:torch|tf|tensorflow|np|numpy|scipy|pandas|mpl|matplotlib|gym|sklearn|yaml)_?ver(?i:sion)?\w*"
+_LIBRARIES = (
+    "torch|tf|tensorflow|jax|jnp|np|numpy|sp|scipy|pd|pandas|mpl|matplotlib|plt|gym|gymnasium|sklearn|skimage|cv2|yaml|nx|"
+    "networkx|collections"
 )
-_MISSED = pattern(r"except[ \t]*(?::|\(?[^:\n]*\b(?:ImportError|ModuleNotFoundError|AttributeError)\b)")
-_STOPS = pattern(r"[ \t]*(?:raise|pass|print|exit|quit|sys\.exit|os\._exit|log\w*\.)\b")
+"""How code names libraries, in patterns."""
+_TESTED = pattern(
+    r"__version__|\bversion_info\b|\b\w*(?:MAJOR|MINOR)\b|(?i:\b(?:parse|loose|strict|digit)_?version\b|version\.parse)"
+    rf"|\bhasattr\(\s*(?:{_LIBRARIES})\b"
+    rf"|(?<![^\W_])(?i:(?:{_LIBRARIES})_?(?:ver(?:sion)?(?:_\w+)?|major|minor))\b"
+)
+_BARE = pattern(r"except[ \t]*:")
+_MISSED = pattern(r"except\b[^:\n]*\b(?:ImportError|ModuleNotFoundError|AttributeError)\b")
+_STOPS = pattern(
+    r"[ \t]*(?:(?:raise|pass|print|exit|quit|continue|break)\b|(?:sys\.exit|os\._exit|warnings\.warn|rospy\.log\w*)\("
+    r"|(?:traceback|log\w*)\."
+    r"|return(?:[ \t]+(?:None|True|False|-?\d+|\[\]|\(\)|\{\}))?[ \t]*(?:#|$))"
+)
+_IMPORT = pattern(r"[ \t]*(?:import|from)[ \t]")
 _INLINE = pattern(r"\bif\b(?=.*\belse\b)")
 MOST = 2_000
 """Lines above a place that are looked at."""
@@ -48,7 +60,7 @@ def _chooses(lines: list[str], at: int) -> bool:
     if head.startswith("try:"):
         return _other_way(lines, at)
     if head.startswith("except"):
-        return bool(_MISSED.match(head))
+        return _missing(lines, at)
     return head.startswith("else:") and _else_of_test(lines, at)
 
 
@@ -57,9 +69,22 @@ def _other_way(lines: list[str], at: int) -> bool:
     indent = _indent(lines[at])
     for below in range(at + 1, min(len(lines), at + MOST)):
         if lines[below].strip() and _indent(lines[below]) <= indent:
-            caught = bool(_MISSED.match(lines[below].strip()))
-            after = next((line for line in lines[below + 1 :] if line.strip()), "")
-            return caught and not _STOPS.match(after)
+            after = lines[below].partition(":")[2].strip()
+            after = after or next((line for line in lines[below + 1 :] if line.strip()), "")
+            return _missing(lines, below) and not _STOPS.match(after)
+    return False
+
+
+def _missing(lines: list[str], at: int) -> bool:
+    """Tell whether an ``except`` is for what is not there; one of all is, where its ``try`` imports."""
+    head = lines[at].strip()
+    if not _BARE.match(head):
+        return bool(_MISSED.match(head))
+    for above in range(at - 1, max(-1, at - MOST), -1):
+        if lines[above].strip() and _indent(lines[above]) <= _indent(lines[at]):
+            return False
+        if _IMPORT.match(lines[above]):
+            return True
     return False
 
 
@@ -73,7 +98,7 @@ def _else_of_test(lines: list[str], at: int) -> bool:
         head = line.strip()
         if _indent(line) < indent or not head.startswith(("if", "elif", "except")):
             return False
-        if _TESTED.search(head) or _MISSED.match(head):
+        if _TESTED.search(head) if head.startswith(("if", "elif")) else _missing(lines, above):
             return True
         if head.startswith("if"):
             return False
