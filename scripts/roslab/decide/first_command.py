@@ -15,7 +15,8 @@ from roslab.values.pattern import pattern
 
 _SERVES = pattern(
     r"(?:^|[_.-])(?:down-?load\w*|convert\w*|conver[st]ion|pre[_-]?proc\w*|(?:comp|calc)\w*[_-](?:\w+[_-])?(?:stat(?:s|istics)|norm\w*)|(?:pre-?)?cach(?:e|ing)|prepare\w*|extract\w*|install\w*|set-?up|format|"
-    r"(?:engine|model|weights?|data(?:sets?)?)[_-]generat\w*|\w+?_?(?:2|to)_?(?:onnx|trt|tensorrt|engine|tflite|torchscript)|"
+    r"(?:engine|model|weights?|data(?:sets?)?)[_-]generat\w*|"
+    r"(?:\w*[^\W\d_]2|(?:2|to)_|(?:onnx|pth?|(?:py)?torch|keras|ckpt|weights?)_?(?:2|to)_?)(?:onnx|trt|tensorrt|engine|tflite|torchscript)|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
     r"get[_-](?:repos?|repositor(?:y|ies)|dep(?:s|endenc(?:y|ies))|submodules?|data(?:sets?)?|weights|models?|assets)|"
     r"create[_-](?:conda[_-])?(?:v?env|environment)\w*|build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|udev\w*|stat(?:istic)?s|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"

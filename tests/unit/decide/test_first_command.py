@@ -1148,3 +1148,30 @@ def test_pages_of_equal_depth_come_in_the_order_of_the_links_to_them(tree: Tree,
         "second/README.md": "```\n$ $ roslaunch demo odometry.launch\n```\n",
     }
     assert tree({**ROS1, **pages}).command == ("roslaunch", "demo", f"{command}.launch")
+
+
+@pytest.mark.parametrize(
+    ("name", "makes_one"),
+    [
+        ("onnx2trt", True),
+        ("pt2onnx", True),
+        ("onnx_to_trt", True),
+        ("torch_2_onnx", True),
+        ("torch2_onnx", True),
+        ("to_tensorrt", True),
+        ("onnx2trt_v8", True),
+        ("depth_anything_v2_trt", False),
+        ("auto_engine", False),
+        ("yolov2_onnx", False),
+        ("sam2_onnx", False),
+        ("ros2_tensorrt", False),
+        ("yolo_ros2_trt", False),
+        ("crypto_engine", False),
+        ("photo_engine", False),
+    ],
+)
+def test_what_runs_a_model_is_no_converter(tree: Tree, name: str, *, makes_one: bool) -> None:
+    page = f"# Net\n## Run\n```\npython {name}.py --input a\n```\n"
+    script = "import numpy\nif __name__ == '__main__':\n    print(1)\n"
+    decision = tree({"README.md": page, "requirements.txt": "numpy\n", f"{name}.py": script, "tool.py": script})
+    assert " ".join(decision.command) == ("bash" if makes_one else f"python {name}.py --input a")
