@@ -21,6 +21,9 @@ def guessed(tree: Tree, code: str, **files: str) -> set[str]:
     ("code", "needs"),
     [
         ("import torch\nfrom torch_geometric.nn import voxel_grid, knn_graph\n", "torch-cluster"),
+        ("import torch\nfrom torch_geometric.nn import (\n    GCNConv,\n    XConv,\n)\n", "torch-cluster"),
+        ("import torch_geometric.nn as gnn\nedges = gnn.radius_graph(x, 2)\n", "torch-cluster"),
+        ("import torch_geometric.transforms as T\nt = T.Compose([T.KNNGraph(k=6)])\n", "torch-cluster"),
         ("from stable_baselines3 import PPO\nPPO('MlpPolicy', e, tensorboard_log='logs')\n", "tensorboard"),
         (LANDER, "gymnasium[box2d]"),
         ("import gymnasium as gym\nenv = gym.make('CartPole-v1', render_mode='human')\n", "pygame"),
@@ -34,6 +37,9 @@ def test_a_used_function_brings_it(tree: Tree, code: str, needs: str) -> None:
     "code",
     [
         "import torch_geometric\n# knn_graph\n",
+        "import torch_geometric\ndef knn_graph(x):\n    return x\nknn_graph(1)\n",
+        "from torch_geometric.data import Data\nclass XConv:\n    pass\n",
+        '"""It replaces radius_graph of old code."""\nimport torch_geometric\n',
         "import torch\nfrom mine import knn_graph\n",
         "from stable_baselines3 import PPO\nPPO('MlpPolicy', e, tensorboard_log=None)\n",
         "import gymnasium as gym\nenv = gym.make('CartPole-v1')\n",
