@@ -50,6 +50,8 @@ class Native(Series):
 class Bringing(Series):
     """A package that has pip install another one."""
 
+    part: str
+    """What the series is about, where a package has several of them beside each other."""
     extras: tuple[str, ...]
     """Those of its extras that do; none: it always does."""
     brings: str

@@ -60,6 +60,21 @@ def test_beside_a_list_of_packages(tree: Tree) -> None:
     assert not named
 
 
+@pytest.mark.parametrize(
+    ("line", "asked"),
+    [
+        ("gymnasium==0.29.1", True),
+        ("gymnasium[box2d]==0.29.1", False),
+        ("gymnasium[all]==0.29.1", False),
+        ("gymnasium[mujoco]==0.29.1", True),
+    ],
+)
+def test_box2d_is_asked_for_once_and_compiled(tree: Tree, line: str, *, asked: bool) -> None:
+    decision = tree({"train.py": LANDER, "requirements.txt": f"{line}\n", "README.md": "Run `python train.py`.\n"})
+    assert ("gymnasium[box2d]" in {each.written for each in decision.python.pip_guessed}) == asked
+    assert decision.compiling.compiler
+
+
 def test_a_turtle_needs_tk(tree: Tree) -> None:
     page = "# Net\n## Requirements\n- Ubuntu 22.04\n- Python 3.10\n"
     decision = tree({"watch.py": "from turtle import done\nimport numpy\ndone()\n", "README.md": page})

@@ -92,6 +92,20 @@ def test_what_comes_with_what_comes_with_another(tree: Tree) -> None:
     assert (part.package, part.guessed) == ("mujoco-py", True)
 
 
+@pytest.mark.parametrize(
+    ("lines", "brings"),
+    [
+        (("gym[box2d]==0.21.0",), {"box2d-py"}),
+        (("gym[box2d,mujoco]==0.21.0",), {"box2d-py", "mujoco-py"}),
+        (("gym[classic_control]==0.21.0",), set[str]()),
+        (("gymnasium==1.2.2", "gymnasium[box2d]"), {"box2d-py"}),
+        (("gymnasium[box2d]",), {"box2d"}),
+    ],
+)
+def test_each_extra_brings_its_own_in_the_release_that_is_declared(lines: tuple[str, ...], brings: set[str]) -> None:
+    assert {each.key for each in brought(map(stated, lines), None)} == brings
+
+
 def test_what_is_asked_for_by_itself_is_not_brought() -> None:
     assert not brought([stated("d4rl"), stated("mujoco-py==2.0.2.13")], None)
 

@@ -9,11 +9,14 @@ from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 
-def companions_of(evidence: Evidence, guessed: Iterable[Requirement], known: Set[str]) -> Iterator[Requirement]:
+def companions_of(
+    evidence: Evidence, guessed: Iterable[Requirement], declared: Iterable[Requirement], known: Set[str]
+) -> Iterator[Requirement]:
     """Yield what used functions of packages among ``guessed`` and the ``known`` ones need and nothing names.
 
-    An extra of such a package is asked for in the version of the guess.
+    An extra of such a package is asked for in the version of the guess, if those ``declared`` have it not.
     """
+    extras = {(each.key, extra) for each in declared for extra in each.extras}
     by_name = {each.key: each for each in guessed}
     named = {*known, *by_name}
     for used in evidence.mentions:
@@ -25,5 +28,10 @@ def companions_of(evidence: Evidence, guessed: Iterable[Requirement], known: Set
             if asked.key not in named:
                 named.add(asked.key)
                 yield asked
-        elif guess is None or not (guess.extras or guess.url):
+        elif not (guess.extras or guess.url if guess else _has(asked, extras)):
             yield stated(f"{used.text}{guess.specifier if guess else ''}", "import", used.file, used.line)
+
+
+def _has(asked: Requirement, extras: Set[tuple[str, str]]) -> bool:
+    """Tell whether a package is declared with an extra that is asked for, or with all of its extras."""
+    return any((asked.key, extra) in extras for extra in (*asked.extras, "all"))

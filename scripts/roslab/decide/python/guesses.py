@@ -219,16 +219,23 @@ def loose_names(
     return frozenset(each.key for each in asked if each.name) - limited - _FRAMEWORKS - beside
 
 
-def known_names(
+def known_requirements(
     evidence: Evidence, files: tuple[RequirementFile, ...], projects: tuple[PythonProject, ...], conda: str | None
-) -> set[str]:
-    """Return the packages that are installed anyway, and the names of the tree's own projects."""
+) -> tuple[Requirement, ...]:
+    """Return what is installed anyway, as it is written there."""
     asked = [each for file in with_includes(evidence, files) for each in file.requirements]
     asked += [each for project in projects for each in project.requirements if each.role in {"", "source"}]
     for environment in evidence.conda:
         if environment.file == conda:
             asked += [*environment.requirements, *of_conda(environment)]
-    known = {each.key for each in asked if ANY.may(each)}
+    return tuple(each for each in asked if ANY.may(each))
+
+
+def known_names(
+    evidence: Evidence, files: tuple[RequirementFile, ...], projects: tuple[PythonProject, ...], conda: str | None
+) -> set[str]:
+    """Return the packages that are installed anyway, and the names of the tree's own projects."""
+    known = {each.key for each in known_requirements(evidence, files, projects, conda)}
     known |= {canonicalize_name(project.name) for project in evidence.python if project.name}
     unseen = (project.folder for project in projects if not project.name)  # most are called as their folder
     known |= {canonicalize_name(folder.rpartition("/")[2]) for folder in unseen if folder}

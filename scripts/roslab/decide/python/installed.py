@@ -16,7 +16,7 @@ def installed(evidence: Evidence, python: Python) -> tuple[Requirement, ...]:
     """Return each requirement once: the image's own, those of its files, projects and conda environment.
 
     Requirements that pip cannot find or that do not apply to the image's Python and platforms are left out. conda's
-    packages have the names that pip's index uses. What declared packages bring follows, where a table says so.
+    packages have the names that pip's index uses. What these bring follows, where a table says so.
     """
     by_path = {file.file: file for file in evidence.requirements}
     chosen = [by_path[path] for path in python.requirements if path in by_path]
@@ -34,8 +34,7 @@ def installed(evidence: Evidence, python: Python) -> tuple[Requirement, ...]:
     for each in (*first, *beside, *held):
         if not refused(each):
             found.setdefault(each.told, each)
-    declared = [each for each in found.values() if each not in python.pip_guessed]
-    return (*found.values(), *brought(declared, python.day))
+    return (*found.values(), *brought(found.values(), python.day))
 
 
 def _of_conda(evidence: Evidence, environment: CondaEnvironment) -> list[Requirement]:

@@ -36,23 +36,30 @@ def brought(asked: Iterable[Requirement], day: str | None) -> tuple[Requirement,
     """
     pending = [each for each in asked if each.package and each.role != "conda"]
     named = {each.key: each for each in pending}
+    limited = {each.key: each for each in reversed(pending) if each.limited}
     found: dict[str, Requirement] = {}
     while pending:
         each = pending.pop(0)
-        row = series_of(each, day, bringing())
-        if not row or not row.brings or (row.of_index and each.url):
-            continue
-        if row.extras and set(row.extras).isdisjoint(each.extras):
-            continue
-        other = stated(row.brings, "table", each.file, each.line)
-        before = named.setdefault(other.key, other)
-        if before is other:
-            found[other.key] = other
-            pending.append(other)
-        elif not set(other.extras) <= set(before.extras):  # the author's release, with these extras too
-            named[other.key] = replace(before, extras=(*before.extras, *other.extras))
-            pending.append(named[other.key])
+        for other in _brought_by(each, limited.get(each.key, each), day):
+            before = named.setdefault(other.key, other)
+            if before is other:
+                found[other.key] = other
+                pending.append(other)
+            elif not set(other.extras) <= set(before.extras):  # the author's release, with these extras too
+                named[other.key] = replace(before, extras=(*before.extras, *other.extras))
+                pending.append(named[other.key])
     return tuple(found.values())
+
+
+def _brought_by(asked: Requirement, limited: Requirement, day: str | None) -> Iterator[Requirement]:
+    """Yield what a package brings in the release that is taken of it, one of each series of its rows."""
+    rows = [row for row in bringing() if row.pip == asked.key]
+    for part in dict.fromkeys(row.part for row in rows):
+        row = series_of(limited, day, (each for each in rows if each.part == part))
+        if not row or not row.brings or (row.of_index and asked.url):
+            continue
+        if not row.extras or not set(row.extras).isdisjoint(asked.extras):
+            yield stated(row.brings, "table", asked.file, asked.line)
 
 
 def decide_native_parts(

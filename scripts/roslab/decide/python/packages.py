@@ -10,7 +10,7 @@ from roslab.decide.python.conda_environments import conda_file
 from roslab.decide.python.contradicting import afterwards, of_one_call
 from roslab.decide.python.environment_extras import for_environments
 from roslab.decide.python.extras import extras, of_pages
-from roslab.decide.python.guesses import guesses, known_names, loose_names, to_show
+from roslab.decide.python.guesses import guesses, known_names, known_requirements, loose_names, to_show
 from roslab.decide.python.manifests import projects, requirement_files
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
@@ -48,6 +48,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     loose = frozenset() if ros or conda else loose_names(evidence, files, folders)
     more = tuple(each for each in extras(evidence, folders, files) if each.key not in known)
     known |= {each.key for each in more}
+    sure = (*known_requirements(evidence, files, folders, conda), *more)
     guessed = guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)
     return Chosen(
         files=kept,
@@ -59,7 +60,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
             *of_pages(evidence, files, folders),
             *guessed,
             *for_environments(evidence, guessed, known),
-            *companions_of(evidence, guessed, known),
+            *companions_of(evidence, guessed, sure, known),
             *to_show(evidence, known | {each.key for each in guessed}),
             *afterwards(evidence, kept, left),
         ),
