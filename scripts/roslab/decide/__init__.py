@@ -167,6 +167,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     system = may_lack(
         with_release(with_libraries(system, frozenset(s.name for s, _ in libraries), evidence), evidence, target),
         base.answer.image,
+        config.apt,
     )
 
     repositories = decide_apt_sources(

@@ -22,8 +22,8 @@ class AddedSource:
     components: str
     """``""`` for a source without suites."""
     key: str
-    base: str
-    """How the names of images begin that have the source, ``""`` for none."""
+    base: re.Pattern[str]
+    """The names of images that have the source; the empty pattern for none."""
 
 
 @cache
@@ -41,4 +41,7 @@ def keys_of_sources() -> dict[str, str]:
 @cache
 def added_sources() -> tuple[AddedSource, ...]:
     """Return the sources that are added for what is installed, whether a page adds them or not."""
-    return tuple(record(AddedSource, row, packages=pattern(row["packages"])) for row in rows("added_sources"))
+    return tuple(
+        record(AddedSource, row, packages=pattern(row["packages"]), base=pattern(row["base"]))
+        for row in rows("added_sources")
+    )

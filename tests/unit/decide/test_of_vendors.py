@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
+
+import pytest
 
 from roslab.decide.decision import Decision
+from roslab.knowledge.apt_sources import added_sources
+from roslab.pipeline import plan_repository
 
 Tree = Callable[[dict[str, str]], Decision]
 CMAKE = "project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(a a.cpp)\ntarget_link_libraries(a nvinfer)\n"
@@ -19,4 +24,30 @@ def test_the_source_is_added_to_an_image_of_ros(tree: Tree) -> None:
     assert "libnvinfer-dev" in decision.apt_guessed
     source = "https://developer.download.nvidia.com/compute/cuda/repos/ubuntu2004/x86_64/"
     assert f"deb [signed-by={source}3bf863cc.pub] {source} /" in decision.repositories
-    assert any("libnvinfer-dev is in no archive of Ubuntu" in each.message for each in decision.warnings)
+    (told,) = (each for each in decision.warnings if each.message.startswith("libnvinfer-dev is only in its vendor's"))
+    assert told.file in FILES
+
+
+def test_what_the_author_lists_has_to_install(tmp_path: Path) -> None:
+    for name, text in {**FILES, "roslab.yaml": "format: 3\napt: [libnvinfer-dev]\n"}.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    plan = plan_repository(tmp_path).plan
+    assert "libnvinfer-dev" in plan.apt
+    assert "libnvinfer-dev" not in plan.apt_guessed
+    assert not [each for each in plan.warnings if "libnvinfer-dev" in each.message]
+
+
+@pytest.mark.parametrize(
+    ("image", "added"),
+    [
+        ("nvcr.io/nvidia/cuda:12.2.0-devel-ubuntu22.04", False),
+        ("nvidia/cuda:12.2.0-devel-ubuntu22.04", False),
+        ("docker.io/nvidia/cuda:12.2.0-devel-ubuntu22.04", False),
+        ("dustynv/ros:humble-desktop-l4t-r36.2.0", False),
+        ("ros:humble-ros-base", True),
+        ("somebody/nvidia:22.04", True),
+    ],
+)
+def test_images_of_the_vendor_have_the_source(image: str, *, added: bool) -> None:
+    found = [each for each in added_sources() if "nvidia" in each.url and not each.base.fullmatch(image)]
+    assert bool(found) == added

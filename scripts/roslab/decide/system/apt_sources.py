@@ -57,7 +57,7 @@ def decide_apt_sources(
         line = url if ppa else " ".join((f"deb [signed-by={key}]", url, suite, *source.components))
         why = f"{_who(source)} installs {asked} from it"
         added.setdefault(line, because("dependencies", url, why, source, weight=WEIGHT))
-    for each in (row for row in added_sources() if not (row.base and base_image.startswith(row.base))):
+    for each in (row for row in added_sources() if not row.base.fullmatch(base_image)):
         name = next((name for name in sorted(installed) if each.packages.fullmatch(name)), None)
         there = any(host_of(each.url) == host_of(line.split()[2]) for line in added if " " in line)
         if name and not there and ubuntu in each.ubuntu:
