@@ -9,6 +9,7 @@ from roslab.decide.programs import top_of
 from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import because, configured
 from roslab.evidence.facts import Evidence
+from roslab.knowledge import other_builders
 
 
 class Weight:
@@ -22,7 +23,7 @@ def _of_cpp(evidence: Evidence) -> Choice[BuildTool]:
     """Return CMake, or none where make, which is no tool of this table, builds it, or a script of the repository."""
     if top_of(evidence) is None and not evidence.makefiles:
         for said in evidence.mentions:
-            if said.topic == "other_builder":
+            if said.topic == "other_builder" and said.value in other_builders.of_cpp():
                 why = f"{said.value} builds it, which no step of the image calls"
                 return Choice(answer="none", reasons=(because("build_tool", "none", why, said, weight=Weight.CPP),))
     return _made(evidence) or Choice(

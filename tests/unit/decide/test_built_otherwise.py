@@ -52,6 +52,13 @@ def test_cpp_that_it_compiles_is_of_that_kind(tmp_path: Path, files: dict[str, s
     assert ("build-essential" in plan.apt) == (kind == "cpp")
 
 
+@pytest.mark.parametrize(("file", "tool"), [("meson.build", "none"), ("Cargo.toml", "cmake")])
+def test_what_compiles_no_cpp_does_not_build_it(tmp_path: Path, file: str, tool: str) -> None:
+    files = {file: "", "main.cc": "#include <vector>\nint main() {}\n", "roslab.yaml": "format: 3\nkind: cpp\n"}
+    told(tmp_path, files)
+    assert plan_repository(tmp_path).plan.build_tool == tool
+
+
 def test_where_it_builds_all_that_is_told(tmp_path: Path) -> None:
     with pytest.raises(NothingToBuildError, match="nothing to build was found") as error:
         told(tmp_path, {"Cargo.toml": "[package]\n", "src/main.rs": "fn main() {}\n"})
