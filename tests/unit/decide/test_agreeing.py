@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
-from roslab.decide.python.agreeing import exclusive
+from roslab.decide.python.bounds import excluded
 from roslab.values.requirement_line import stated
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -37,8 +37,8 @@ CODE = "import torch\nfrom torch._six import inf\n"
     ],
 )
 def test_which_exclude_each_other(one: str, other: str, *, found: bool) -> None:
-    assert exclusive(stated(one), stated(other)) is found
-    assert exclusive(stated(other), stated(one)) is found
+    assert excluded(stated(one), [stated(other)]) is found
+    assert excluded(stated(other), [stated(one)]) is found
 
 
 def planned(tree: Tree, python: str, cuda: str) -> tuple[set[str], list[str]]:

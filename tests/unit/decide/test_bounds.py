@@ -128,6 +128,12 @@ def test_a_bound_that_the_author_excludes_is_none(tmp_path: Path) -> None:
     assert limits(uses, "numpy>=1.26", "numpy>=2.1; python_version >= '3.13'") == ["numpy<2"]
 
 
+@pytest.mark.parametrize("line", ["numpy>1.26", "numpy~=2.1", "numpy>=1.24,!=1.25"])
+def test_another_floor_than_at_least_excludes_it_too(tmp_path: Path, line: str) -> None:
+    (tmp_path / "a.py").write_text("np.float(1)\n", encoding="utf-8")
+    assert limits(removed.read(Repository.open(tmp_path)), line) == []
+
+
 def test_what_was_compiled_against_numpy_1_keeps_numpy_2_out(tmp_path: Path) -> None:
     (tmp_path / "a.py").write_text("fig.gca(projection='3d')", encoding="utf-8")
     uses = removed.read(Repository.open(tmp_path))

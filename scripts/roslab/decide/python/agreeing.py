@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.python.bounds import Constraints
+from roslab.decide.python.bounds import Constraints, excluded
 from roslab.decide.reasons import warn
 from roslab.knowledge.frameworks import last_below, newest_framework
 from roslab.values.requirement import Requirement
-from roslab.values.version import version_of
 
 
 def agreeing(bounds: Choice[Constraints], surer: Iterable[Requirement], python: str | None) -> Choice[Constraints]:
@@ -21,7 +20,7 @@ def agreeing(bounds: Choice[Constraints], surer: Iterable[Requirement], python: 
     kept: list[tuple[Requirement, Reason]] = []
     told = list(bounds.warnings)
     for bound, reason in zip(bounds.answer, bounds.reasons, strict=True):
-        other = next((each for each in surer if exclusive(bound, each)), None)
+        other = next((each for each in surer if excluded(bound, (each,))), None)
         if other is None and _has_wheel(bound, python):
             kept.append((bound, reason))
             continue
@@ -30,34 +29,6 @@ def agreeing(bounds: Choice[Constraints], surer: Iterable[Requirement], python: 
         told.append(warn(message, reason if reason.file else None))
     answer, reasons = tuple(bound for bound, _ in kept), tuple(reason for _, reason in kept)
     return Choice(answer=answer, reasons=reasons, warnings=tuple(told))
-
-
-def exclusive(one: Requirement, other: Requirement) -> bool:
-    """Tell whether two requirements of one package leave it no release.
-
-    The versions that they name and their neighbours are tried.
-    """
-    if one.key != other.key or one.url or other.url or one.marker or other.marker:
-        return False
-    return not any(
-        one.specifier.contains(version, prereleases=True) and other.specifier.contains(version, prereleases=True)
-        for version in {*_tried(one), *_tried(other)}
-    )
-
-
-def _tried(asked: Requirement) -> Iterator[str]:
-    """Yield the versions that a requirement names, one directly above each and one directly below."""
-    yield "0"
-    for part in asked.specifier:
-        named = part.version.removesuffix(".*")
-        yield named
-        if found := version_of(named):
-            numbers = list(found.release)
-            yield ".".join(map(str, (*numbers, 1)))
-            while numbers and not numbers[-1]:
-                numbers.pop()
-            if numbers:
-                yield ".".join(map(str, (*numbers[:-1], numbers[-1] - 1, 99999)))
 
 
 def _has_wheel(bound: Requirement, python: str | None) -> bool:

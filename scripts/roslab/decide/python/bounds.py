@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.weights import PackageWeight
@@ -11,7 +11,7 @@ from roslab.evidence.removed_name import Removed
 from roslab.knowledge.removals import removals
 from roslab.knowledge.table import rows
 from roslab.values.requirement import Requirement
-from roslab.values.version import Version
+from roslab.values.version import Version, version_of
 
 Constraints = tuple[Requirement, ...]
 
@@ -53,9 +53,35 @@ def decide_bounds(uses: Iterable[Removed], asked: Iterable[Requirement]) -> Choi
 
 def excluded(bound: Requirement, asked: Iterable[Requirement]) -> bool:
     """Tell whether a package is asked for in no version that a bound leaves: pip would find none."""
-    floors = (each.at_least for each in asked if each.key == bound.key and not each.marker)
-    below = bound.below
-    return below is not None and any(floor and Version(floor) >= Version(below) for floor in floors)
+    return any(_exclusive(bound, each) for each in asked)
+
+
+def _exclusive(one: Requirement, other: Requirement) -> bool:
+    """Tell whether two requirements of one package leave it no release.
+
+    The versions that they name and their neighbours are tried.
+    """
+    if one.key != other.key or one.url or other.url or one.marker or other.marker:
+        return False
+    return not any(
+        one.specifier.contains(version, prereleases=True) and other.specifier.contains(version, prereleases=True)
+        for version in {*_tried(one), *_tried(other)}
+    )
+
+
+def _tried(asked: Requirement) -> Iterator[str]:
+    """Yield the versions that a requirement names, one directly above each and one directly below."""
+    yield "0"
+    for part in asked.specifier:
+        named = part.version.removesuffix(".*")
+        yield named
+        if found := version_of(named):
+            numbers = list(found.release)
+            yield ".".join(map(str, (*numbers, 1)))
+            while numbers and not numbers[-1]:
+                numbers.pop()
+            if numbers:
+                yield ".".join(map(str, (*numbers[:-1], numbers[-1] - 1, 99999)))
 
 
 def needing_numpy(asked: Iterable[Requirement], below: str | None) -> Requirement | None:

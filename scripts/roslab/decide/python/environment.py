@@ -98,8 +98,7 @@ def decide_python(
     declared += kept
     extended = kind == "cuda" and manager != "system" and (extends_torch(evidence, chosen) or bool(by_script(evidence)))
     aged = older_torch((pin.requirement for pin in pins), cuda) if extended else None
-    if aged:
-        chosen = replace(chosen, guessed=without_release(chosen.guessed))
+    chosen = replace(chosen, guessed=without_release(chosen.guessed)) if aged else chosen
     named = named_frameworks(chosen.guessed if manager != "system" else (), number)
     declared += named.answer.first
     chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if each not in named.answer.first))
@@ -107,17 +106,14 @@ def decide_python(
     # The distribution's own packages are old enough: only what pip chooses needs a bound
     exact = framework_pins(pins if manager != "system" else (), everything, cuda)
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
+    installed_by_conda = conda_asked if manager == "conda" else ()
     bounds = decide_bounds(
         (use for use in evidence.bounds if manager != "system" or use.bound.key != "numpy"),
-        (
-            *everything,
-            *exact.answer,
-            *named.answer.limits,
-            *(each for each in conda_asked if each.limited and manager == "conda"),
-        ),
+        (*everything, *exact.answer, *named.answer.limits, *(each for each in installed_by_conda if each.limited)),
     )
-    by_pip = _without((*exact.answer, *everything), conda_asked if manager == "conda" else ())
-    wheels = by_pip if kind == "cuda" and manager != "system" else ()
+    wheels = (
+        _without((*exact.answer, *everything), installed_by_conda) if kind == "cuda" and manager != "system" else ()
+    )
     locked = evidence.locked if manager != "system" and of_what_is_installed(evidence.locked, chosen) else ()
     build = decide_build(
         evidence,
@@ -132,7 +128,8 @@ def decide_python(
     )
     native = decide_native_parts(everything, chosen.guessed, chosen.projects, evidence.pip_day)
     made = (*exact.answer, *named.answer.limits, *build.answer[0], *native.answer.bounds)
-    limits = (*(bounds := agreeing(bounds, made, number)).answer, *made)
+    bounds = agreeing(bounds, made, number)
+    limits = (*bounds.answer, *made)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number, chosen.guessed)
     undeclared = decide_undeclared((*everything, *limits, *of_lock.answer) if manager != "system" else ())
