@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config, Source
+from roslab.decide import decide
 from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
 
@@ -133,6 +138,37 @@ def test_the_name_of_a_controller_is_no_package(tree: Tree, config: str, *, told
     assert bool(decision.source) != told
     assert "ros-jazzy-forward-command-controller" in decision.apt_guessed or not told
     assert ("forward_position_controller" in decision.skip_keys) == told
+
+
+@pytest.mark.parametrize(
+    ("page", "sources"),
+    [
+        ("It needs [arm_controller](https://github.com/me/arm_controller).\n", ["arm_controller"]),
+        (
+            "```\ngit clone https://github.com/me/robot_stack\ngit clone https://github.com/lab/demo\n```\n",
+            ["robot_stack"],
+        ),
+        ("```\ngit clone https://github.com/lab/demo\ncolcon build\n```\n", []),
+    ],
+)
+def test_a_repository_may_have_a_package_that_is_called_like_a_controller(
+    tree: Tree, page: str, sources: list[str]
+) -> None:
+    config = "arm_controller:\n  type: joint_trajectory_controller/JointTrajectoryController\n"
+    page = f"ROS 2 Jazzy\n\n{page}"
+    decision = tree({**_files("arm_controller"), "config/controllers.yaml": config, "README.md": page})
+    assert [each.name for each in decision.source] == sources
+    assert any("is a controller of" in each.message for each in decision.warnings) == (not sources)
+
+
+def test_a_source_of_roslab_yaml_may_have_a_package_that_is_called_like_a_controller(tmp_path: Path) -> None:
+    config = "arm_controller:\n  type: joint_trajectory_controller/JointTrajectoryController\n"
+    for path, text in {**_files("arm_controller"), "config/controllers.yaml": config}.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    stack = Source(name="stack", repo="https://github.com/me/stack", build="colcon")
+    decision = decide(gather(Repository.open(tmp_path)), Config(source=(stack,)), folder_name="demo")
+    assert "arm_controller" in decision.rosdep
 
 
 def test_a_controller_that_is_called_like_its_package_is_that(tree: Tree) -> None:

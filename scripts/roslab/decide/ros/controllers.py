@@ -13,7 +13,11 @@ from roslab.knowledge.released import ever_released, rosdep_keys
 
 
 def controllers(keys: Iterable[Dependency], evidence: Evidence) -> dict[str, Dependency]:
-    """Return the controllers that keys are called like, which no distribution released and rosdep does not have."""
+    """Return the controllers that keys are called like, which no distribution released and rosdep does not have.
+
+    Of a repository that a page clones or links to, or that roslab.yaml has, a package may be called so, too: ``keys``
+    are those that none of them is taken for.
+    """
     named = {each.name: each for each in evidence.code if each.namespace == "controller"}
     names = (key.name for key in keys if key.name in named)
     return {name: named[name] for name in names if not ever_released(name) and name not in rosdep_keys()}

@@ -14,6 +14,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.clones import taken_apart
+from roslab.decide.ros.controllers import controllers
 from roslab.decide.ros.misnamed import BUILD_TYPES, of_pip
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.source_names import address, akin, fixed, plain
@@ -72,7 +73,7 @@ def with_sought(
     named = known & {each.name for m in evidence.manifests for each in m.dependencies}
     named |= known & {each.name for project in evidence.cmake for each in project.dependencies}
     lacking = {name: asked for name, asked in lacking.items() if not meant(name, named)}
-    nowhere = [name for name in lacking if not sources.may_hold(name)]
+    nowhere = {name: asked for name, asked in lacking.items() if not sources.may_hold(name)}
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
     taken |= {address(git.url) for git in evidence.sources if git.into in known}  # itself, under another name
     found: list[Source] = []
@@ -198,14 +199,16 @@ def _of_page(asked: Dependency, git: GitSource) -> bool:
     return bool(folder) and git.file.endswith(PAGES) and folder == asked.file.rpartition("/")[0]
 
 
-def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]) -> list[tuple[str, tuple[str, ...]]]:
+def _addresses(
+    asked: Mapping[str, Dependency], evidence: Evidence, known: AbstractSet[str]
+) -> list[tuple[str, tuple[str, ...]]]:
     """Return the addresses of repositories that may hold packages, most likely first, each with those packages.
 
     First those that pages at the root link to; then those that the code names which are called like the package, or
     with whose name it begins; then those of the same owner with the name of the package, or with that of what it is a
-    part of, unless others are known to publish it. Not what is ``known``.
+    part of, unless others are known to publish it or it is the name of a controller. Not what is ``known``.
     """
-    names = tuple(names)
+    names = tuple(asked)
     if not names:
         return []
     here = address(evidence.origin) if evidence.origin else ""
@@ -217,7 +220,8 @@ def _addresses(names: Iterable[str], evidence: Evidence, known: AbstractSet[str]
             found.setdefault(git.url, held)
     owner = match[1] if match and match[2] in public_hosts() else ""
     owned: dict[str, tuple[str, ...]] = {}
-    for name in names if owner else ():
+    ours = controllers((each for each in asked.values() if each.namespace == "rosdep"), evidence)
+    for name in (name for name in names if owner and name not in ours):
         for called in () if ever_released(name) else _called(name):
             url = f"{owner}/{called}"
             if called == name or not (called in known or ever_released(called)):

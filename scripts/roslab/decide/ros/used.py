@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
-from roslab.decide.ros.controllers import controllers
 from roslab.decide.ros.included import included
 from roslab.decide.ros.keys import declared_keys, own_targets
 from roslab.decide.ros.source_names import plain
@@ -21,7 +20,7 @@ from roslab.evidence.facts import Evidence
 def asked(evidence: Evidence, packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
     """Return what package.xml files, build files, started programs and headers of messages ask for."""
     keys = declared_keys(packages, target, kind)
-    ours = {*own_targets(keys, evidence), *controllers(keys, evidence)}
+    ours = own_targets(keys, evidence)
     return (
         *(key for key in keys if key.name not in ours),
         *code_needs(evidence, packages),

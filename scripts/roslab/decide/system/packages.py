@@ -132,7 +132,7 @@ def decide_system(
     unknown = [key for key in keys if not target.knows(key.name) and key.name not in rosdep_keys()]
     found.skip |= dict.fromkeys((*own_targets(unknown, evidence), *sorted(by_page(unknown, evidence))))
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
-    ours = controllers(unknown, evidence)
+    ours = controllers((key for key in unknown if key.name not in tried and not may_hold(key.name)), evidence)
     for key in keys:
         if key.name not in found.skip:
             cloned, where = may_hold(key.name), tried.get(key.name, "")
