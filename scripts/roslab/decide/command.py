@@ -16,7 +16,7 @@ from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upke
 from roslab.decide.gone_programs import gone_programs
 from roslab.decide.included import included
 from roslab.decide.launched import launched
-from roslab.decide.launched_windows import opened_by_nodes
+from roslab.decide.launched_windows import opened_by_nodes, switched_on
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
@@ -292,7 +292,9 @@ def _gui(evidence: Evidence, command: str) -> bool:
     words = command.split()
     if any(d.file in command or d.role == "build" or _as_module(d.file) in words or _example(d, words) for d in calls):
         return True  # a compiled program is not named like its file
-    if any(launch.gui for launch in evidence.launch) or opened_by_nodes(evidence, tuple(words)):
+    if any(launch.gui for launch in evidence.launch) or switched_on(evidence, words):
+        return True
+    if opened_by_nodes(evidence, tuple(words)):
         return True
     asked = (d for project in evidence.cmake if not places.vendored(project.file) for d in project.dependencies)
     found = (*evidence.code, *(d for d in asked if d.strength == "declared" and d.role != "test"))

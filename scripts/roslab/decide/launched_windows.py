@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from roslab.decide.brought_launches import with_brought
 from roslab.decide.launch_calls import started_launch
 from roslab.evidence.dependency import Dependency
@@ -25,6 +27,13 @@ def opened_by_nodes(evidence: Evidence, argv: tuple[str, ...]) -> tuple[Dependen
         inside = [file for file in programs if folder is not None and file.startswith(f"{folder}/" if folder else "")]
         files |= {file for file in inside if _stem(file) == _stem(program)} or {*inside[: len(inside) == 1]}
     return tuple(each for each in calls if each.file in files)
+
+
+def switched_on(evidence: Evidence, words: Iterable[str]) -> bool:
+    """Tell whether a command gives an argument another value than the one that keeps a viewer from being started."""
+    given = {name: value.lower() for name, is_given, value in (word.partition(":=") for word in words) if is_given}
+    kept = [(given[name], value) for launch in evidence.launch for name, value in launch.viewers if name in given]
+    return any(said != value for said, value in kept)
 
 
 def _nodes(evidence: Evidence, argv: tuple[str, ...]) -> frozenset[tuple[str, str]]:

@@ -20,6 +20,8 @@ class LaunchFile:
     dependencies: tuple[Dependency, ...]
     gui: bool
     """Whether it starts rviz, rqt, Gazebo's client or the like."""
+    viewers: tuple[tuple[str, str], ...] = ()
+    """Arguments whose values keep viewers from being started, each with that value."""
     tests: int = 0
     """Number of its tests for rostest."""
     compiled: tuple[tuple[str, str], ...] = ()

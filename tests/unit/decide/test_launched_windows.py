@@ -56,3 +56,39 @@ def test_a_node_opens_a_window(tree: Tree, command: str, *, gui: bool) -> None:
     assert " ".join(decision.command) == command
     assert decision.gui is gui
     assert decision.variables == (() if gui else (("MUJOCO_GL", "egl"),))
+
+
+XML = '<launch><arg name="rviz" default="{}"/><node pkg="rviz" type="rviz" name="r" {}="$(arg rviz)"/></launch>'
+CALLS = (
+    "LaunchDescription([DeclareLaunchArgument('rviz', default_value='{}'), "
+    "Node(package='rviz2', executable='rviz2', condition={}Condition(LaunchConfiguration('rviz')))])"
+)
+
+
+@pytest.mark.parametrize(
+    ("default", "condition", "given", "shown"),
+    [
+        ("false", "if", " rviz:=true", True),
+        ("false", "if", " rviz:=false", False),
+        ("false", "if", " other:=true", False),
+        ("false", "if", "", False),
+        ("true", "unless", " rviz:=false", True),
+    ],
+)
+@pytest.mark.parametrize("python", [False, True])
+def test_a_command_that_switches_a_viewer_on(
+    tree: Tree, default: str, condition: str, given: str, *, shown: bool, python: bool
+) -> None:
+    name, start = ("a.launch.py", "ros2 launch") if python else ("a.launch", "roslaunch")
+    text = CALLS.format(default, condition.title()) if python else XML.format(default, condition)
+    tool = "ament_cmake" if python else "catkin"
+    decision = tree(
+        {
+            "package.xml": f"<package><name>demo</name><buildtool_depend>{tool}</buildtool_depend></package>",
+            "CMakeLists.txt": f"project(demo)\nfind_package({tool} REQUIRED)\ninstall(DIRECTORY launch)\n",
+            "README.md": f"# Demo\n## Run\n```\n{start} demo {name}{given}\n```\n",
+            f"launch/{name}": text,
+        }
+    )
+    assert decision.gui is shown
+    assert decision.command[-1] == (given.strip() or name)

@@ -16,7 +16,7 @@ from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
 from roslab.evidence.ros.included_launches import included
-from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES, conditional, started
+from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES, conditional, kept_by, started
 from roslab.evidence.ros.launch_switches import switches
 from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.unmade_nodes import with_unmade
@@ -102,6 +102,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 ros=1 if old else 2,
                 dependencies=tuple(_named(text, file, python=python)),
                 gui=_shows(text) or opens_window(text, conditional, python=python),
+                viewers=_waiting(text),
                 includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
                 demands=_demanded(text) if xml else _declared(text) if python else (),
@@ -150,10 +151,22 @@ def _new(text: str) -> bool:
 def _shows(text: str) -> bool:
     """Tell whether a file names a viewer, and does not start all of them under conditions that do not hold."""
     found = list(matches_at(_GUI, text, *_VIEWERS))
-    named = [match for match in found if _NAMES.search(text, max(0, match.start() - 40), match.start())]
+    named = _started_viewers(text)
     included = any(_OF_LAUNCH.match(text, match.end()) for match in found)
     waiting = named and all(started(text, match.start(), match.end()) is False for match in named)
     return bool(found) and not (waiting and not included)
+
+
+def _waiting(text: str) -> tuple[tuple[str, str], ...]:
+    """Return the arguments that keep viewers from being started, each with the value by which it does."""
+    return tuple(
+        dict.fromkeys(each for found in _started_viewers(text) for each in kept_by(text, found.start(), found.end()))
+    )
+
+
+def _started_viewers(text: str) -> list[re.Match[str]]:
+    found = matches_at(_GUI, text, *_VIEWERS)
+    return [match for match in found if _NAMES.search(text, max(0, match.start() - 40), match.start())]
 
 
 def _demanded(text: str) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
+from typing import NamedTuple
 
 from roslab.evidence.lex.lines import matches_at
 from roslab.values.pattern import pattern
@@ -45,9 +46,37 @@ def conditional(text: str, begin: int, end: int) -> bool:
 
 def started(text: str, begin: int, end: int) -> bool | None:
     """Tell whether what names something is started by the defaults; ``None`` where they do not tell."""
-    tags, calls = _conditions(text)
-    found = [*(_of_tags(text, begin, end) if tags else ()), *(_of_call(text, begin, end) if calls else ())]
+    found = [_holds(each) for each in _around(text, begin, end)]
     return False if False in found else None if None in found else True
+
+
+def kept_by(text: str, begin: int, end: int) -> tuple[tuple[str, str], ...]:
+    """Return the arguments that keep what names something from being started, each with the value that does."""
+    found: dict[str, str] = {}
+    for each in _around(text, begin, end):
+        if _holds(each) is False:
+            *names, value = _followed(each.written, each.defaults)
+            found |= dict.fromkeys(names, value)
+    return tuple(found.items())
+
+
+class _Condition(NamedTuple):
+    """What a condition says; it holds where that is true, ``if``, or not true."""
+
+    holds_if: bool
+    written: str
+    defaults: Mapping[str, str]
+
+
+def _holds(condition: _Condition) -> bool | None:
+    truth = _TRUTH.get(_followed(condition.written, condition.defaults)[-1])
+    return truth if truth is None or condition.holds_if else not truth
+
+
+def _around(text: str, begin: int, end: int) -> Iterator[_Condition]:
+    tags, calls = _conditions(text)
+    yield from _of_tags(text, begin, end) if tags else ()
+    yield from _of_call(text, begin, end) if calls else ()
 
 
 @cache
@@ -56,7 +85,7 @@ def _conditions(text: str) -> tuple[bool, bool]:
     return any(matches_at(_IF, text, *_IFS)), "condition" in text
 
 
-def _of_tags(text: str, begin: int, end: int) -> Iterator[bool | None]:
+def _of_tags(text: str, begin: int, end: int) -> Iterator[_Condition]:
     """Yield what the conditions say of the element that names a package and of the groups around it: ``if="…"``."""
     closed = text.find(">", end, end + NEAR)
     tag = text[max(text.rfind("<", 0, begin), begin - NEAR, 0) : closed if closed >= 0 else end + NEAR]
@@ -70,11 +99,10 @@ def _of_tags(text: str, begin: int, end: int) -> Iterator[bool | None]:
             groups.pop()
     for each in (tag, *groups):
         for said in matches_at(_IF, each, *_IFS):
-            holds = _value(said[2] or said[3] or "", _defaults(text))
-            yield holds if holds is None or said[1] == "if" else not holds
+            yield _Condition(said[1] == "if", said[2] or said[3] or "", _defaults(text))
 
 
-def _of_call(text: str, begin: int, end: int) -> Iterator[bool | None]:
+def _of_call(text: str, begin: int, end: int) -> Iterator[_Condition]:
     """Yield what the condition of the call that names a package says: ``condition=IfCondition(…)``."""
     near = text[max(0, begin - 4 * NEAR) : end + 4 * NEAR]
     if "condition" not in near or "condition=" not in near.replace(" ", ""):
@@ -86,19 +114,19 @@ def _of_call(text: str, begin: int, end: int) -> Iterator[bool | None]:
         return
     said = _CALLED.search(call)
     if said is None:
-        yield None
+        yield _Condition(True, "", {})
         return
     name = said[2] or dict(_VARIABLE.findall(text)).get(said[3] or "", "")
-    holds = _value(f"$(arg {name})" if name else said[4] or "", _declared(text))
-    yield holds if holds is None or said[1] == "If" else not holds
+    yield _Condition(said[1] == "If", f"$(arg {name})" if name else said[4] or "", _declared(text))
 
 
-def _value(written: str, defaults: Mapping[str, str]) -> bool | None:
-    for _ in range(_MOST):
-        if not (named := _REFERENCE.fullmatch(written.strip())):
-            break
+def _followed(written: str, defaults: Mapping[str, str]) -> tuple[str, ...]:
+    """Return the arguments that give a value, and it."""
+    names: list[str] = []
+    while len(names) < _MOST and (named := _REFERENCE.fullmatch(written.strip())):
+        names.append(named[1])
         written = defaults.get(named[1], "")
-    return _TRUTH.get(written.strip().lower())
+    return (*names, written.strip().lower())
 
 
 @cache
