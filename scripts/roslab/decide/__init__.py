@@ -186,7 +186,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         ros=distro,
         gui=command.answer.gui,
         dockerfile=dockerfile,
-        apt=frozenset((*system.answer.apt, *system.answer.apt_guessed)),
+        apt=frozenset((*system.answer.apt, *system.answer.apt_guessed, *map(target.ros, system.answer.rosdep))),
     )
     downloads = decide_downloads(evidence, config, command.answer.command, folder_name, command.answer.page)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)

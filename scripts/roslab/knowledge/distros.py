@@ -28,6 +28,8 @@ class Distro:
     preference: int
     """If several distributions have equal evidence, the highest number is taken: one with long support wins over
     a newer one, for which packages are still being released."""
+    middleware: str
+    """The one that its images have, of ROS 2; https://ros.org/reps/rep-2000.html calls it the default."""
     default: bool
     """It is used when nothing names one: the last of ROS 1, and the ROS 2 on which most of 120 repositories work."""
 

@@ -44,6 +44,33 @@ def test_what_the_tree_reads(tree: Tree) -> None:
     assert _set(tree, "ENV GRIPPER=soft OTHER=hard\n", **launch) == {"GRIPPER": "soft"}
 
 
+def test_what_cmake_reads_is_a_switch_of_that_image(tree: Tree) -> None:
+    switch = 'project(demo)\nif("$ENV{WITH_CUDA}" STREQUAL "ON")\nfind_package(CUDA REQUIRED)\nendif()\n'
+    assert _set(tree, "ENV WITH_CUDA=ON CXX=clang++\n", **{"CMakeLists.txt": switch}) == {}
+
+
+@pytest.mark.parametrize(
+    ("ros", "middleware", "depends", "there"),
+    [
+        ("humble", "rmw_cyclonedds_cpp", "<depend>rmw_cyclonedds_cpp</depend>", True),
+        ("humble", "rmw_cyclonedds_cpp", "", False),
+        ("galactic", "rmw_cyclonedds_cpp", "", True),
+        ("galactic", "rmw_fastrtps_cpp", "", False),
+        ("noetic", "rmw_fastrtps_cpp", "", False),
+    ],
+)
+def test_a_middleware_that_is_there(tree: Tree, ros: str, middleware: str, depends: str, *, there: bool) -> None:
+    files = {
+        "docker/Dockerfile": f"FROM ros:{ros}\nENV RMW_IMPLEMENTATION={middleware}\n",
+        "package.xml": f"<package><name>demo</name>{depends}<buildtool_depend>ament_cmake</buildtool_depend></package>",
+        "README.md": f"ROS {ros}\n",
+    }
+    if ros == "noetic":
+        files["CMakeLists.txt"] = "project(demo)\nfind_package(catkin REQUIRED)\n"
+        files["package.xml"] = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    assert ("RMW_IMPLEMENTATION" in _set(tree, "", **files)) == there
+
+
 def test_two_that_differ(tree: Tree) -> None:
     more = {"robot/Dockerfile": "FROM ros:humble\nENV ROS_DOMAIN_ID=7 TURTLEBOT3_MODEL=burger\n"}
     assert _set(tree, "ENV ROS_DOMAIN_ID=30\n", **more) == {"TURTLEBOT3_MODEL": "burger"}

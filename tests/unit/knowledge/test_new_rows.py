@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 DISTRO = (
-    "name,ros,ubuntu,releases,python,released,eol,rosdistro_tag,arm64,preference,default,word,image,source,date",
-    "zephyr,2,{ubuntu},{ubuntu},3.14,2027-05-23,2032-05-31,,yes,9,no,yes,yes,https://example.org,2027-05-23",
+    "name,ros,ubuntu,releases,python,released,eol,rosdistro_tag,arm64,preference,default,middleware,word,image,source,date",
+    "zephyr,2,{ubuntu},{ubuntu},3.14,2027-05-23,2032-05-31,,yes,9,no,rmw_fastrtps_cpp,yes,yes,https://example.org,2027-05-23",
 )
 UBUNTU = (
     "codename,version,python,cmake,released,ended,source,date",

@@ -6,11 +6,10 @@ from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.distros import Distro, distro
 from roslab.knowledge.released import released
 
 _MIDDLEWARE = "RMW_IMPLEMENTATION"
-WITH_ROS = "rmw_fastrtps_cpp"
-"""The middleware that the images of ROS 2 have. https://docs.ros.org/en/rolling/Installation/RMW-Implementations.html"""
 
 
 def author_variables(
@@ -27,8 +26,15 @@ def author_variables(
             for said in dockerfile.environment:
                 name, _, value = said.value.partition("=")
                 found.setdefault(name, {}).setdefault(value, said)
-    for name, values in found.items() if ros else ():
+    known = distro(ros)
+    if known is None:
+        return
+    for name, values in found.items():
         value, said = next(iter(values.items()))
-        there = value == WITH_ROS or (value in released(ros or "") and f"ros-{ros}-{value.replace('_', '-')}" in apt)
-        if len(values) == 1 and (name != _MIDDLEWARE or there):
+        if len(values) == 1 and (name != _MIDDLEWARE or _there(value, known, apt)):
             yield name, value, "the author's own image sets it", said
+
+
+def _there(middleware: str, ros: Distro, apt: AbstractSet[str]) -> bool:
+    package = f"ros-{ros.name}-{middleware.replace('_', '-')}"
+    return middleware == ros.middleware or (middleware in released(ros.name) and package in apt)

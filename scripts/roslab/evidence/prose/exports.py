@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
@@ -78,6 +78,16 @@ def read_by_tree(name: str, repository: Repository) -> bool:
     )
 
 
+def read_by_launch(name: str, repository: Repository) -> bool:
+    """Tell whether launch files or a package.xml read a variable, and no CMake, whose switches need more than it."""
+    from roslab.knowledge.build_variables import build_variables  # noqa: PLC0415 - few variables are asked for
+
+    if name in build_variables() or not read_by_tree(name, repository):
+        return False
+    cmake = [file for file in _readers(repository) if file.name.endswith((".txt", ".cmake"))]
+    return not _reading(name, cmake, repository)
+
+
 def _is_read(name: str, repository: Repository) -> bool:
     """Tell whether CMake, a package.xml or a launch file of the author's reads a variable, or a sister repository's.
 
@@ -87,16 +97,20 @@ def _is_read(name: str, repository: Repository) -> bool:
 
     if name in build_variables():
         return True
-    reads = re.compile(_READS.replace("%s", name))
+    return _reading(name, _readers(repository), repository)
+
+
+def _readers(repository: Repository) -> list[File]:
     files = [
         *repository.named("CMakeLists.txt"),
         *repository.named("package.xml"),
         *repository.suffixed(".cmake", ".launch", ".xacro"),
     ]
     files += [file for file in repository.suffixed(".py", ".xml") if "launch" in file.name]
-    files = [file for file in files if not places.vendored(file.path)]
-    for file in nearest(files)[:MAX_READERS]:
-        found = repository.read(file)
-        if name in found and reads.search(found):
-            return True
-    return False
+    return nearest([file for file in files if not places.vendored(file.path)])[:MAX_READERS]
+
+
+def _reading(name: str, files: Iterable[File], repository: Repository) -> bool:
+    reads = re.compile(_READS.replace("%s", name))
+    texts = (repository.read(file) for file in files)
+    return any(name in text and reads.search(text) for text in texts)
