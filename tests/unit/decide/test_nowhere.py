@@ -89,6 +89,16 @@ def test_a_condition_may_leave_it_out(tree: Tree) -> None:
     assert not _told(tree(_including("other/Lost.h", {"mine/src/a.cpp": code})))
 
 
+MINE = "add_executable(a src/a.cpp)\n"
+MADE = "${CMAKE_BINARY_DIR}/acmelib/acmelib.h"
+FETCHED = (
+    "include(FetchContent)\nFetchContent_Declare(words GIT_REPOSITORY https://github.com/me/words.git GIT_TAG v1)\n"
+    "FetchContent_MakeAvailable(words)\n"
+)
+MODULE = '[submodule "{0}"]\n\tpath = {0}\n\turl = https://github.com/me/words.git\n'
+LISTED = "repositories:\n  core:\n    type: git\n    url: https://github.com/me/core.git\n    version: main\n"
+
+
 @pytest.mark.parametrize(
     ("code", "more", "told"),
     [
@@ -108,6 +118,12 @@ def test_a_condition_may_leave_it_out(tree: Tree) -> None:
             False,
         ),
         ("#include <acmelib/acmelib.h>\n", _package("acmelib"), False),
+        ("#include <acmelib/acmelib.h>\n", _package("mine", MINE + f"configure_file(a.in {MADE})\n"), False),
+        ("#include <acmelib/acmelib.h>\n", {"mine/acmelib.h.in": ""}, False),
+        ("#include <acmelib/acmelib.h>\n", _package("mine", MINE + FETCHED), False),
+        ("#include <acmelib/acmelib.h>\n", _package("other", FETCHED), True),
+        ("#include <acmelib/acmelib.h>\n", {".gitmodules": MODULE.format("mine/3rdparty/Words")}, False),
+        ("#include <acmelib/acmelib.h>\n", {"README.md": "ROS Noetic\n", "a.repos": LISTED}, False),
     ],
 )
 def test_a_library_that_nothing_names_or_brings_is_told(

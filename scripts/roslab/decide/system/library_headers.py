@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from roslab.decide.decision import Warning_
 from roslab.decide.programs import owner
 from roslab.decide.reasons import warn
-from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.required import similar
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.nowhere import LIBRARY
@@ -20,24 +21,37 @@ _SHORTEST = 3
 
 
 def without_library(
-    evidence: Evidence, packages: Packages, provided: Collection[str], build_tool: str
+    evidence: Evidence, packages: Packages, provided: Collection[str], build_tool: str, *, unread: bool
 ) -> Iterator[Warning_]:
     """Yield a warning for each such header that a built package includes; ``provided``: names in one spelling.
 
-    What CMake, a manifest or a page names may bring the library, and what is called alike, its headers.
+    What CMake, a manifest or a page names may bring the library, and what is called alike, its headers. So may what
+    is ``unread``: a clone whose packages are not known, a command of roslab.yaml; and what lies in the package.
     """
+    if unread:
+        return
     headers = [each for each in evidence.code if each.namespace == "nowhere" and each.role == LIBRARY]
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
     told: set[str] = set()
+    others = {*_with_others(evidence, folders)} if headers else set[str]()
     there = {*provided, *_named(evidence)} if headers else set[str]()
     for each in headers:
         name = each.name.partition("/")[0]
         package = owner(each.file, folders)
-        if package and name not in told and not _known(each, name) and not _alike(plain(name), there):
+        if package is None or package in others:
+            continue
+        if name not in told and not _known(each, name) and not _brought(plain(name), there):
             told.add(name)
             what = f"{package} includes {each.name}, and nothing is known that brings {name}"
-            then = "give its repository under `source` in roslab.yaml"
+            then = "give its package under `apt` or its repository under `source` in roslab.yaml"
             yield warn(f"{what}: {build_tool} will most likely stop there; {then}", each)
+
+
+def _with_others(evidence: Evidence, folders: Mapping[str, str]) -> Iterator[str]:
+    """Yield the packages in which a submodule lies or whose CMake fetches something."""
+    submodules = (f"{git.name}/" for git in evidence.sources if git.kind == "submodule")
+    fetching = (project.file for project in evidence.cmake if project.sources or project.brought)
+    yield from (package for file in (*submodules, *fetching) if (package := owner(file, folders)))
 
 
 def _named(evidence: Evidence) -> Iterator[str]:
@@ -46,7 +60,7 @@ def _named(evidence: Evidence) -> Iterator[str]:
     asked += [d for each in evidence.manifests for d in each.dependencies]
     asked += [*evidence.prose, *(d for each in evidence.dockerfiles for d in each.dependencies)]
     yield from (plain(each.name) for each in asked)
-    yield from (plain(each.name) for each in evidence.sources)
+    yield from (plain(name) for each in evidence.sources for name in (each.name, address(each.url).rpartition("/")[2]))
     yield from (plain(each.name) for each in evidence.own_keys)
     for project in evidence.cmake:
         yield from (plain(name) for name in (*project.made, *project.brought))
@@ -63,5 +77,6 @@ def _known(each: Dependency, name: str) -> bool:
     )
 
 
-def _alike(name: str, there: Collection[str]) -> bool:
-    return any(name in each or (len(each) >= _SHORTEST and each in name) for each in there)
+def _brought(name: str, there: Collection[str]) -> bool:
+    """Tell whether something there is called like a library, or as a part of its name is."""
+    return similar(name, there) or any(len(each) >= _SHORTEST and similar(each, (name,)) for each in there)

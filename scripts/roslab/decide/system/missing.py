@@ -100,6 +100,7 @@ def decide_missing(
     may_hold: Callable[[str], bool] = lambda _: False,
     tried: Mapping[str, str] | None = None,
     linked: Collection[str] = (),
+    custom: bool = False,
 ) -> Choice[Missing]:
     """Return the packages to leave out of the build because of what they lack, with those that need these.
 
@@ -110,7 +111,7 @@ def decide_missing(
     ``cloned``: the image clones packages whose names are not known here; ``may_hold``: whether one of them may be of a
     name. What cannot be left out is told, for there the build stops. ``tried``: where the build looks for packages
     that nothing brings; ``linked``: those of them for which a page names a repository. What needs these is left out
-    only in the image, where none holds them.
+    only in the image, where none holds them. ``custom``: roslab.yaml has commands, which may bring anything.
     """
     if kind not in {"ros1", "ros2", "cpp"}:
         return Choice(answer=Missing(), warnings=tuple(_without_pip(evidence, packages, target, provided)))
@@ -156,7 +157,7 @@ def decide_missing(
         told = {asked.name for _, asked in unmet}
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
-        warnings += without_library(evidence, packages, names, build_tool)
+        warnings += without_library(evidence, packages, names, build_tool, unread=cloned or custom)
         warnings += without_own(evidence, packages, lambda name: plain(name) in names, build_tool)
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)

@@ -44,7 +44,7 @@ class Nowhere:
         """Note an include at a position of a file if its header is nowhere, and tell whether it is."""
         if name not in self.known:
             self.known[name] = bool(self.manifests) and self._lacks(name)
-        library = not self.known[name] and _OF_LIBRARY.fullmatch(name)
+        library = not self.known[name] and _OF_LIBRARY.fullmatch(name) and not self._written(name)
         if not (self.known[name] or (library and self.manifests)):
             return False
         package = self._package(file.path)
@@ -85,6 +85,12 @@ class Nowhere:
         if any(_plain(file.name.rpartition(".")[0]) in stems for file in self.repository.suffixed(*_INTERFACES)):
             return False
         return not any(message in self.repository.read(file) for file in self._cmake(folders))
+
+    def _written(self, name: str) -> bool:
+        """Tell whether a header has a template, or CMake names it with its folder, as it does to make it of a file."""
+        if self.repository.named(f"{posixpath.basename(name)}.in"):
+            return True
+        return any(name in self.repository.read(file) for file in self.repository.named("CMakeLists.txt"))
 
     def _within(self, path: str, package: str) -> bool:
         """Tell whether a path is inside of a package, where it may be generated, or in a submodule."""
