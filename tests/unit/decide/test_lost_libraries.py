@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
 
 Tree = Callable[[dict[str, str]], Decision]
 SOLVER = 'set(SOLVER "${PROJECT_SOURCE_DIR}/../solver/lib")\n'
@@ -39,7 +41,10 @@ def test_what_nothing_makes_is_told(tree: Tree, lines: str) -> None:
 
 def test_a_submodule_without_a_manifest_is_not_compiled(tree: Tree) -> None:
     modules = '[submodule "solver"]\n\tpath = solver\n\turl = https://github.com/lab/solver\n'
-    (told,) = _told(tree(_files(SOLVER + LINKS, **{".gitmodules": modules})))
+    decision = tree(_files(SOLVER + LINKS, **{".gitmodules": modules}))
+    (told,) = _told(decision)
+    assert "which the repository may not have" in told
+    assert decision.may_fail == ()  # it may have it compiled
     assert "solver: a submodule without package.xml is not compiled" in told
 
 
@@ -53,9 +58,27 @@ def test_a_submodule_without_a_manifest_is_not_compiled(tree: Tree) -> None:
         (f"{SOLVER}execute_process(COMMAND make_it)\n{LINKS}", {}),
         (SOLVER, {}),
         (LINKS, {}),
+        ("add_library(s SHARED b.cpp)\nset_target_properties(s PROPERTIES OUTPUT_NAME solver)\n" + SOLVER + LINKS, {}),
+        (
+            SOLVER + LINKS,
+            {"README.md": "ROS Noetic\n```\n./deps.sh\n```\n", "deps.sh": "cd solver\ng++ -shared b.cpp\n"},
+        ),
+        (SOLVER + LINKS, {"README.md": "ROS Noetic\n```\nwget https://x.org/libsolver.so\n```\n"}),
         ("add_library(solver b.cpp)\n" + SOLVER + LINKS, {}),
         ("target_link_libraries(a ${CMAKE_BINARY_DIR}/lib/libsolver.so)\n", {}),
     ],
 )
 def test_what_may_be_made_or_is_there_is_not(tree: Tree, lines: str, more: dict[str, str]) -> None:
     assert _told(tree(_files(lines, **more))) == []
+
+
+def test_the_commands_of_roslab_yaml_may_make_it(tmp_path: Path) -> None:
+    files = _files(SOLVER + LINKS, **{"roslab.yaml": "format: 3\ncustom:\n  - cd solver && ./make_it\n"})
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    assert _told(plan_repository(tmp_path).decision) == []
+
+
+def test_a_page_about_the_folder_is_no_command(tree: Tree) -> None:
+    assert len(_told(tree(_files(SOLVER + LINKS, **{"README.md": "ROS Noetic. The solver is quick.\n"})))) == 1

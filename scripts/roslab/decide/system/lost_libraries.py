@@ -15,7 +15,7 @@ from roslab.values.origin import Place
 
 
 def lost_libraries(evidence: Evidence, packages: Packages, build_tool: BuildTool) -> Iterator[tuple[str, Warning_]]:
-    """Yield the CMakeLists.txt of each such package, with a warning."""
+    """Yield the CMakeLists.txt of each such package, with a warning; no file where a submodule may bring it."""
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
     made = {name for project in evidence.cmake for name in project.made}
     submodules = [source.name for source in evidence.sources if source.kind == "submodule"]
@@ -32,13 +32,12 @@ def lost_libraries(evidence: Evidence, packages: Packages, build_tool: BuildTool
             continue
         names = ", ".join(path for path, _ in paths)
         held = [each for each in submodules if any(path.startswith(f"{each}/") for path, _ in paths)]
+        lacks = "may not have" if held else "does not have"
         perhaps = f" ({' and '.join(held)}: a submodule without package.xml is not compiled)" if held else ""
-        what = f"{package} links {names}, which the repository does not have and its build does not make{perhaps}"
+        what = f"{package} links {names}, which the repository {lacks} and its build does not make{perhaps}"
+        stops = f"where it is not there, {build_tool} stops" if held else f"{build_tool} will most likely stop there"
         then = "compile it there first under `custom` in roslab.yaml, or add it"
-        yield (
-            project.file,
-            warn(f"{what}: {build_tool} will most likely stop there; {then}", _place(project.file, paths)),
-        )
+        yield "" if held else project.file, warn(f"{what}: {stops}; {then}", _place(project.file, paths))
 
 
 def _place(file: str, paths: list[tuple[str, int]]) -> Place:

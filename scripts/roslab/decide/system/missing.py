@@ -162,7 +162,7 @@ def decide_missing(
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
     unfound = (*not_found(evidence, packages, target, names, build_tool, built=made),)
-    unfound += (*lost_libraries(evidence, packages, build_tool),)
+    unfound += () if custom else (*lost_libraries(evidence, packages, build_tool),)
     warnings += [warning for _, warning in unfound]
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
@@ -180,7 +180,7 @@ def decide_missing(
             options=switches,
             tests=tuple(tests),
             undeclared=bool(hidden),
-            stopping=tuple(dict.fromkeys(file for file, _ in unfound)),
+            stopping=tuple(dict.fromkeys(file for file, _ in unfound if file)),
         ),
         warnings=tuple(warnings),
         reasons=(

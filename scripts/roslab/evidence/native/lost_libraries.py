@@ -8,16 +8,19 @@ from collections.abc import Iterator
 
 from roslab.evidence.lex.cmake import Call
 from roslab.evidence.native.cmake_needs import MAX_LINKED
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 _LINKS = frozenset({"target_link_libraries", "link_libraries"})
 _FILE = pattern(r"\$\{(PROJECT|CMAKE_CURRENT)_SOURCE_DIR\}/([\w.+/-]{1,200}/lib[\w+-]{1,60}\.(?:so|a))")
 _MAKES = pattern(
-    r"\b(?:execute_process|exec_program|externalproject_\w+|fetchcontent_\w+|cpm\w+|add_custom_\w+|file\s*\(\s*download)\b",
+    r"\b(?:execute_process|exec_program|externalproject_\w+|fetchcontent_\w+|cpm\w+|add_custom_\w+|file\s*\(\s*download|output_name)\b",
     re.IGNORECASE,
 )
-"""Calls that may make a file while CMake configures or builds."""
+"""Calls that may make a file while CMake configures or builds, and what has it called unlike its target."""
+_PAGES = (".md", ".rst", ".sh", ".bash")
+MAX_PAGES = 40
+"""Most pages and scripts that are searched, those nearest to the root first."""
 _OF_BUILDS = ("CMakeLists.txt", "Makefile", "makefile", "configure", "meson.build", "build.sh", "setup.py")
 
 
@@ -34,11 +37,12 @@ def named(call: Call, folder: str, *, own: bool) -> Iterator[tuple[str, int]]:
 def lost(files: dict[str, int], folder: str, text: str, repository: Repository) -> tuple[tuple[str, int], ...]:
     """Return those that the tree does not have, none where the file calls what may make them.
 
-    What lies below another project than those around ``folder`` may be compiled there.
+    What lies below another project than those around ``folder`` may be compiled there, and a page or a script that
+    names the library or its folder may tell how it is made.
     """
     if not files or _MAKES.search(text):
         return ()
-    return tuple(
+    found = (
         (path, line)
         for path, line in files.items()
         if not path.startswith("..")
@@ -46,6 +50,15 @@ def lost(files: dict[str, int], folder: str, text: str, repository: Repository) 
         and not repository.named(posixpath.basename(path))
         if not any(repository.has(f"{each}/{name}") for each in _beside(path, folder) for name in _OF_BUILDS)
     )
+    return tuple(each for each in found if not _told(each[0], repository))
+
+
+def _told(path: str, repository: Repository) -> bool:
+    """Tell whether a page or a script names a library, or goes to the folder in which it is made."""
+    folder = re.escape(posixpath.dirname(path).removesuffix("/lib") or posixpath.basename(path))
+    names = re.compile(rf"\b{re.escape(posixpath.basename(path))}|\bcd\s+\S{{0,200}}?(?<![\w.-]){folder}(?![\w.-])")
+    pages = nearest(repository.suffixed(*_PAGES))[:MAX_PAGES]
+    return any(names.search(repository.read(file)) for file in pages)
 
 
 def _beside(path: str, folder: str) -> Iterator[str]:
