@@ -103,6 +103,7 @@ def test_the_options_of_the_page_win(tree: Tree) -> None:
         ("find_package(GRASP REQUIRED)\n", "- `libGrasp`: (https://github.com/lab/libGrasp_base)", ["libGrasp_base"]),
         ("find_package(GRASP QUIET)\n", "- `libGrasp`: (https://github.com/lab/libGrasp_base)", []),
         ("find_package(other REQUIRED)\n", "- `libGrasp`: (https://github.com/lab/libGrasp_base)", []),
+        ("find_package(scout REQUIRED)\n", "It runs on [a robot](https://github.com/lab/scout_base).", []),
         ("find_package(grasplib QUIET)\n", "See https://github.com/lab/grasplib.", []),
         ("find_package(grasplib REQUIRED)\n", "See https://github.com/lab/other.", []),
         ("find_package(grasplib REQUIRED)\n", "See https://github.com/lab/grasplib/issues/3.", []),

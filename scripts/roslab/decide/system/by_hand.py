@@ -139,7 +139,8 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
             offered.setdefault(_bare(git.folder), git)
     for git in [git for git in offered.values() if git.installed]:  # what it installs may be called without that
         offered.setdefault(_SDK.sub("", _bare(git.name)), git)
-    for git in [git for git in offered.values() if git.kind == "link"]:
+    libraries = [git for git in offered.values() if git.kind == "link" and _LIB.match(plain(git.name))]
+    for git in libraries:  # NAME_base without lib is as often the driver of a robot's base
         offered.setdefault(_bare(git.name).removesuffix("_base"), git)
     return offered
 
