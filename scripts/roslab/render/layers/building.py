@@ -61,11 +61,13 @@ def variables(plan: Plan) -> str:
 def _value(name: str, value: str, plan: Plan) -> str:
     """Return a value as it is written, with the folders of the repository (``./models``) at their place.
 
-    Those of PATH come before the others.
+    Those of PATH come before the others, and those of the linker before what the base image tells it.
     """
     parts = value.split(":")
     if name == "PATH":
         return f'"{quote.docker_path(value)}:${{PATH}}"'
+    if name == "LIBRARY_PATH":
+        return f'"{quote.docker_path(value)}${{LIBRARY_PATH:+:${{LIBRARY_PATH}}}}"'
     if not all(part.startswith("./") for part in parts):
         return quote.docker(value)
     placed = ":".join(f"/home/{quote.USER}/{plan.workspace.folder}/{part[2:]}".rstrip("/") for part in parts)
