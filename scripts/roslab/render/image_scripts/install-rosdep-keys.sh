@@ -25,11 +25,12 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-# A line that names nothing is a key that rosdep cannot find, and one with several names, or with a version in
+# A line that names nothing is a key that rosdep cannot find, and one with several names, or with words in
 # parentheses, is one key
 find "${folders[@]}" -name package.xml -exec sed --in-place --regexp-extended \
   -e 's#<([a-z_]*depend)( [^>]*)?>[[:space:]]*</\1>##g' \
-  -e 's#<([a-z_]*depend)( [^>]*)?>([^<(]*[^<([:space:]])[[:space:]]*\([^()<]*\)#<\1\2>\3#g' -e ':several' \
+  -e ':version' -e 's#<([a-z_]*depend)( [^>]*)?>([^<(]*[^<([:space:]])[[:space:]]*\([^()<]*\)#<\1\2>\3#g' -e 't version' \
+  -e ':several' \
   -e 's#<([a-z_]*depend)( [^>]*)?>[[:space:]]*([^<[:space:]]+)[[:space:]]+([^<[:space:]][^<]*)</\1>#<\1\2>\3</\1><\1\2>\4</\1>#' \
   -e 't several' {} +
 
