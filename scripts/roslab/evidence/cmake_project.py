@@ -57,7 +57,7 @@ class CMakeProject:
     lost: tuple[tuple[str, int], ...] = ()
     """Paths of libraries in the tree that it always links and that are not there, each with its line."""
     lacks: bool = False
-    """None of the files of code that its programs name is there: it cannot be built by itself."""
+    """None of the files of code that its programs, else its libraries name is there: it cannot be built by itself."""
     guards: tuple[tuple[str, str], ...] = ()
     """Programs that are built only where a package was found, each with the package's name in lower case."""
     optional: tuple[tuple[str, str], ...] = ()

@@ -35,7 +35,8 @@ def sign_of_cuda(evidence: Evidence) -> Sign | None:
     if evidence.cuda_files:
         return Sign(file=evidence.cuda_files[0], line=1, why="CUDA sources")
     for project in evidence.cmake:
-        if "cuda" in project.macros and not places.vendored(project.file) and not places.example(project.file):
+        aside = places.vendored(project.file) or places.example(project.file) or project.lacks
+        if "cuda" in project.macros and not aside:
             return Sign(file=project.file, line=project.line, why="its CMake needs CUDA")
     return None
 

@@ -9,6 +9,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.included import without_headers
+from roslab.decide.ros.nothing_to_build import nothing_to_build
 from roslab.decide.ros.nowhere import without_own
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
@@ -253,11 +254,10 @@ def _of_a_clone(asked: Dependency, known: frozenset[str]) -> bool:
     return asked.namespace == "rosdep" and asked.role not in {"test", "doc"} and asked.name not in known
 
 
-def marked(build_tool: BuildTool, left_out: tuple[str, ...], packages: Packages) -> tuple[str, ...]:
+def marked(build_tool: BuildTool, left_out: tuple[str, ...], packages: Packages, evidence: Evidence) -> tuple[str, ...]:
     """Return the folders that a build tool must not look into."""
-    if SKIP.get(build_tool) != "":
-        return packages.doubles
-    return (*packages.doubles, *folders_of(packages, left_out))
+    folders = folders_of(packages, left_out) if SKIP.get(build_tool) == "" else ()
+    return (*packages.doubles, *folders, *nothing_to_build(evidence, packages, build_tool))
 
 
 def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...]:

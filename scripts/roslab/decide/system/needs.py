@@ -118,7 +118,8 @@ def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     skipped = frozenset((*(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored), *packages.doubles))
     for project in evidence.cmake:
         vendored = places.vendored(project.file)
-        if (vendored and not project.always) or _inside(project.file, skipped):
+        alone = bool(packages.built) and project.top_level and project.lacks  # nothing builds it without its code
+        if (vendored and not project.always) or alone or _inside(project.file, skipped):
             continue
         for dependency in project.dependencies:
             if vendored and dependency.strength != "declared":

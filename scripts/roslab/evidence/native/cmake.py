@@ -200,7 +200,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         outside=tuple((reading.written.file(name), ros) for name, ros in reading.outside),
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
         settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
-        lacks=bool(reading.named) and not any(repository.has(_joined(file.folder, name)) for name in reading.named),
+        lacks=_lacks(repository, file.folder, reading),
     )
 
 
@@ -237,8 +237,7 @@ def _note(call: Call, path: str, reading: Reading) -> None:
     elif name in _TESTS:
         reading.tests = True
     elif name in _LIBRARY:
-        reading.libraries.update(words[:1])
-        reading.made |= {} if "IMPORTED" in words else dict.fromkeys(words[:1])
+        reading.library(told)
     elif name in cmake_needs.BRINGING:
         reading.brought |= dict.fromkeys(cmake_needs.brought(call))
         reading.sources += cmake_needs.fetched(told, path) if name in cmake_needs.FETCHING else ()
@@ -248,6 +247,11 @@ def _note(call: Call, path: str, reading: Reading) -> None:
     reading.files |= dict(named(call, path.rpartition("/")[0], own=reading.name is not None))
     reading.macros |= (families := macros(call))
     reading.cuda += [told] if "cuda" in families else []
+
+
+def _lacks(repository: Repository, folder: str, reading: Reading) -> bool:
+    code = reading.named or reading.compiled  # where no program names files, those of libraries
+    return bool(code) and not any(repository.has(_joined(folder, name)) for name in code)
 
 
 def _joined(folder: str, path: str) -> str:

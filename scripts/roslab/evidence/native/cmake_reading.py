@@ -11,6 +11,7 @@ from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
+_HERE = pattern(r"^\$\{(?:CMAKE_CURRENT_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}/")
 _SWITCH = pattern(r"(?:OFF )?(?!UNIX$|LINUX$|WIN32$|MSVC$|APPLE$)[A-Za-z]\w*(?<!_FOUND)")
 _WHERE_FOUND = pattern(r"(?<!NOT )\b(?:(\w+)_FOUND\b|TARGET (\w+)::)")
 
@@ -45,6 +46,8 @@ class Reading:
     """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
     named: set[str] = field(default_factory=set)
     """Files of code that programs name, relative to this one's folder."""
+    compiled: set[str] = field(default_factory=set)
+    """Those that libraries name."""
     dependencies: list[Dependency] = field(default_factory=list)
     sources: list[GitSource] = field(default_factory=list)
     brought: dict[str, None] = field(default_factory=dict)
@@ -54,6 +57,13 @@ class Reading:
     included: set[str] = field(default_factory=set)
     """Files of the tree that it includes, and those that they include."""
     newer: dict[str, Dependency] = field(default_factory=dict)
+
+    def library(self, call: Call) -> None:
+        """Note a library, with its files where it is made here and does not lie elsewhere (``IMPORTED``)."""
+        self.libraries.update(call.words[:1])
+        if "IMPORTED" not in call.words:
+            self.made |= dict.fromkeys(call.words[:1])
+            self.compiled.update(word for each in call.words if _CODE.match(word := _HERE.sub("", each)))
 
     def program(self, call: Call) -> None:
         """Note a program with its files, and the packages that its conditions ask for."""

@@ -1,0 +1,49 @@
+"""Folders that a tool of ROS takes for packages, and in which there is nothing that it could build: it stops there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.config.model import BuildTool
+from roslab.decide.ros.workspace import Packages, nothing_builds, types
+from roslab.evidence.facts import Evidence
+
+_BUILT = frozenset({"ament_cmake", "ament_python", "catkin", "cmake"})
+"""Build types that need a CMakeLists.txt or a setup.py; for others a tool may have an extension."""
+
+
+def nothing_to_build(evidence: Evidence, packages: Packages, build_tool: BuildTool) -> tuple[str, ...]:
+    """Return these folders: the share folders of installed packages, and for colcon CMake projects without their code.
+
+    colcon takes each CMakeLists.txt that calls ``project()`` for a package. Not the root, nor what holds or lies in a
+    package that is built, where the marker would hide that or no tool looks.
+    https://colcon.readthedocs.io/en/released/reference/discovery-arguments.html
+    """
+    built = [manifest.file.rpartition("/")[0] for manifest in packages.built]
+    found = {*_described(evidence, packages), *(_without_code(evidence) if build_tool == "colcon" else ())}
+
+    def apart(folder: str) -> bool:
+        around = any(not each or f"{folder}/".startswith(f"{each}/") for each in built)
+        return bool(folder) and not around and not any(each.startswith(f"{folder}/") for each in built)
+
+    return tuple(sorted(filter(apart, found - set(packages.doubles))))
+
+
+def _described(evidence: Evidence, packages: Packages) -> Iterator[str]:
+    """Yield the folders of manifests beside which nothing is."""
+    by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
+    buildable = by_cmake | {project.folder for project in evidence.python}
+    for manifest in packages.assets:
+        folder = manifest.file.rpartition("/")[0]
+        known = types(manifest) <= _BUILT
+        if known and not manifest.metapackage and (folder not in buildable or nothing_builds(manifest, by_cmake)):
+            yield folder
+
+
+def _without_code(evidence: Evidence) -> Iterator[str]:
+    """Yield the folders of CMake projects without a manifest that have none of the files which they compile."""
+    manifests = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
+    for project in evidence.cmake:
+        folder = project.file.rpartition("/")[0]
+        if project.top_level and project.lacks and folder not in manifests:
+            yield folder
