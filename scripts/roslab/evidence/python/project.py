@@ -9,6 +9,7 @@ from typing import Any
 
 from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import requirements
+from roslab.evidence.python.console_scripts import startable
 from roslab.evidence.python.manager_lines import GROUP
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -165,7 +166,7 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         requires_python=script.requires_python,
         build_requires=tuple(_listed(script.build_requires, path, line_of)),
         requirements=tuple(asked),
-        scripts=tuple((name, line_of(name)) for name in script.scripts),
+        scripts=tuple((name, line_of(name)) for name in startable(repository, folder, script.scripts)),
         script_files=_in(folder, script.script_files),
         extensions=(*extensions(text), *by_install(text, script.commands)),
         classifiers=script.classifiers,
@@ -213,9 +214,8 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
     if parser.has_section("options.extras_require"):
         for extra in parser.options("options.extras_require"):
             asked += _listed(words("options.extras_require", extra), path, line_of, extra=extra)
-    scripts = tuple(
-        (line.partition("=")[0].strip(), line_of(line)) for line in words("options.entry_points", "console_scripts")
-    )
+    entries = words("options.entry_points", "console_scripts")
+    scripts = tuple((name, line_of(name)) for name in startable(repository, folder, entries))
     return PythonProject(
         file=path,
         line=1,

@@ -38,6 +38,7 @@ class SetupScript:
     """Requirement lines and their files, by role; that of an extra is ``extra:NAME`` or ``extra:NAME:MARKER``."""
     build_requires: tuple[str, ...] = ()
     scripts: tuple[str, ...] = ()
+    """Programs as they are written: ``run = planner.node:main``."""
     script_files: tuple[str, ...] = ()
     """Files that are installed as programs of the same names, as ``scripts`` lists them."""
     classifiers: tuple[str, ...] = ()
@@ -86,7 +87,7 @@ def read(text: str) -> SetupScript:
     script.build_requires = tuple(given("setup_requires"))
     script.classifiers = tuple(given("classifiers"))
     entries = _dictionary(keywords.get("entry_points"), names).get("console_scripts")
-    script.scripts = tuple(line.partition("=")[0].strip() for line in reader.strings(entries)) if entries else ()
+    script.scripts = tuple(reader.strings(entries)) if entries else ()
     script.script_files = tuple(given("scripts"))
     script.commands = tuple(_dictionary(keywords.get("cmdclass"), names))
     return script
