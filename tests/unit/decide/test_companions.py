@@ -25,6 +25,8 @@ def guessed(tree: Tree, code: str, **files: str) -> set[str]:
         ("import torch_geometric.nn as gnn\nedges = gnn.radius_graph(x, 2)\n", "torch-cluster"),
         ("import torch_geometric.transforms as T\nt = T.Compose([T.KNNGraph(k=6)])\n", "torch-cluster"),
         ("from stable_baselines3 import PPO\nPPO('MlpPolicy', e, tensorboard_log='logs')\n", "tensorboard"),
+        ("from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=True)\n", "rich"),
+        ("from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=True)\n", "tqdm"),
         (LANDER, "gymnasium[box2d]"),
         ("import gymnasium as gym\nenv = gym.make('CartPole-v1', render_mode='human')\n", "pygame"),
     ],
@@ -42,12 +44,13 @@ def test_a_used_function_brings_it(tree: Tree, code: str, needs: str) -> None:
         '"""It replaces radius_graph of old code."""\nimport torch_geometric\n',
         "import torch\nfrom mine import knn_graph\n",
         "from stable_baselines3 import PPO\nPPO('MlpPolicy', e, tensorboard_log=None)\n",
+        "from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=False)\n",
         "import gymnasium as gym\nenv = gym.make('CartPole-v1')\n",
         "import gymnasium as gym\nname = 'LunarLander'\n",
     ],
 )
 def test_what_does_not_use_it_brings_none(tree: Tree, code: str) -> None:
-    assert not guessed(tree, code) & {"torch-cluster", "tensorboard", "gymnasium[box2d]", "pygame"}
+    assert not guessed(tree, code) & {"torch-cluster", "tensorboard", "rich", "tqdm", "gymnasium[box2d]", "pygame"}
 
 
 def test_beside_a_list_of_packages(tree: Tree) -> None:
