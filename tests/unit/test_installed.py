@@ -134,6 +134,14 @@ def test_what_this_python_cannot_import_is_not_imported(tmp_path: Path, ubuntu: 
     assert list(found.command[3:]) == asked
 
 
+def test_what_stops_without_a_display_is_not_imported(tmp_path: Path) -> None:
+    (tmp_path / "main.py").write_text("import numpy\n")
+    (tmp_path / "requirements.txt").write_text("numpy\nPyAutoGUI\npynput\npygame\n")
+    proofs = plan_repository(tmp_path, branch=None).plan.proofs
+    found = next(proof for proof in proofs if proof.name == "declared Python packages import")
+    assert list(found.command[3:]) == ["numpy", "pygame"]
+
+
 PROGRAM = "import os\nimport cv2\nimport sim.core\nif os.environ.get('X'):\n    import lazy\nimport bullet\n"
 
 

@@ -1,4 +1,4 @@
-"""Packages that install on a Python on which their last release cannot be imported."""
+"""Packages that install where they cannot be imported: on a newer Python, or without a display."""
 
 from __future__ import annotations
 
@@ -12,3 +12,9 @@ from roslab.values.version import Version
 def importable_below() -> dict[str, Version]:
     """Return the first Python on which that is so, by the normalised name of the package."""
     return {row["pip"]: Version(row["since_python"]) for row in rows("not_importable")}
+
+
+@cache
+def importable_with_display() -> frozenset[str]:
+    """Return the normalised names of packages whose import looks for a display and stops without one."""
+    return frozenset(row["pip"] for row in rows("importable_with_display"))

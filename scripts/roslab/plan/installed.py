@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from roslab.decide.decision import Decision
 from roslab.knowledge.distros import python_of_ubuntu
-from roslab.knowledge.not_importable import importable_below
+from roslab.knowledge.not_importable import importable_below, importable_with_display
 from roslab.plan.compiled import compiled
 from roslab.plan.proof import Proof
 from roslab.plan.run import WORKSPACES
@@ -183,11 +183,13 @@ def _import_proof(version: str | None, distributions: list[str]) -> Proof:
 def _declared_distributions(decision: Decision, version: str | None) -> list[str]:
     """Return the declared packages, without guesses and without conda packages, which have names of their own.
 
-    Without what is only tried, too, and what this ``version`` of Python cannot import, whoever declared it.
+    Without what is only tried, too, and what this ``version`` of Python, or no Python without a display, can import,
+    whoever declared it.
     """
     python = decision.python
     others = {*python.pip_guessed, *python.python2} - {*python.pip}
     others |= {*python.pip_tried}
+    others |= {each for each in decision.pip if each.key in importable_with_display()}
     if version:
         ended = {name for name, since in importable_below().items() if Version(version) >= since}
         others |= {each for each in decision.pip if each.key in ended}
