@@ -26,6 +26,8 @@ from roslab.values.pattern import pattern
 
 _TOOLS = pattern(r"(?:scripts?|tools?|utils?|bin|misc|dev|etc)/", re.IGNORECASE)
 """A folder whose programs serve a library, where no page runs them."""
+_TRIALS = pattern(r"(?:debugs?|debugging|scratch|te?mp|playground)/", re.IGNORECASE)
+"""A folder of trials, which do not compete with the programs beside it."""
 _TESTS = pattern(r"(?:.*/)?(?:test_\w+|\w+_tests?|unittests?|run_?tests?)\.py", re.IGNORECASE)
 """A file of Python that tests the others; one called ``test.py`` may predict."""
 _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?)(?:[_-]|$)", re.IGNORECASE)
@@ -201,6 +203,7 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
     library = any(project.meant and not project.folder and project.requirements for project in evidence.python)
     imported = {(m.file, m.value) for m in evidence.mentions if m.topic == "from_root"}
     tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
+    whole = any(program.kind == "main" and "/" not in program.file for program in evidence.programs)
     shown = []
     for program in evidence.programs:
         path = program.file
@@ -213,6 +216,8 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
             each = Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
             if places.example(path):
                 shown.append(replace(each, cut=True))
+            elif whole and _TRIALS.match(path):
+                yield replace(each, cut=True)
             else:
                 found = True
                 yield each
