@@ -116,9 +116,11 @@ def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     """
     options = given(evidence)
     skipped = frozenset((*(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored), *packages.doubles))
+    folders = frozenset(m.file.rpartition("/")[0] for m in evidence.manifests) or frozenset({""})
     for project in evidence.cmake:
         vendored = places.vendored(project.file)
-        alone = bool(packages.built) and project.top_level and project.lacks  # nothing builds it without its code
+        # Nothing builds what has neither its code nor a package.xml, beside packages
+        alone = project.top_level and project.lacks and not _inside(project.file, folders)
         if (vendored and not project.always) or alone or _inside(project.file, skipped):
             continue
         for dependency in project.dependencies:
