@@ -16,6 +16,7 @@ from roslab.evidence.python.modules import MAX_READ, Module, modules
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
 from roslab.evidence.python.rendered import rendered
+from roslab.evidence.python.shown_by_imports import names, shown_by_imports
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.knowledge.windows import shown
@@ -47,12 +48,14 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     ``optional`` if it is only imported inside a function or a ``try``: then it has
     the role ``told`` where the module says how to install it. A framework that a node of ROS imports has the role
     ``node``.
-    Calls that open windows are included, each library's once for a file, the package of a plain ``python`` if the
-    first line of a program starts that, and those of the libraries of GObject that a program asks for.
+    Calls that open windows are included, each library's once for a file, and those of the modules that it imports; the
+    package of a plain ``python`` if the first line of a program starts that, and those of the libraries of GObject that
+    a program asks for.
     """
     local, sorted_in = _local(repository)
     found: dict[str, Dependency] = {}
     said: dict[str, Dependency] = {}
+    imported: dict[str, list[str]] = {}
     for module in modules(repository):
         file, text = module.file, module.text
         if "" not in found and (started := _started(file, text)):
@@ -67,6 +70,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
             )
         found |= {f"{each.name} {each.role}": each for each in _typelibs(module)}
         found_in = [(match, modules_of(match, sorted_in)) for match in statements(text)]
+        imported[file.path] = [name for match, _ in found_in for name in names(match)]
         said = {**_told(module, found_in), **said}
         node = any(not _OF_NODES.isdisjoint(tops) for _, tops in found_in) and _of_node(module)
         for match, tops in found_in:
@@ -86,6 +90,9 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                     line=text.count("\n", 0, match.start()) + 1,
                     role=role or (known.role if known else ""),
                 )
+    calls = [each for each in found.values() if each.namespace == "call"]
+    for call in shown_by_imports(imported, calls):
+        found.setdefault(f"{call.name} {call.file}", call)
     _add_told(said, found)
     _add_notebooks(repository, local, sorted_in, found)
     return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
