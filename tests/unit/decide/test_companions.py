@@ -27,6 +27,7 @@ def guessed(tree: Tree, code: str, **files: str) -> set[str]:
         ("from stable_baselines3 import PPO\nPPO('MlpPolicy', e, tensorboard_log='logs')\n", "tensorboard"),
         ("from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=True)\n", "rich"),
         ("from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=True)\n", "tqdm"),
+        ("import torch\nfrom torch.utils.tensorboard import SummaryWriter\n", "tensorboard"),
         (LANDER, "gymnasium[box2d]"),
         ("import gymnasium as gym\nenv = gym.make('CartPole-v1', render_mode='human')\n", "pygame"),
     ],

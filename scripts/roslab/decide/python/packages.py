@@ -12,6 +12,7 @@ from roslab.decide.python.environment_extras import for_environments
 from roslab.decide.python.extras import extras, of_pages
 from roslab.decide.python.guesses import guesses, known_names, known_requirements, loose_names, to_show
 from roslab.decide.python.manifests import projects, requirement_files
+from roslab.decide.python.of_nodes import of_nodes
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.values.dataclass import dataclass, replace
@@ -50,6 +51,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     known |= {each.key for each in more}
     sure = (*known_requirements(evidence, files, folders, conda), *more)
     guessed = guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)
+    guessed += tuple(of_nodes(evidence, kind, known | {each.key for each in guessed}))
     return Chosen(
         files=kept,
         contradicting=left,
