@@ -154,6 +154,8 @@ def _installed(value: str, mention: Mention, evidence: Evidence) -> bool:
 
 
 def _why(name: str, value: str, place: Mention) -> str:
+    if place.file.endswith("CMakeLists.txt"):
+        return "CMake stops without it"
     return "the program stops without it" if place.source == "code" else f"a page sets it{_reader(name, value)}"
 
 

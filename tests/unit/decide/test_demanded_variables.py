@@ -52,3 +52,30 @@ def test_a_variable_that_cmake_demands(tree: Tree, condition: str, call: str, *,
     said = [each for each in found.warnings if "CMake stops without the variable SDK_DIR" in each.message]
     assert bool(said) == told
     assert not [each for each in found.warnings if "ROS_DISTRO" in each.message]
+
+
+BRANCHES = """find_package(sdk QUIET)
+if(sdk_FOUND)
+  set(LIB sdk::sdk)
+elseif(DEFINED ENV{SDK_DIR})
+  find_library(LIB sdk HINTS $ENV{SDK_DIR}/lib)
+else()
+  message(FATAL_ERROR "set SDK_DIR")
+endif()
+"""
+
+
+@pytest.mark.parametrize(
+    ("files", "value"),
+    [
+        (("vendor_sdk/sdk/lib/libsdk.so",), "./vendor_sdk/sdk"),
+        (("vendor_sdk/sdk/libsdk.so",), None),
+        (("a/lib/libsdk.so", "b/lib/libsdk.so"), None),
+        ((), None),
+    ],
+)
+def test_a_folder_of_the_tree_that_cmake_demands(tree: Tree, files: tuple[str, ...], value: str | None) -> None:
+    package = "<package><name>driver</name><export><build_type>ament_cmake</build_type></export></package>"
+    cmake = "project(driver)\nfind_package(ament_cmake REQUIRED)\n" + BRANCHES
+    found = tree({"driver/package.xml": package, "driver/CMakeLists.txt": cmake, **dict.fromkeys(files, "x")})
+    assert dict(found.variables).get("SDK_DIR") == value

@@ -1,6 +1,7 @@
 """Variables that a program demands: ``getenv("DEMO")``, and ``"Please set DEMO to the root of demo"`` below it.
 
-And those that the root's CMake demands: ``if(NOT DEFINED ENV{SDK_DIR})`` around a ``message(FATAL_ERROR …)``.
+And those that the root's CMake demands: ``if(NOT DEFINED ENV{SDK_DIR})`` around a ``message(FATAL_ERROR …)``; those
+of any CMake where the tree has the folder, with the library that ``find_library`` looks for in ``$ENV{SDK_DIR}/lib``.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from typing import Literal
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Mention
-from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.cmake import Call, calls
 from roslab.repository.checkout import File, Repository
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
@@ -28,6 +29,8 @@ _ROOT = pattern(
     r"(?i)\b(?:root|top)(?:[ -]level)?(?: (?:dir(?:ectory)?|folder|path))? of (?:the |your |this )?([\w-]+)"
 )
 _UNSET = pattern(r"NOT DEFINED ENV\{([A-Za-z]\w+)\}")
+_OTHERWISE = pattern(r"NOT \(?DEFINED ENV\{([A-Za-z]\w+)\}\)?")
+"""The same, or the last branch behind one for the variable."""
 _THIS = frozenset({"repository", "repo", "project", "source", "sources", "checkout"})
 
 
@@ -37,8 +40,11 @@ def read(repository: Repository, projects: Iterable[CMakeProject]) -> Iterator[M
     own = {*_THIS, bare_name(repository.name), *(bare_name(p.name) for p in projects if p.name)}
     told: set[str] = set()
     for project in projects:
+        text = repository.read(project.file) if not places.aside(project.file) else ""
+        held = {each.value.partition("=")[0]: each for each in _held(repository, text, project.file)}
+        yield from held.values()
         if "/" not in project.file:
-            yield from _by_cmake(repository.read(project.file), project.file)
+            yield from (each for each in _by_cmake(text, project.file) if each.value not in held)
     for file in repository.suffixed(*_SUFFIXES):
         text = "" if places.aside(file.path) else repository.read(file)
         for name, said, line in _demanded(text) if "getenv" in text else ():
@@ -54,6 +60,27 @@ def _by_cmake(text: str, file: str) -> Iterator[Mention]:
         if unset and call.words[:1] == ("FATAL_ERROR",) and not call.in_function:
             said = " ".join(call.words[1:])
             yield Mention(topic="demanded", value=unset[1], source="code", file=file, line=call.line, text=said)
+
+
+def _held(repository: Repository, text: str, file: str) -> Iterator[Mention]:
+    """Yield ``NAME=./FOLDER`` for each that CMake stops without, where one folder of the tree has its library."""
+    found = list(calls(text, frozenset({"message", "find_library"}))) if "ENV{" in text else []
+    for call in found:
+        unset = _OTHERWISE.fullmatch(call.conditions[0]) if len(call.conditions) == 1 else None
+        if unset and call.words[:1] == ("FATAL_ERROR",) and not call.in_function:
+            folders = {each for other in found for each in _with_library(repository, other, f"$ENV{{{unset[1]}}}/")}
+            said = " ".join(call.words[1:])
+            for folder in folders if len(folders) == 1 else ():
+                value = f"{unset[1]}={HERE}{folder}"
+                yield Mention(topic="variable", value=value, source="code", file=file, line=call.line, text=said)
+
+
+def _with_library(repository: Repository, call: Call, start: str) -> Iterator[str]:
+    """Yield the folders of the tree with a library where a call looks for it below one: ``lib/libsdk.so``."""
+    below = [f"/{word.removeprefix(start)}" for word in call.words if word.startswith(start)]
+    names = [name for word in call.words[1:] for name in (f"lib{word}.so", f"lib{word}.a")] if below else []
+    for file in repository.named(*names):
+        yield from (file.folder.removesuffix(end) for end in below if file.folder.endswith(end))
 
 
 def _demanded(text: str) -> Iterator[tuple[str, str, int]]:
