@@ -44,6 +44,8 @@ SWARM = package("play/a_ws/src/planner", "planner") | package("play/a_ws/src/map
         ),
         (package("a", "map") | package("copy/a", "map"), ("a/package.xml",), ("copy/a",)),
         (package("a", "map") | package("a/inner", "map"), ("a/package.xml",), ()),
+        (package("build/map", "map") | package("src/nav/map", "map"), ("src/nav/map/package.xml",), ("build/map",)),
+        (package("build/map", "map"), ("build/map/package.xml",), ()),
     ],
 )
 def test_one_of_each_name_is_built(tree: Tree, files: dict[str, str], built: object, ignored: object) -> None:

@@ -19,6 +19,8 @@ from roslab.values.pattern import pattern
 RosVersion = Literal[1, 2]
 _ASSET = pattern(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
 """Folders of robot descriptions: programs read a package there, it is not built."""
+_MADE = pattern(r"(?:^|/)(?:build|devel|install)/")
+"""Folders that a build tool writes: a copy in one of them is not the source, however near to the root."""
 _CATKIN = frozenset({"catkin", "catkin_simple", "roscpp", "rospy"})
 _AMENT = frozenset({"ament_cmake", "ament_python", "ament_cmake_auto", "ament_cmake_ros", "rosidl_default_generators"})
 """A package built with one of these is a catkin or ament package, whatever its build type says."""
@@ -120,7 +122,12 @@ def _packages(
     doubles = other_workspaces(manifests, launches)
     kept = set(doubles)
     run = started([manifest.file.rpartition("/")[0] for manifest in manifests], launches)
-    for manifest in sorted(manifests, key=lambda m: (m.file.count("/"), m.file.rpartition("/")[0] not in run, m.file)):
+
+    def order(manifest: PackageManifest) -> tuple[bool, int, bool, str]:
+        file = manifest.file
+        return bool(_MADE.search(file)), file.count("/"), file.rpartition("/")[0] not in run, file
+
+    for manifest in sorted(manifests, key=order):
         folder = manifest.file.rpartition("/")[0]
         if manifest.ignored or manifest.name is None or _below(folder, kept):
             left_out.append(manifest)
