@@ -81,3 +81,10 @@ def test_the_service_of_compose(tree: Tree) -> None:
     composed += "      - ROS_DOMAIN_ID=${ROS_DOMAIN_ID:-12}\n      - DISPLAY=${DISPLAY}\n"
     more = {"docker-compose.yml": composed, "README.md": "```bash\ndocker compose up -d\n```\n"}
     assert _set(tree, "ENV ROS_DOMAIN_ID=30\n", **more) == {"ROS_DOMAIN_ID": "12"}
+
+
+def test_a_name_of_no_variable(tree: Tree) -> None:
+    composed = "services:\n  a:\n    build: {context: ., dockerfile: docker/Dockerfile}\n    environment:\n"
+    composed += '      - "A(B=1"\n      - ROS_DOMAIN_ID=12\n'
+    more = {"docker-compose.yml": composed, "README.md": "```bash\ndocker compose up -d\n```\n"}
+    assert _set(tree, "", **more) == {"ROS_DOMAIN_ID": "12"}

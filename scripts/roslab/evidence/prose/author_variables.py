@@ -11,6 +11,7 @@ from roslab.knowledge.robot_variables import of_robots
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
+_NAME = pattern(r"[A-Za-z_]\w*")
 _VALUE = pattern(r"(?!(?:\d+\.){3}\d+)[\w.+-]{1,60}")
 """A value that is a word, and no path or address of a machine."""
 
@@ -29,5 +30,5 @@ def set_for_ros(
     return tuple(
         Mention(topic="variable", value=f"{name}={value}", source="dockerfile", file=where, line=line, text=name)
         for name, (value, where, line) in found.items()
-        if _VALUE.fullmatch(value) and (of_robots(name) or read_by_launch(name, repository))
+        if _NAME.fullmatch(name) and _VALUE.fullmatch(value) and (of_robots(name) or read_by_launch(name, repository))
     )

@@ -111,6 +111,6 @@ def _readers(repository: Repository) -> list[File]:
 
 
 def _reading(name: str, files: Iterable[File], repository: Repository) -> bool:
-    reads = re.compile(_READS.replace("%s", name))
+    reads = re.compile(_READS.replace("%s", re.escape(name)))
     texts = (repository.read(file) for file in files)
     return any(name in text and reads.search(text) for text in texts)
