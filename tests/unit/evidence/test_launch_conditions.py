@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
+from hanging import ends
 from roslab.evidence.ros.launch_conditions import started
 
 ARG = '<arg name="gui" default="{}"/>'
 NODE = '<node pkg="rviz" type="rviz" name="a" {}/>'
 CALL = "Node(package='rviz', executable='rviz'{})"
+PASSED = '<include file="a.launch"><arg name="gui" value="{}"/></include>'
+UNLESS = ", condition=UnlessCondition(LaunchConfiguration('gui'))"
+ON = ", condition=IfCondition(LaunchConfiguration('gui'))"
 DECLARED = "DeclareLaunchArgument('gui', default_value='{}')\n"
 
 
@@ -24,6 +30,10 @@ DECLARED = "DeclareLaunchArgument('gui', default_value='{}')\n"
         (ARG.format("true") + ARG.format("false") + NODE.format('if="$(arg gui)"'), None),
         (ARG.format("false") + '<group if="$(var gui)"><group ns="a">' + NODE.format("") + "</group></group>", False),
         (ARG.format("false") + '<group if="$(arg gui)"></group>' + NODE.format(""), True),
+        (ARG.format("false") + PASSED.format("$(arg gui)") + NODE.format('if="$(arg gui)"'), False),
+        (ARG.format("false") + PASSED.format("true") + NODE.format('if="$(arg gui)"'), False),
+        (ARG.format("false") + ARG.format("$(arg gui)") + NODE.format('if="$(arg gui)"'), False),
+        (PASSED.format("true") + NODE.format('if="$(arg gui)"'), None),
         (CALL.format(""), True),
         (DECLARED.format("false") + CALL.format(", condition=IfCondition(LaunchConfiguration('gui'))"), False),
         (DECLARED.format("True") + CALL.format(", condition=IfCondition(LaunchConfiguration('gui'))"), True),
@@ -33,9 +43,29 @@ DECLARED = "DeclareLaunchArgument('gui', default_value='{}')\n"
             False,
         ),
         (CALL.format(", condition=IfCondition(LaunchConfiguration('gui'))"), None),
+        (DECLARED.format("false") + CALL.format("") + f", TimerAction(period=1.0, actions=[a]{ON})", True),
+        (DECLARED.format("false") + f"LifecycleNode(name='a'{ON}), " + CALL.format(""), True),
+        (DECLARED.format("false") + f"GroupAction(actions=[{CALL.format('')}]{ON})", False),
+        (DECLARED.format("true") + f"GroupAction(actions=[{CALL.format(UNLESS)}]{ON})", False),
+        (DECLARED.format("true") + f"GroupAction(actions=[Node(){UNLESS}]); {CALL.format(ON)}", True),
+        (DECLARED.format("false") + CALL.format(f", name='a)'  # all (\n{ON}"), False),
         (CALL.format(", condition=IfCondition(PythonExpression(['1']))"), None),
     ],
 )
 def test_by_defaults(text: str, expected: bool | None) -> None:
     begin = text.index("rviz")
     assert started(text, begin, begin + 4) is expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ARG.format("true") + f'<group if="$(arg gui)">{NODE.format("")}</group>\n' * 6000,
+        DECLARED.format("true") + f"{CALL.format(ON)},\n" * 6000,
+    ],
+    ids=["groups", "calls"],
+)
+def test_many_conditions(text: str) -> None:
+    """Each name once looked through the whole file."""
+    with ends():
+        assert all(started(text, match.start(), match.end()) for match in re.finditer("rviz", text))

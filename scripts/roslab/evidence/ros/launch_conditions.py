@@ -6,6 +6,8 @@ https://docs.ros.org/en/rolling/Tutorials/Intermediate/Launch/Using-Substitution
 
 from __future__ import annotations
 
+import sys
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import NamedTuple
@@ -19,9 +21,12 @@ _IF = pattern(r"(?<=\s)(if|unless)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')?")
 _IFS = ("if", "unless")
 """What its matches begin with."""
 _GROUP = pattern(r"<group\b[^>]{0,600}>|</group\b")
-_ACTIONS = "Node IncludeLaunchDescription ExecuteProcess LaunchDescription GroupAction DeclareLaunchArgument"
-_ACTION = pattern("|".join(rf"{name}\((?<!\w{name}\()" for name in _ACTIONS.split()))
-"""Each is a whole word; its letters are found much faster than the edge of a word."""
+_INCLUDE = pattern(r"<include\b[^>]{0,600}>|</include\b")
+_TOKEN = pattern(
+    r"\"\"\"[\s\S]*?\"\"\"|'''[\s\S]*?'''|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)*'|#[^\n]*|[()]|"
+    r"condition(?<!\wcondition)\s?=(?!=)"
+)
+"""What tells where a call of Python ends and what condition it has; brackets in strings and comments do not."""
 ARGUMENT = pattern(r"<arg\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
 ATTRIBUTES = pattern(r"([\w-]{1,40})\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
 _REFERENCE = pattern(r"\$\(\s?(?:arg|var)\s+(\w+)\s?\)")
@@ -37,6 +42,21 @@ _VARIABLE = pattern(r"\b(\w+)\s?=\s?LaunchConfiguration\(\s{0,99}[\"'](\w+)[\"']
 _TRUTH = {"true": True, "1": True, "false": False, "0": False}
 _MOST = 4
 """Most arguments that are followed, one of which gives the value of the next."""
+_DEEPEST = 20
+"""Most conditions around something that are looked at."""
+
+
+class _Condition(NamedTuple):
+    """What a condition says; it holds where that is true, ``if``, or not true."""
+
+    holds_if: bool
+    written: str
+    defaults: Mapping[str, str]
+
+
+_Around = tuple[_Condition, ...]
+_Places = tuple[list[int], list[_Around]]
+"""Where something begins or ends, and the conditions that are around what follows."""
 
 
 def conditional(text: str, begin: int, end: int) -> bool:
@@ -46,7 +66,7 @@ def conditional(text: str, begin: int, end: int) -> bool:
 
 def started(text: str, begin: int, end: int) -> bool | None:
     """Tell whether what names something is started by the defaults; ``None`` where they do not tell."""
-    found = [_holds(each) for each in _around(text, begin, end)]
+    found = {_holds(each) for each in _around(text, begin, end)}
     return False if False in found else None if None in found else True
 
 
@@ -60,64 +80,95 @@ def kept_by(text: str, begin: int, end: int) -> tuple[tuple[str, str], ...]:
     return tuple(found.items())
 
 
-class _Condition(NamedTuple):
-    """What a condition says; it holds where that is true, ``if``, or not true."""
-
-    holds_if: bool
-    written: str
-    defaults: Mapping[str, str]
-
-
 def _holds(condition: _Condition) -> bool | None:
     truth = _TRUTH.get(_followed(condition.written, condition.defaults)[-1])
     return truth if truth is None or condition.holds_if else not truth
 
 
 def _around(text: str, begin: int, end: int) -> Iterator[_Condition]:
+    """Yield the conditions of what names something, and of all that is around it."""
     tags, calls = _conditions(text)
-    yield from _of_tags(text, begin, end) if tags else ()
-    yield from _of_call(text, begin, end) if calls else ()
+    yield from (*_of_tag(text, begin, end), *_at(_groups(text), begin)) if tags else ()
+    yield from _at(_calls(text), begin) if calls else ()
 
 
 @cache
 def _conditions(text: str) -> tuple[bool, bool]:
     """Tell whether a file has conditions of elements, and of calls; asked only of one that names something."""
-    return any(matches_at(_IF, text, *_IFS)), "condition" in text
+    called = "condition" in text and "condition=" in text.replace(" ", "")
+    return any(matches_at(_IF, text, *_IFS)), called
 
 
-def _of_tags(text: str, begin: int, end: int) -> Iterator[_Condition]:
-    """Yield what the conditions say of the element that names a package and of the groups around it: ``if="…"``."""
+def _of_tag(text: str, begin: int, end: int) -> Iterator[_Condition]:
+    """Yield the conditions of the element that names a package: ``if="…"``."""
     closed = text.find(">", end, end + NEAR)
-    tag = text[max(text.rfind("<", 0, begin), begin - NEAR, 0) : closed if closed >= 0 else end + NEAR]
-    groups: list[str] = []
+    first = max(begin - NEAR, 0)
+    yield from _ifs(text[max(text.rfind("<", first, begin), first) : closed if closed >= 0 else end + NEAR], text)
+
+
+def _ifs(tag: str, text: str) -> Iterator[_Condition]:
+    for said in matches_at(_IF, tag, *_IFS):
+        yield _Condition(said[1] == "if", said[2] or said[3] or "", _defaults(text))
+
+
+def _at(places: _Places, begin: int) -> _Around:
+    """Return the conditions around a place."""
+    number = bisect_left(places[0], begin)
+    return places[1][number - 1] if number else ()
+
+
+@cache
+def _groups(text: str) -> _Places:
+    """Return the places of the groups of an XML file."""
+    places: list[int] = []
+    said: list[_Around] = []
+    groups: list[_Around] = [()]
     for match in matches_at(_GROUP, text, "<group", "</group"):
-        if match.start() >= begin:
-            break
         if not match[0].startswith("</"):
-            groups += [match[0]] if not match[0].endswith("/>") else []
-        elif groups:
+            groups += [] if match[0].endswith("/>") else [(*groups[-1], *_ifs(match[0], text))[:_DEEPEST]]
+        elif len(groups) > 1:
             groups.pop()
-    for each in (tag, *groups):
-        for said in matches_at(_IF, each, *_IFS):
-            yield _Condition(said[1] == "if", said[2] or said[3] or "", _defaults(text))
+        places.append(match.start())
+        said.append(groups[-1])
+    return places, said
 
 
-def _of_call(text: str, begin: int, end: int) -> Iterator[_Condition]:
-    """Yield what the condition of the call that names a package says: ``condition=IfCondition(…)``."""
-    near = text[max(0, begin - 4 * NEAR) : end + 4 * NEAR]
-    if "condition" not in near or "condition=" not in near.replace(" ", ""):
-        return
-    before = [match.end() for match in _ACTION.finditer(text, max(0, begin - 4 * NEAR), begin)]
-    after = _ACTION.search(text, end, end + 4 * NEAR)
-    call = text[before[-1] if before else begin : after.start() if after else end + 2 * NEAR]
-    if "condition=" not in call.replace(" ", ""):
-        return
-    said = _CALLED.search(call)
+@cache
+def _calls(text: str) -> _Places:
+    """Return the places of the calls of a file in Python that have a condition: ``condition=IfCondition(…)``."""
+    ends: list[tuple[int, int, _Around]] = []
+    calls: list[tuple[int, list[_Condition]]] = []
+    for match in _TOKEN.finditer(text):
+        if match[0] == "(":
+            calls.append((match.start(), []))
+        elif match[0].startswith("condition") and calls:
+            calls[-1][1].append(_of_call(text, match.start()))
+        elif match[0] == ")" and calls:
+            begin, said = calls.pop()
+            ends += [(begin, match.start(), (*said,))] if said else []
+    return _nested(sorted(ends, key=lambda each: each[0]))
+
+
+def _nested(spans: Iterable[tuple[int, int, _Around]]) -> _Places:
+    """Return the places of spans in the order of their beginnings, each of which lies beside or in another one."""
+    changes: dict[int, _Around] = {}
+    inside: list[tuple[int, _Around]] = [(sys.maxsize, ())]
+    for begin, end, said in (*spans, (sys.maxsize, sys.maxsize, ())):
+        while inside[-1][0] < begin:
+            place, _ = inside.pop()
+            changes[place] = inside[-1][1]
+        inside.append((end, (*inside[-1][1], *said)[:_DEEPEST]))
+        changes[begin] = inside[-1][1]
+    return [*changes], [*changes.values()]
+
+
+def _of_call(text: str, begin: int) -> _Condition:
+    """Return a condition of a call."""
+    said = _CALLED.match(text, begin)
     if said is None:
-        yield _Condition(True, "", {})
-        return
-    name = said[2] or dict(_VARIABLE.findall(text)).get(said[3] or "", "")
-    yield _Condition(said[1] == "If", f"$(arg {name})" if name else said[4] or "", _declared(text))
+        return _Condition(True, "", {})
+    name = said[2] or _variables(text).get(said[3] or "", "")
+    return _Condition(said[1] == "If", f"$(arg {name})" if name else said[4] or "", _declared(text))
 
 
 def _followed(written: str, defaults: Mapping[str, str]) -> tuple[str, ...]:
@@ -132,18 +183,36 @@ def _followed(written: str, defaults: Mapping[str, str]) -> tuple[str, ...]:
 @cache
 def _defaults(text: str) -> dict[str, str]:
     """Return the default or value of each argument of an XML file that has one alone."""
-    tags = ({name: one or other for name, one, other in ATTRIBUTES.findall(m[1])} for m in ARGUMENT.finditer(text))
-    return _alone((said.get("name", ""), said.get("default", said.get("value", ""))) for said in tags)
+    return _alone((said.get("name", ""), said.get("default", said.get("value", ""))) for said in _arguments(text))
+
+
+def _arguments(text: str) -> Iterator[dict[str, str]]:
+    """Yield the attributes of each argument that is the file's own, and not given to a file that it includes."""
+    parts = (*matches_at(ARGUMENT, text, "<arg"), *matches_at(_INCLUDE, text, "<include", "</include"))
+    included = False
+    for match in sorted(parts, key=lambda match: match.start()):
+        if not match[0].startswith("<arg"):
+            included = match[0].startswith("<include") and not match[0].endswith("/>")
+        elif not included:
+            yield {name: one or other for name, one, other in ATTRIBUTES.findall(match[1])}
 
 
 @cache
 def _declared(text: str) -> dict[str, str]:
     """Return the default of each argument that a file in Python declares once."""
-    return _alone((match[1], match[2] or "") for match in _DECLARED.finditer(text))
+    return _alone((match[1], match[2] or "") for match in matches_at(_DECLARED, text, "DeclareLaunchArgument("))
+
+
+@cache
+def _variables(text: str) -> dict[str, str]:
+    """Return the argument whose value each variable of a file in Python has."""
+    return dict(_VARIABLE.findall(text))
 
 
 def _alone(said: Iterable[tuple[str, str]]) -> dict[str, str]:
     found: dict[str, str] = {}
     for name, value in said:
+        if (named := _REFERENCE.fullmatch(value.strip())) and named[1] == name:
+            continue  # passed on: it has the value that another line gives it
         found[name] = value if found.get(name, value) == value else ""
     return found
