@@ -36,3 +36,11 @@ def test_a_project_in_a_folder(tree: Tree) -> None:
     code = 'auto a = "../data/a.txt";\n'
     decision = tree({"cpp/CMakeLists.txt": CMAKE, "cpp/src/demo.cpp": code, "cpp/data/a.txt": "1"})
     assert decision.command == "cd cpp/data && exec demo"
+
+
+@pytest.mark.parametrize(("opens", "command"), [("a", "demo"), ("b", "cd b/data && exec demo")])
+def test_programs_of_one_name_in_two_projects(tree: Tree, opens: str, command: str) -> None:
+    both = {f"{folder}/CMakeLists.txt": CMAKE for folder in "ab"} | {"b/data/a.txt": "1"}
+    code = {f"{each}/src/demo.cpp": 'auto a = "../data/a.txt";\n' if each == opens else "" for each in "ab"}
+    found = tree(both | code).command
+    assert (found if isinstance(found, str) else " ".join(found)) == command

@@ -25,11 +25,22 @@ def read(repository: Repository, projects: Iterable[CMakeProject]) -> Iterator[M
     It is one that lies beside the build folder of its project. Not where the file opens what is there from the
     project's own folder, too.
     """
-    named = {name: project for project in projects for name, _ in project.executables}
+    named: dict[str, list[CMakeProject]] = {}
+    for each in projects:
+        for name, _ in each.executables:
+            named.setdefault(name, []).append(each)
     for file in repository.suffixed(*_CODE):
-        project = named.get(file.name.rpartition(".")[0])
+        project = _of(file, named.get(file.name.rpartition(".")[0], []))
         if project and file.size <= MAX_SIZE and not (places.vendored(file.path) or places.test(file.path)):
             yield from _of_file(repository, file, project)
+
+
+def _of(file: File, named: list[CMakeProject]) -> CMakeProject | None:
+    """Return the project of a program that is nearest around its file; the only one of its name may lie beside it."""
+    around = [each for each in named if f"{file.folder}/".startswith(posixpath.join(posixpath.dirname(each.file), ""))]
+    if not around and len(named) == 1:
+        return named[0]
+    return max(around, key=lambda each: len(posixpath.dirname(each.file)), default=None)
 
 
 def _of_file(repository: Repository, file: File, project: CMakeProject) -> Iterator[Mention]:
