@@ -7,7 +7,8 @@ import re
 from collections.abc import Mapping
 
 from roslab.evidence.facts import Evidence, Mention
-from roslab.evidence.prose.octave import OCTAVE, file_of
+from roslab.evidence.prose.octave import file_of
+from roslab.knowledge.octave import OCTAVE
 from roslab.values.pattern import pattern
 
 NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")

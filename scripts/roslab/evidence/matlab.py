@@ -13,7 +13,11 @@ _APPLE = pattern(
     r"^[ \t]*(?:@(?:interface|implementation|import|protocol)\b|#[ \t]*(?:import|include)\b)", re.MULTILINE
 )
 
-_LOADS = pattern(r"^[ \t]*pkg[ \t]*\(?[ \t]*['\"]?load['\"]?[ \t,]+['\"]?([A-Za-z][\w-]*)", re.MULTILINE)
+_LOADS = pattern(
+    r"(?:^|[;,])[ \t]{0,99}pkg(?:[ \t]{1,9}|[ \t]{0,9}\([ \t]{0,9})['\"]?load['\"]?([ \t,][^;)%#\n]{1,300})",
+    re.MULTILINE,
+)
+_WORD = pattern(r"(?<![\w-])[A-Za-z][\w-]*")
 
 _COMMENT = pattern(r"%[^\n]*")
 _CALLED = pattern(r"(?<![\w.])([A-Za-z]\w{2,40})[ \t]*[(;]")
@@ -29,9 +33,13 @@ def files(repository: Repository) -> int:
 
 
 def loaded(repository: Repository) -> tuple[str, ...]:
-    """Return the packages of Octave that the files nearest to the root load: ``pkg load image``."""
+    """Return the packages of Octave that the files nearest to the root load: ``pkg load image signal``.
+
+    A word that is no package, as ``load`` of a second call on the line, is in no table of them.
+    """
     found = nearest([file for file in repository.suffixed(".m") if file.size])[:READ]
-    return tuple(dict.fromkeys(name.lower() for file in found for name in _LOADS.findall(repository.read(file))))
+    said = (words for file in found for words in _LOADS.findall(repository.read(file)))
+    return tuple(dict.fromkeys(name.lower() for words in said for name in _WORD.findall(words)))
 
 
 def for_octave(repository: Repository) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from hanging import ends
 from roslab.decide.decision import Decision
 from roslab.errors import NothingToBuildError
 
@@ -20,6 +21,23 @@ def test_a_page_runs_it(tree: Tree, called: str, more: dict[str, str]) -> None:
     decision = tree({**CODE, **more, "README.md": f"# How to run\n```bash\n{called}\n```\n"})
     assert " ".join(decision.command) == called
     assert {"octave", "octave-image", "octave-statistics"} <= {*decision.apt_guessed}
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        ("pkg load image statistics\n", {"octave-image", "octave-statistics"}),
+        ("close all; pkg load image; pkg load signal, disp(1)\n", {"octave-image", "octave-signal"}),
+        ("pkg('load', 'image'); pkg(\"load\", \"control\")\n", {"octave-image", "octave-control"}),
+        ("pkg load nosuchthing\n% pkg load image\npkg load signal % image\n", {"octave-signal"}),
+        ("pkg list image\nmypkg load image\n", set()),
+        (f"pkg{' ' * 20_000}x\n" * 40, set()),
+    ],
+)
+def test_what_it_loads(tree: Tree, code: str, expected: set[str]) -> None:
+    with ends():
+        decision = tree({"main.m": code, "README.md": "# How to run\n```bash\noctave main.m\n```\n"})
+    assert {name for name in decision.apt_guessed if name.startswith("octave-")} == expected
 
 
 @pytest.mark.parametrize(

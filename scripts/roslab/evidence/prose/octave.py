@@ -11,10 +11,8 @@ from collections.abc import Iterator
 from roslab.evidence import matlab
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
+from roslab.knowledge.octave import OCTAVE, octave_packages
 from roslab.repository.checkout import Repository
-
-OCTAVE = ("octave", "octave-cli")
-"""The program, and itself without windows: Ubuntu's package ``octave`` has both."""
 
 
 def file_of(mention: Mention) -> str:
@@ -28,7 +26,7 @@ def asked(mention: Mention, repository: Repository) -> Iterator[Dependency]:
     """Yield Octave for a command of a page that runs a file of the tree by it, and the packages that the tree loads."""
     if not file_of(mention):
         return
-    names = ("octave", *(f"octave-{package}" for package in matlab.loaded(repository)))
+    names = ("octave", *(octave_packages()[name] for name in matlab.loaded(repository) if name in octave_packages()))
     for name in names:
         yield Dependency(
             namespace="apt", name=name, strength="used", file=mention.file, line=mention.line, role="octave"
