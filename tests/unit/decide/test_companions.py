@@ -29,6 +29,8 @@ def guessed(tree: Tree, code: str, **files: str) -> set[str]:
         ("from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=True)\n", "tqdm"),
         ("import torch\nfrom torch.utils.tensorboard import SummaryWriter\n", "tensorboard"),
         (LANDER, "gymnasium[box2d]"),
+        (LANDER.replace("env =", '# gym.make("LunarLander-v3")\nenv ='), "gymnasium[box2d]"),
+        (LANDER.replace("env =", "colour = '#fff'; env ="), "gymnasium[box2d]"),
         ("import gymnasium as gym\nenv = gym.make('CartPole-v1', render_mode='human')\n", "pygame"),
     ],
 )
@@ -43,6 +45,7 @@ def test_a_used_function_brings_it(tree: Tree, code: str, needs: str) -> None:
         "import torch_geometric\ndef knn_graph(x):\n    return x\nknn_graph(1)\n",
         "from torch_geometric.data import Data\nclass XConv:\n    pass\n",
         '"""It replaces radius_graph of old code."""\nimport torch_geometric\n',
+        LANDER.replace("env =", 'a = "b"  # env ='),
         "import torch\nfrom mine import knn_graph\n",
         "from stable_baselines3 import PPO\nPPO('MlpPolicy', e, tensorboard_log=None)\n",
         "from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=False)\n",

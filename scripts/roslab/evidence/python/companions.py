@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.python.in_comment import in_comment
 from roslab.evidence.python.modules import modules
 from roslab.knowledge.companions import companions
 from roslab.repository.checkout import Repository
@@ -15,8 +16,10 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     for module in modules(repository):
         possible = companions().possible(module.text, module.words)
         for row in possible if not places.test(module.file.path) else ():
-            match = row.pattern.search(module.text) if (row.package, row.needs) not in found else None
-            if match is None or "#" in module.text[module.text.rfind("\n", 0, match.start()) + 1 : match.start()]:
+            if (row.package, row.needs) in found:
+                continue
+            used = (m for m in row.pattern.finditer(module.text) if not in_comment(module.text, m.start()))
+            if not (match := next(used, None)):
                 continue
             line = module.text.count("\n", 0, match.start()) + 1
             found[row.package, row.needs] = Mention(

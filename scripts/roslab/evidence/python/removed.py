@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.evidence.python.branches import of_some_versions
+from roslab.evidence.python.in_comment import in_comment
 from roslab.evidence.python.modules import modules
 from roslab.evidence.removed_name import Removed
 from roslab.knowledge.hints import Search
@@ -40,9 +41,4 @@ def read(repository: Repository) -> tuple[Removed, ...]:
 
 def _counts(text: str, match: re.Match[str]) -> bool:
     """Tell whether a use stands in the code, for every version of the library."""
-    return not _comment(text, match.start()) and not of_some_versions(text, match.end())
-
-
-def _comment(text: str, position: int) -> bool:
-    """Tell whether a position lies in a line that is a comment."""
-    return text[text.rfind("\n", 0, position) + 1 : position + 1].lstrip().startswith("#")
+    return not in_comment(text, match.start()) and not of_some_versions(text, match.end())
