@@ -25,6 +25,10 @@ ROS1 = {
         ("rosrun lost_python serial_node.py\n", False),
         ("roslaunch rosserial_python.launch\n", False),
         ("echo rosserial_python\n", False),
+        ('echo "rosrun rosserial_python serial_node.py"\n', False),
+        ('echo "start" && rosrun rosserial_python serial_node.py\n', True),
+        ("true # then rosrun rosserial_python serial_node.py\n", False),
+        ('T="$#"; rosrun rosserial_python serial_node.py\n', True),
     ],
 )
 def test_one_that_was_released_is_installed(tree: Tree, script: str, asked: bool) -> None:
@@ -35,3 +39,8 @@ def test_one_that_was_released_is_installed(tree: Tree, script: str, asked: bool
 
 def test_the_trees_own_is_none(tree: Tree) -> None:
     assert not tree({**ROS1, "a.sh": "rosrun demo a\n"}).apt_guessed
+
+
+def test_every_one_of_a_line(tree: Tree) -> None:
+    script = "gnome-terminal --tab -e 'roslaunch gazebo_ros empty_world.launch' --tab -e 'rosrun rviz rviz'\n"
+    assert {"ros-noetic-gazebo-ros", "ros-noetic-rviz"} <= {*tree({**ROS1, "a.sh": script}).apt_guessed}

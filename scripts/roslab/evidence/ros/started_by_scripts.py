@@ -12,10 +12,12 @@ MAX_SIZE = 64 * 1024
 MAX_FILES = 100
 """Most scripts that are opened, those nearest to the root first."""
 _STARTED = pattern(
-    r"^[^#\n]*?(?<![\w./-])(?:rosrun|roslaunch|ros2[ \t]+(?:run|launch))[ \t]+"
+    r"(?<![\w./-])(?:rosrun|roslaunch|ros2[ \t]+(?:run|launch))[ \t]+"
     r"(?:--?\S+[ \t]+)*([a-z][a-z0-9_]+)[ \t]+[\w\"'$./-]"
 )
 
+_NOT_RUN = pattern(r"(?:^|\s)#.*|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\]|\\.)*\"|'[^']*'|[^;&|\"'])*")
+"""A comment, and what a line prints."""
 _WORDS = ("rosrun", "roslaunch", "ros2")
 
 
@@ -26,9 +28,9 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     for file in nearest(scripts)[:MAX_FILES]:
         text = repository.read(file)
         for number, line in enumerate(text.splitlines(), 1) if any(word in text for word in _WORDS) else ():
-            match = _STARTED.search(line)
-            if match and match[1] not in found and ever_released(match[1]):
-                found[match[1]] = Dependency(
-                    namespace="ros", name=match[1], strength="prose", file=file.path, line=number, role="exec"
-                )
+            for name in _STARTED.findall(_NOT_RUN.sub("", line)) if any(word in line for word in _WORDS) else ():
+                if name not in found and ever_released(name):
+                    found[name] = Dependency(
+                        namespace="ros", name=name, strength="prose", file=file.path, line=number, role="exec"
+                    )
     return tuple(found.values())
