@@ -27,6 +27,11 @@ _TUNED = pattern(
 _STARTS = pattern(
     r"\b(?:runs?|running|starts?|started|starting|execut(?:e[ds]?|ing)|launch(?!\s*-?files?\b)\w*)\b", re.IGNORECASE
 )
+_USES = pattern(
+    r"\b(?:use|try|play)\s+(?:the\s+)?(?:(?:launch\s*-?\s*)?files?\s+|(?:script|notebook|example)\s+)?[`*\"'(\[]{0,9}\Z",
+    re.IGNORECASE,
+)
+"""The words right before a file that is to be started: ``use`` a map, and the parameters used in it, tell nothing."""
 MOST = 20
 """Most files that are kept."""
 
@@ -60,7 +65,7 @@ def _only_set(line: str, match: re.Match[str]) -> bool:
     """
     if match[0].endswith(".ipynb") or not _TUNED.search(_FILE.sub("", line[: match.start()])):
         return False
-    return not _STARTS.search(_FILE.sub("", line))
+    return not (_STARTS.search(_FILE.sub("", line)) or _USES.search(line[: match.start()]))
 
 
 def _path(written: str, repository: Repository) -> str | None:
