@@ -88,3 +88,7 @@ def test_a_name_of_no_variable(tree: Tree) -> None:
     composed += '      - "A(B=1"\n      - ROS_DOMAIN_ID=12\n'
     more = {"docker-compose.yml": composed, "README.md": "```bash\ndocker compose up -d\n```\n"}
     assert _set(tree, "", **more) == {"ROS_DOMAIN_ID": "12"}
+
+
+def test_the_form_for_one_variable(tree: Tree) -> None:
+    assert _set(tree, "ENV ROS_DOMAIN_ID 30\nENV NOTE see ROS_LOCALHOST_ONLY=1\n") == {"ROS_DOMAIN_ID": "30"}

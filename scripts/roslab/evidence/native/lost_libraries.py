@@ -37,8 +37,9 @@ def named(call: Call, folder: str, *, own: bool) -> Iterator[tuple[str, int]]:
 def lost(files: dict[str, int], folder: str, text: str, repository: Repository) -> tuple[tuple[str, int], ...]:
     """Return those that the tree does not have, none where the file calls what may make them.
 
-    What lies below another project than those around ``folder`` may be compiled there, and a page or a script that
-    names the library or its folder may tell how it is made.
+    ``files`` are those that :func:`named` yields for ``folder``, each with its line. What lies in a folder with a file
+    of some builder, beside ``folder`` or below it, may be compiled there, and a page or a script that names the library
+    or its folder may tell how it is made.
     """
     if not files or _MAKES.search(text):
         return ()
@@ -62,7 +63,7 @@ def _told(path: str, repository: Repository) -> bool:
 
 
 def _beside(path: str, folder: str) -> Iterator[str]:
-    """Yield the folders around a path that are not around, nor are, another folder."""
+    """Yield the folders that hold a path, from the inmost on, but for ``folder`` and those that hold that."""
     while path := posixpath.dirname(path):
         if not f"{folder}/".startswith(f"{path}/"):
             yield path

@@ -191,11 +191,11 @@ class _Reading:
             if default:
                 self.known.setdefault(variable, expand(default.strip().strip("\"'"), self.known))
             return
-        self.known.update((key, expand(value.strip("\"'"), self.known)) for key, value in _PAIR.findall(body))
-        if len(words := body.split(None, 1)) == 2 and "=" not in words[0]:
-            self.known[words[0]] = expand(words[1].strip(), self.known)
-        names = [words[0]] if len(words) == 2 and "=" not in words[0] else [key for key, _ in _PAIR.findall(body)]
-        self.start.environment += tuple((key, self.known.get(key, ""), line) for key in names)
+        words = body.split(None, 1)
+        old = len(words) == 2 and "=" not in words[0]  # the form for one variable: ENV NAME VALUE
+        pairs = [(words[0], words[1].strip())] if old else [(k, v.strip("\"'")) for k, v in _PAIR.findall(body)]
+        self.known.update((key, expand(value, self.known)) for key, value in pairs)
+        self.start.environment += tuple((key, self.known.get(key, ""), line) for key, _ in pairs)
 
 
 def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:

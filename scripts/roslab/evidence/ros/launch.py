@@ -149,7 +149,7 @@ def _new(text: str) -> bool:
 
 
 def _shows(text: str) -> bool:
-    """Tell whether a file names a viewer, and does not start all of them under conditions that do not hold."""
+    """Tell whether a file names a viewer: yes unless every one it starts has a condition that is false by default."""
     found = list(matches_at(_GUI, text, *_VIEWERS))
     named = _started_viewers(text)
     included = any(_OF_LAUNCH.match(text, match.end()) for match in found)
