@@ -20,6 +20,8 @@ _NAMED = pattern(r"\$\((?:arg|var)\s+(\w+)\s?\)")
 _WITHOUT = pattern(r"[\"']gui[\"']\s?[:,]\s?[\"']?(?:false|0)\b", re.IGNORECASE)
 _BODY = pattern(r"<include\s[^<>]{0,600}[^/<>]>[^\0]{0,4000}?</include>")
 """What an include gives to another file."""
+_INCLUDE = "IncludeLaunchDescription("
+_HELD = pattern(rf"[ \t]*\w+[ \t]*=(?!.*{_INCLUDE[:-1]}).*")
 _FALSE = frozenset({"false", "0"})
 _MOST = 4
 """Most arguments that are followed, one of which gives the value of the next."""
@@ -34,12 +36,19 @@ def opens_window(text: str, conditional: Callable[[str, int, int], bool], *, pyt
         return False
     if python:
         found = _PYTHON.search(text)
-        return bool(found and not _WITHOUT.search(found[0]) and not conditional(text, found.start(), found.end()))
+        return bool(found and not _WITHOUT.search(found[0]) and not conditional(text, *_place(text, found)))
     for match in _WORLD.finditer(text):
         end = -1 if match[0].endswith("/>") else text.find("</include>", match.end())
         if not conditional(text, match.start(), match.end()) and not _closed(text, text[match.end() : max(end, 0)]):
             return True
     return False
+
+
+def _place(text: str, found: re.Match[str]) -> tuple[int, int]:
+    """Return where a file in Python includes Gazebo's: the next include, where a variable holds what it includes."""
+    call = _HELD.fullmatch(text, text.rfind("\n", 0, found.start()) + 1, found.start()) and found[0].find(_INCLUDE)
+    begin = found.start() if call is None or call < 0 else found.start() + call + len(_INCLUDE)
+    return begin, begin
 
 
 def _closed(text: str, given: str) -> bool:
