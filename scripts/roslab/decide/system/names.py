@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.native.cmake_needs import COMPONENT
 from roslab.evidence.native.searched import SEARCHED
 from roslab.knowledge.distros import distro, ever
 from roslab.knowledge.libraries import Library, header, library
@@ -64,7 +65,7 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
         if found is None and dependency.role == SEARCHED:
             found = library("cmake", dependency.name, target.ubuntu)
         if found is not None:
-            own = dependency.namespace == "cmake" and dependency.name in target.modules
+            own = dependency.namespace == "cmake" and dependency.role != COMPONENT and dependency.name in target.modules
             return _library((own and _by_link(found, dependency.name, target)) or found, target)
         if dependency.namespace != "link":
             return _ros(dependency.name, target)

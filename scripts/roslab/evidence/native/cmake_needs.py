@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import Literal, TypeAlias
+from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource, Strength
@@ -92,7 +92,8 @@ _INSIDE = pattern(
 _VERSION = pattern(r"^\d+(?:\.\d+)*$")
 _MODULE = pattern(r"^([A-Za-z][\w.+-]*?)(?:(?:>=|<=|=|>|<)[\d.]+)?$")
 MAX_LINKED = 60
-_Namespace: TypeAlias = Literal["cmake", "ros", "pkg-config", "link"]
+COMPONENT = "component"
+"""Role of a library that catkin is to find: it looks for configuration files alone, whatever the tree has beside."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -181,8 +182,8 @@ def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
             continue
         if name in _ROS_FINDERS:
             for component in finder.components:
-                namespace: _Namespace = "cmake" if _no_ros_package(component) else "ros"
-                yield replace(_dependency(namespace, component, strength, call, path), required=required)
+                found = replace(_dependency("ros", component, strength, call, path), required=required)
+                yield replace(found, namespace="cmake", role=COMPONENT) if _no_ros_package(component) else found
         else:
             yield replace(_dependency("cmake", name, strength, call, path, finder.version), required=required)
             for component in (*finder.components, *finder.optional):
@@ -242,7 +243,7 @@ def _strength(call: Call, *, required: bool, quiet: bool = False) -> Strength:
 
 
 def _dependency(  # noqa: PLR0917 - called in one file, in the order of its sentence
-    namespace: _Namespace,
+    namespace: Literal["cmake", "ros", "pkg-config", "link"],
     name: str,
     strength: Strength,
     call: Call,
