@@ -49,6 +49,7 @@ def test_what_a_page_names_comes_first_and_is_kept(tmp_path: Path) -> None:
         "--no-cache-dir --constraint KEPT scipy",
     ]
     assert (tmp_path / "kept").read_text() == "torch==1.7.1+cu110\nnumpy==1.19.5\n"
+    assert not [*tmp_path.glob("tmp.*")]  # two builds would differ by the name
 
 
 def test_what_is_cloned_keeps_its_place_and_is_built_beside_torch(tmp_path: Path) -> None:

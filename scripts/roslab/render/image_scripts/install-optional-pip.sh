@@ -23,6 +23,7 @@ for package in "$@"; do
   case "${line%% @ *}" in *[\<=\>]*) of_a_version+=("${package}") ;; *) others+=("${package}") ;; esac
 done
 kept="$(mktemp)"
+trap 'rm -f "${kept}"' EXIT # no layer keeps its name, which is another one each time
 keep() {
   local folder
   folder="$("${python}" -c 'import site; print(site.getsitepackages()[0])')"
