@@ -9,7 +9,6 @@ from roslab.decide.base import BaseImage
 from roslab.decide.command import Command
 from roslab.decide.conflicts import decide_conflicts
 from roslab.decide.cuda.cpu_releases import without_cuda
-from roslab.decide.cuda.opengl import draws
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Warning_
 from roslab.decide.foreign_interpreters import decide_interpreters
@@ -278,7 +277,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         platforms_refused=of.platforms.answer.refused,
         cuda=of.cuda.answer.version,
         cudnn=of.cuda.answer.cudnn,
-        gpu=of.on_cuda or draws(evidence) if config.gpu is None else config.gpu,
+        gpu=of.on_cuda if config.gpu is None else config.gpu,
         gui=of.command.answer.gui,
         ports=of.command.answer.ports,
         warnings=(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import ClassVar
 
 from roslab.config.model import Config, Kind
-from roslab.decide.cuda.opengl import for_opengl
 from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.day import existed
@@ -145,9 +144,7 @@ def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
     own = [
         authored
         for authored in evidence.dockerfiles
-        if authored.purpose == "project"
-        and (authored.base or "").startswith(_ROOTS)
-        and not for_opengl(evidence, authored)
+        if authored.purpose == "project" and (authored.base or "").startswith(_ROOTS)
     ]
     own.sort(
         key=lambda authored: (

@@ -215,11 +215,8 @@ def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:
     for authored in evidence.dockerfiles:
         match = _IMAGE.search(authored.base or "")
         if match and authored.purpose in {"project", "deploy", "broken"}:
-            from roslab.decide.cuda.opengl import for_opengl  # noqa: PLC0415 - as below
             from roslab.decide.cuda.upstream_images import of_upstream  # noqa: PLC0415 - few trees have an image of CUDA
 
-            if for_opengl(evidence, authored):
-                continue
             own = authored.purpose == "project" and not of_upstream(evidence, authored)
             weight = Weight.AUTHORS_IMAGE if own else Weight.OTHER_IMAGE
             weight += Weight.COPIES if authored.copies_repository else 0
