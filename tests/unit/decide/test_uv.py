@@ -75,12 +75,12 @@ version = 1
 [[package]]
 name = "numpy"
 version = "1.26.4"
-source = { registry = "https://pypi.org/simple" }
+source = { registry = "https://index.example.org/simple" }
 
 [[package]]
 name = "requests"
 version = "2.31.0"
-source = { registry = "https://pypi.org/simple" }
+source = { registry = "https://index.example.org/simple" }
 """
 SYNC, PIP = "```\nuv sync\n```\n", "```\npip install -r requirements.txt\n```\n"
 
