@@ -2,108 +2,94 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import ast
+import re
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
+from roslab.evidence.python.parsed import parsed
 from roslab.values.pattern import pattern
 
-_LIBRARIES = (
-    "torch|tf|tensorflow|jax|jnp|np|numpy|sp|scipy|pd|pandas|mpl|matplotlib|plt|gym|gymnasium|sklearn|skimage|cv2|yaml|nx|"
-    "networkx|collections"
-)
-"""How code names libraries, in patterns."""
-_TESTED = pattern(
-    r"__version__|\bversion_info\b|\b\w*(?:MAJOR|MINOR)\b|(?i:\b(?:parse|loose|strict|digit)_?version\b|version\.parse)"
-    rf"|\bhasattr\(\s*(?:{_LIBRARIES})\b"
-    rf"|(?<![^\W_])(?i:(?:{_LIBRARIES})_?(?:ver(?:sion)?(?:_\w+)?|major|minor))\b"
-)
-_BARE = pattern(r"except[ \t]*:")
-_MISSED = pattern(r"except\b[^:\n]*\b(?:ImportError|ModuleNotFoundError|AttributeError)\b")
-_STOPS = pattern(
-    r"[ \t]*(?:(?:raise|pass|print|exit|quit|continue|break)\b|(?:sys\.exit|os\._exit|warnings\.warn|rospy\.log\w*)\("
-    r"|(?:traceback|log\w*)\."
-    r"|return(?:[ \t]+(?:None|True|False|-?\d+|\[\]|\(\)|\{\}))?[ \t]*(?:#|$))"
-)
-_IMPORT = pattern(r"[ \t]*(?:import|from)[ \t]")
-_INLINE = pattern(r"\bif\b(?=.*\belse\b)")
-MOST = 2_000
-"""Lines above a place that are looked at."""
+_OF_RELEASES = pattern(r"(?:\w+_)?(?:MAJOR|MINOR)|(?i:(?:parse|loose|strict|digit)_?version)|__version__")
+"""Names that tests of a version are written with."""
+_VERSION = pattern(r"_?(?:ver(?:sion)?(?:_\w+)?|major|minor)", re.IGNORECASE)
+"""What follows the name of a library there: ``TORCH_VERSION``, ``np_major``."""
+_MISSED = frozenset({"AttributeError", "ImportError", "ModuleNotFoundError"})
+_TELLS = pattern(r"print|exit|quit|sys\.exit|os\._exit|warnings\.warn|rospy\.log\w*|(?:traceback|log\w*)\.\w+")
 
 
 def of_some_versions(text: str, position: int) -> bool:
     """Tell whether a position lies in a branch that tests a version, or in a ``try`` whose ``except`` has another way.
 
-    An ``except`` that only stops or is silent is no other way.
+    An ``except`` that only stops or is silent is no other way. Code that Python 3 cannot read has no branches.
     """
-    lines = text[:position].count("\n")
-    all_lines = text.split("\n")
-    here = all_lines[lines]
-    if _INLINE.search(here) and _TESTED.search(here):
-        return True
-    return any(_chooses(all_lines, at) for at in _holding(all_lines, lines))
+    line = text.count("\n", 0, position) + 1
+    return any(first <= line <= last for first, last in _branches(text))
 
 
-def _holding(lines: list[str], at: int) -> Iterator[int]:
-    """Yield the lines that hold one, from the inside: each with less indentation than all below it."""
-    inner = _indent(lines[at])
-    for above in range(at - 1, max(-1, at - MOST), -1):
-        if inner == 0:
-            return
-        if lines[above].strip() and not lines[above].lstrip().startswith("#") and _indent(lines[above]) < inner:
-            inner = _indent(lines[above])
-            yield above
+@lru_cache(maxsize=1)
+def _branches(text: str) -> tuple[tuple[int, int], ...]:
+    """Return the first and the last line of each branch."""
+    tree = parsed(text)
+    if tree is None:
+        return ()
+    libraries = {name.lower() for node in ast.walk(tree) for name in _imported(node)}
+    return tuple(span for node in ast.walk(tree) for span in _of(node, libraries))
 
 
-def _chooses(lines: list[str], at: int) -> bool:
-    head = lines[at].strip()
-    if head.startswith(("if ", "if(", "elif ", "elif(")):
-        return bool(_TESTED.search(head))
-    if head.startswith("try:"):
-        return _other_way(lines, at)
-    if head.startswith("except"):
-        return _missing(lines, at)
-    return head.startswith("else:") and _else_of_test(lines, at)
+def _imported(node: ast.AST) -> Iterator[str]:
+    """Yield the names that code has for the modules of a statement: ``np``, ``torch``."""
+    if isinstance(node, ast.Import):
+        yield from (name.asname or name.name.partition(".")[0] for name in node.names)
+    elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+        yield node.module.partition(".")[0]
 
 
-def _other_way(lines: list[str], at: int) -> bool:
-    """Tell whether the ``except`` of a ``try`` is for what is not there, and does something else then."""
-    indent = _indent(lines[at])
-    for below in range(at + 1, min(len(lines), at + MOST)):
-        if lines[below].strip() and _indent(lines[below]) <= indent:
-            after = lines[below].partition(":")[2].strip()
-            after = after or next((line for line in lines[below + 1 :] if line.strip()), "")
-            return _missing(lines, below) and not _STOPS.match(after)
+def _of(node: ast.AST, libraries: set[str]) -> Iterator[tuple[int, int]]:
+    if isinstance(node, ast.IfExp) and _tests(node.test, libraries):
+        yield _span([node])
+    elif isinstance(node, ast.If) and _tests(node.test, libraries):
+        yield from (_span(part) for part in (node.body, node.orelse) if part)
+    elif isinstance(node, ast.Try):
+        ways = [handler.body for handler in node.handlers if _missing(handler, node)]
+        yield from map(_span, ways)
+        if any(not _stops(way[0]) for way in ways):
+            yield _span(node.body)
+
+
+def _span(nodes: Sequence[ast.stmt | ast.expr]) -> tuple[int, int]:
+    return nodes[0].lineno, nodes[-1].end_lineno or nodes[-1].lineno
+
+
+def _tests(test: ast.expr, libraries: set[str]) -> bool:
+    """Tell whether a condition is about the version of a library, or about what some versions of it have."""
+    for node in ast.walk(test):
+        name = node.id if isinstance(node, ast.Name) else node.attr if isinstance(node, ast.Attribute) else ""
+        if _OF_RELEASES.fullmatch(name) or _of_library(name, libraries):
+            return True
+        if isinstance(node, ast.Call):
+            called = ast.unparse(node.func)
+            first = ast.unparse(node.args[0]).partition(".")[0] if node.args else ""
+            if called == "version.parse" or (called == "hasattr" and first.lower() in libraries):
+                return True
     return False
 
 
-def _missing(lines: list[str], at: int) -> bool:
+def _of_library(name: str, libraries: set[str]) -> bool:
+    return any(name.lower().startswith(each) and _VERSION.fullmatch(name, len(each)) for each in libraries)
+
+
+def _missing(handler: ast.ExceptHandler, tried: ast.Try) -> bool:
     """Tell whether an ``except`` is for what is not there; one of all is, where its ``try`` imports."""
-    head = lines[at].strip()
-    if not _BARE.match(head):
-        return bool(_MISSED.match(head))
-    for above in range(at - 1, max(-1, at - MOST), -1):
-        if lines[above].strip() and _indent(lines[above]) <= _indent(lines[at]):
-            return False
-        if _IMPORT.match(lines[above]):
-            return True
-    return False
+    if handler.type is None:
+        return any(isinstance(node, (ast.Import, ast.ImportFrom)) for each in tried.body for node in ast.walk(each))
+    return any(isinstance(node, ast.Name) and node.id in _MISSED for node in ast.walk(handler.type))
 
 
-def _else_of_test(lines: list[str], at: int) -> bool:
-    """Tell whether the ``if`` or the ``elif`` above an ``else`` tests a version."""
-    indent = _indent(lines[at])
-    for above in range(at - 1, max(-1, at - MOST), -1):
-        line = lines[above]
-        if not line.strip() or _indent(line) > indent:
-            continue
-        head = line.strip()
-        if _indent(line) < indent or not head.startswith(("if", "elif", "except")):
-            return False
-        if _TESTED.search(head) if head.startswith(("if", "elif")) else _missing(lines, above):
-            return True
-        if head.startswith("if"):
-            return False
-    return False
-
-
-def _indent(line: str) -> int:
-    return len(line) - len(line.lstrip())
+def _stops(statement: ast.stmt) -> bool:
+    """Tell whether a statement stops, is silent or only tells of it."""
+    if isinstance(statement, ast.Return):
+        return statement.value is None or not any(isinstance(node, ast.Name) for node in ast.walk(statement.value))
+    if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call):
+        return _TELLS.fullmatch(ast.unparse(statement.value.func)) is not None
+    return isinstance(statement, (ast.Raise, ast.Pass, ast.Continue, ast.Break))

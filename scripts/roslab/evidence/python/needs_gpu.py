@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 
+from roslab.evidence.python.parsed import parsed
+
 _CALL = "cuda.is_available()"
 
 
@@ -11,11 +13,8 @@ def needs_gpu(text: str) -> bool:
     """Tell whether it raises an error where torch sees no GPU, and no variable can tell it to go on."""
     if _CALL not in text:
         return False
-    try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return any(_stops(node) for node in ast.walk(tree))
+    tree = parsed(text)
+    return tree is not None and any(_stops(node) for node in ast.walk(tree))
 
 
 def _stops(node: ast.AST) -> bool:

@@ -7,6 +7,7 @@ import re
 import sys
 from collections.abc import Collection
 
+from roslab.evidence.python.parsed import parsed
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
@@ -55,9 +56,8 @@ class SetupScript:
 def read(text: str) -> SetupScript:
     """Read a script; one for Python 2 is read by patterns."""
     script = SetupScript(catkin="catkin_pkg" in text or "generate_distutils_setup" in text)
-    try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    tree = parsed(text)
+    if tree is None:
         return _by_pattern(text, script)
     names, functions, call = _bound(tree)
     if call is None:
