@@ -70,10 +70,9 @@ class Source:
     before: str = ""
     """Without a ``ref``: the newest commit not after this date (``YYYY-MM-DD``) is taken, if there is one."""
     unread: bool = False
-    """Nobody has read what its own CMakeLists.txt asks for: no table knows the library, and no author configures it.
-
-    Or the code imports a module of its name: it may be plain Python.
-    """
+    """Nobody has read what its own CMakeLists.txt asks for: no table knows the library, and no author configures it."""
+    imported: bool = False
+    """The code imports a module of its name: it may be plain Python."""
     by_make: bool = False
     """A page installs it with its own Makefile alone, where that puts its files."""
     unasked: bool = False

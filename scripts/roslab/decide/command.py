@@ -16,7 +16,6 @@ from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upke
 from roslab.decide.gone_programs import gone_programs
 from roslab.decide.included import included
 from roslab.decide.launched import launched
-from roslab.decide.launched_windows import opened_by_nodes, switched_on
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
@@ -24,13 +23,10 @@ from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
 from roslab.decide.sections import about_running
+from roslab.decide.windows import opens_windows
 from roslab.decide.written_commands import TOOLS
-from roslab.evidence import places
-from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.evidence.prose.copies import below
-from roslab.evidence.prose.runners import SIMULATORS
-from roslab.knowledge.windows import opens
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -41,8 +37,6 @@ _ARGUMENT = pattern(
     r"(?:^|[\s=])(?:\.{0,2}/|[\w.-]+/)|(?:^|\s)(?:--?help|-h|--?usage|--?version)\b|--show-args\b|\s(?:-s|--ros-args)$"
 )
 """An argument that names a file or asks for help: such a command is no default."""
-_WINDOW = pattern(r"(?:^|[/_-])(?:gui|viewer|visualizer)$")
-"""What a program is called that opens a window, whatever library it does that with."""
 
 
 class Weight:
@@ -89,11 +83,11 @@ def decide_command(
     if config.command is not None:
         text = line_of(config.command)
         said = configured(config, "command", text, "command")
-        gui = _opened(evidence, config, text)
+        gui = config.gui if config.gui is not None else opens_windows(evidence, text)
         chosen = Command(command=config.command, candidates=candidates, gui=gui)
         return Choice(answer=_given(chosen, dockerfile, authored), reasons=(said,))
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
-    gui = _opened(evidence, config, shlex.join(command))
+    gui = config.gui if config.gui is not None else opens_windows(evidence, shlex.join(command))
     inside = next((c for c in found if c.argv == command and (c.inside or (c.makes and not dockerfile))), None)
     page = by_argv.get(command)
     ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
@@ -267,35 +261,3 @@ def _ports(page: Candidate, evidence: Evidence) -> tuple[str, ...]:
     addresses = [word for word in page.argv if "://" in word]
     found = {m.value for m in said if not any(f":{m.value}" in word for word in addresses)}
     return tuple(f"{port}:{port}" for port in found) if len(found) == 1 else ()
-
-
-def _opened(evidence: Evidence, config: Config, command: str) -> bool:
-    return config.gui if config.gui is not None else _gui(evidence, command)
-
-
-def _example(call: Dependency, words: list[str]) -> bool:
-    """Tell whether a call is in the source of the example that a command starts, which is called like it."""
-    stem = call.file.rpartition("/")[2].partition(".")[0]
-    return call.role == "example" and any(word.rpartition("/")[2] == stem for word in words[:3])
-
-
-def _as_module(file: str) -> str:
-    """Return the name by which ``python -m`` starts a file."""
-    return file.removesuffix(".py").removesuffix("/__main__").replace("/", ".")
-
-
-def _gui(evidence: Evidence, command: str) -> bool:
-    """Tell whether a launch file starts a viewer, the code uses a library of windows, or the command's file has one."""
-    if command.partition(" ")[0] in SIMULATORS or _WINDOW.search(command.partition(" ")[0]):
-        return True
-    calls = (d for d in evidence.code if d.namespace == "call")
-    words = command.split()
-    if any(d.file in command or d.role == "build" or _as_module(d.file) in words or _example(d, words) for d in calls):
-        return True  # a compiled program is not named like its file
-    if any(launch.gui for launch in evidence.launch) or switched_on(evidence, words):
-        return True
-    if opened_by_nodes(evidence, tuple(words)):
-        return True
-    asked = (d for project in evidence.cmake if not places.vendored(project.file) for d in project.dependencies)
-    found = (*evidence.code, *(d for d in asked if d.strength == "declared" and d.role != "test"))
-    return any(d.strength != "optional" and opens(d.namespace, d.name) for d in found if not places.aside(d.file))

@@ -142,8 +142,7 @@ def _of_others(evidence: Evidence, launch: LaunchFile | None, sources: Sources, 
     """Yield a warning for what launch files other than the default command's need, and that no clone may bring."""
     names = sources.names | {plain(source.name) for source in sources.submodules}
     where = tried(sources.sought)
-    holding = _holding(evidence, sources)
-    found = lacks(evidence, lambda name: bool(names & {name, plain(name)}) or holding.may_hold(name), ros_distro)
+    found = lacks(evidence, lambda name: bool(names & {name, plain(name)}) or sources.may_hold(name), ros_distro)
     told = {asked.name for asked in found.get(launch.file, ())} if launch else set()
     needed: dict[str, Dependency] = {}
     built = {manifest.name for manifest in packages_of(evidence).built}
@@ -157,16 +156,6 @@ def _of_others(evidence: Evidence, launch: LaunchFile | None, sources: Sources, 
         listed = ", ".join([*needed][:MOST]) + (", …" if len(needed) > MOST else "")
         message = f"launch files need packages that nothing is known to bring, and stop without them: {listed}"
         yield warn(f"{message}; give their repositories under `source` in roslab.yaml", next(iter(needed.values())))
-
-
-def _holding(evidence: Evidence, sources: Sources) -> Sources:
-    """Return the sources without the submodules in folders of packages: no tool of ROS looks for others there.
-
-    https://docs.ros.org/en/independent/api/catkin_pkg/html/catkin_pkg.html (find_package_paths), 2026-11-27.
-    """
-    folders = [manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built]
-    inside = tuple(f"{folder}/" if folder else "" for folder in folders)
-    return replace(sources, submodules=tuple(s for s in sources.submodules if not s.name.startswith(inside)))
 
 
 def _packages(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_distro: str | None) -> Iterator[Warning_]:

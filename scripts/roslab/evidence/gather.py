@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
 
 from roslab.evidence import links, places, pointers, submodules
 from roslab.evidence.cmake_project import CMakeProject
@@ -106,6 +105,7 @@ from roslab.evidence.ros import (
     gazebo_plugins,
     image_transports,
     launch,
+    malformed,
     marked,
     named_in_code,
     on_machines,
@@ -269,8 +269,7 @@ def gather(repository: Repository) -> Evidence:
         ),
         problems=(
             *repository.problems,
-            *(_malformed(m) for m in manifests if m.malformed),
-            *(_several(m, *m.together) for m in manifests if m.together),
+            *malformed.problems(manifests),
             *vcs.absent(repository),
             *links.problems(lost, by_name_alone),
             *cpu.read(repository),
@@ -280,17 +279,6 @@ def gather(repository: Repository) -> Evidence:
             *stopped_setup.problems(stopped),
         ),
     )
-
-
-def _malformed(manifest: PackageManifest) -> tuple[str, str, int]:
-    """Return the parser's message with the line where it stopped, if it gives one."""
-    match = re.match(r"line (\d+): (.+)", manifest.malformed or "")
-    line, message = (int(match[1]), match[2]) if match else (manifest.line, manifest.malformed)
-    return f"not well-formed: {message}", manifest.file, line
-
-
-def _several(manifest: PackageManifest, tag: str, line: int) -> tuple[str, str, int]:
-    return f"<{tag}> names several packages, and each needs one of its own", manifest.file, line
 
 
 def _without_python(

@@ -28,6 +28,11 @@ class Sources:
 
     asked: frozenset[str] = frozenset()
     """The names, in one spelling, that the tree asks for: a clone of such a name is most likely that package alone."""
+    within: frozenset[str] = frozenset()
+    """Names of the submodules that lie in folders of packages: no tool of ROS looks for others there.
+
+    https://docs.ros.org/en/independent/api/catkin_pkg/html/catkin_pkg.html (find_package_paths), 2026-11-27
+    """
 
     @property
     def everything(self) -> tuple[Source, ...]:
@@ -54,5 +59,5 @@ class Sources:
         """Yield the names of the clones whose packages are not known."""
         single = {address(url) for url in alone()}
         for source in (*self.sources, *self.submodules):
-            if source.build != "cmake" and address(source.repo or "") not in single:
+            if source.build != "cmake" and source.name not in self.within and address(source.repo or "") not in single:
                 yield plain(source.name)

@@ -24,7 +24,7 @@ def with_imported(sources: Sources, evidence: Evidence) -> Sources:
     }
     names = {plain(name) for name in used if not ever_released(name)}
     marked = tuple(
-        replace(source, unread=True) if source.listed and plain(source.name) in names else source
+        replace(source, imported=True) if source.listed and plain(source.name) in names else source
         for source in sources.sources
     )
     return replace(sources, sources=marked)

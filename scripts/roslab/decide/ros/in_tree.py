@@ -7,7 +7,7 @@ from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.decide.ros.source_names import address, fixed
 from roslab.decide.ros.weights import Weight
-from roslab.decide.ros.workspace import Packages
+from roslab.decide.ros.workspace import Packages, packages_of
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.copies import below
@@ -43,6 +43,13 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
                 empty.append((git, _source(git, before)))
             reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
     return empty, reasons
+
+
+def inside_packages(evidence: Evidence) -> frozenset[str]:
+    """Return the paths of the submodules that lie in folders of packages which are built."""
+    folders = [manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built]
+    inside = tuple(f"{folder}/" if folder else "" for folder in folders)
+    return frozenset(git.name for git in evidence.sources if git.kind == "submodule" and git.name.startswith(inside))
 
 
 def _of_ci(git: GitSource, evidence: Evidence) -> GitSource:

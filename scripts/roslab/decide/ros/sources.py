@@ -12,7 +12,7 @@ from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.imported_clones import with_imported
-from roslab.decide.ros.in_tree import in_tree
+from roslab.decide.ros.in_tree import in_tree, inside_packages
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.misnamed import left_over
 from roslab.decide.ros.sought import with_sought
@@ -94,8 +94,7 @@ def decide_sources(
     exact = {wanted[name].name for name in {plain(git.name) for git in found} if name in wanted}
     for git in found:
         other = twice(git, itself, own) or lies_beside(git, evidence)
-        asked = None if other else asked_for(git, wanted, known | exact)  # no other clone stands for these
-        if asked is not None:
+        if not other and (asked := asked_for(git, wanted, known | exact)):  # no other clone stands for these
             answered.add(asked.name)
             chosen.clone(git, asked, known | rosdep_keys())
     for git, why in with_itself(evidence, ros_distro, itself, own, known):
@@ -108,7 +107,8 @@ def decide_sources(
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys() | by_page(used, evidence)
     choice = chosen.choice(files)
-    answer = with_imported(replace(choice.answer, asked=frozenset(plain(each.name) for each in needed)), evidence)
+    names = frozenset(plain(each.name) for each in needed)
+    answer = with_imported(replace(choice.answer, asked=names, within=inside_packages(evidence)), evidence)
     return with_sought(
         replace(choice, answer=answer),
         evidence,

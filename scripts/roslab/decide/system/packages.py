@@ -22,6 +22,7 @@ from roslab.decide.ros.keys import (
 )
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.asked_how import how_asked
 from roslab.decide.system.by_pip import imported_from_pip, only_imported
 from roslab.decide.system.carried import brought, held
 from roslab.decide.system.compiled_with import compiled_with
@@ -42,29 +43,6 @@ from roslab.values.name import bare_name
 from roslab.values.requirement import Requirement
 
 _IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
-_HOW = {
-    "cmake": "find_package asks for {}",
-    "pkg-config": "pkg-config asks for {}",
-    "link": "{} is linked",
-    "include": "{} is included",
-    "import": "{} is imported",
-    "ros": "the ROS package {} is used",
-    "apt": "an install line names {}",
-    "rosdep": "the key {} is named",
-    "key": "the repository's own list for rosdep names {}",
-    "fetch": "a CMake file clones, which needs {}",
-    "configure": "CMake runs a configure that looks for {}",
-    "cuda": "CMake compiles for CUDA, which needs {}",
-    "called": "a Python file calls a program of {}",
-    "typelib": "a program asks for a library of GObject, which needs {}",
-    "shebang": "the first line of a program names {}",
-    "named": "the page names {}",
-    "linked": "a compiled file of the tree is linked with {}",
-    "compiled": "a library compiled with the project needs {}",
-    "make": "what compiles the project calls {}",
-    "script": "a script that the page compiles with names {}",
-    "octave": "a program that the page runs needs {}",
-}
 
 
 class Weight:
@@ -296,7 +274,8 @@ def _explained(
             place = dependency if dependency.file else None
             yield because("dependencies", name, why, place, weight=Weight.GUESSED)
         elif dependency is not None:
-            how = _HOW.get(dependency.role) or _HOW.get(dependency.namespace, "{} is named")
-            why = how.format(dependency.name) + (", which is optional" if dependency.strength == "optional" else "")
+            why = how_asked(dependency).format(dependency.name) + (
+                ", which is optional" if dependency.strength == "optional" else ""
+            )
             weight = Weight.DECLARED if name in declared else Weight.GUESSED
             yield because("dependencies", name, why, dependency, weight=weight)

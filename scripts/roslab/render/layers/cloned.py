@@ -82,16 +82,12 @@ def _called(script: str, source: Source) -> str:
 
 def plain_clones(plan: Plan) -> str:
     """Compile what CMake of the workspace asks for by its name, where it turns out to be no package of ROS."""
-    folders = [quote.shell_with_user(f"{WS}/src/{s.name}") for s in plan.workspace.sources if _unread(s)]
+    folders = [quote.shell_with_user(f"{WS}/src/{s.name}") for s in plan.workspace.sources if s.unread]
     if not folders:
         return ""
     scripts = "".join(map(shell.copy_script, (CONFIGURE, "compile-jobs")))
     comment = "Clones without a package.xml, which catkin passes by"
     return f"USER root\n{shell.call(PLAIN, ''.join(f' {each}' for each in folders), comment=comment, before=scripts)}"
-
-
-def _unread(source: Source) -> bool:
-    return source.unread and source.build.startswith("catkin")  # colcon builds what is plain CMake
 
 
 def submodules(plan: Plan) -> str:

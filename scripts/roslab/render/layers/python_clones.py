@@ -10,7 +10,7 @@ from roslab.render.layers.workspace import WS
 
 def install(plan: Plan) -> str:
     """Install those without a package.xml, after the packages that are declared: one may compile against torch."""
-    folders = [quote.shell_with_user(f"{WS}/src/{each.name}") for each in plan.workspace.sources if each.unread]
+    folders = [quote.shell_with_user(f"{WS}/src/{each.name}") for each in plan.workspace.sources if each.imported]
     if not folders:
         return ""
     options = f"{caches.pip_option(plan)}{python.pip_options(plan.python.options)}"
