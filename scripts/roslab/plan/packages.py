@@ -96,7 +96,7 @@ def _python_needs(decision: Decision, *, notebook: bool, compatible: bool) -> li
         needs += _compilers(decision, own_python=own_python)
     if not own_python and (python.manager == "venv" or notebook):
         needs += ["ca-certificates", "python3", "python3-venv"]
-    files = python.requirements or python.cloned_files
+    files = python.requirements or python.cloned_files or any(source.imported for source in decision.source)
     if not own_python and python.manager == "system" and (asked or files or python.projects):
         two = (python.version or "").startswith("2")
         sni = pip_with_sni(decision.ubuntu) if two else None
