@@ -74,6 +74,22 @@ def releases(name: str) -> tuple[str, ...]:
     return tuple((_table(name) or {}).get("releases", {}))
 
 
+def has_release(name: str, oldest: str, end: str | None) -> bool:
+    """Tell whether the table knows how to build a release of a library within these bounds."""
+    known = (Version(release) for release in releases(name))
+    return any(release >= Version(oldest) and (end is None or release < Version(end)) for release in known)
+
+
+@cache
+def stands_beside(name: str) -> bool:
+    """Tell whether one release of a library can be built where the Ubuntu has another, without harm to what links that.
+
+    Its headers are all of it, or its names in the linker have its version: code that asks for one can stay on its own
+    Ubuntu.
+    """
+    return bool((_table(name) or {}).get("stands_beside", False))
+
+
 def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS) -> tuple[Recipe, ...]:
     """Return what to build for a library, its own needs first; empty if the table does not have it.
 

@@ -38,6 +38,46 @@ def test_one_that_it_has_or_that_no_row_has_is_not(tree: Tree, asked: str) -> No
     assert built(tree({"CMakeLists.txt": CMAKE.format(asked), "README.md": ON.format("18.04")})) == []
 
 
+@pytest.mark.parametrize(
+    ("asked", "distro", "found"),
+    [
+        ("Eigen3 3.4 REQUIRED", "noetic", ("eigen3", "3.4.0")),  # focal has 3.3.7
+        ("fmt 7 REQUIRED", "noetic", ("fmt", "7.1.3")),  # focal has 6.1.2
+        ("fmt 8.0 REQUIRED", "noetic", ("fmt", "8.1.1")),
+        ("spdlog 1.8 REQUIRED", "noetic", ("spdlog", "v1.9.2")),
+        ("nlohmann_json 3.2.0 REQUIRED", "melodic", ("nlohmann_json", "v3.7.3")),
+        ("nlohmann_json 3.11 REQUIRED", "humble", ("nlohmann_json", "v3.11.2")),
+        ("yaml-cpp 0.7 REQUIRED", "noetic", ("yaml-cpp", "0.8.0")),
+        ("Catch2 3 REQUIRED", "humble", ("catch2", "v3.4.0")),
+        ("Eigen3 3.3 REQUIRED", "noetic", None),
+        ("fmt 6 REQUIRED", "noetic", None),
+        ("nlohmann_json 3.7 REQUIRED", "noetic", None),
+        ("yaml-cpp 0.6 REQUIRED", "noetic", None),
+        ("Catch2 3 REQUIRED", "jazzy", None),
+    ],
+)
+def test_small_libraries_come_in_the_release_that_is_asked_for(
+    tree: Tree, asked: str, distro: str, found: tuple[str, str] | None
+) -> None:
+    tool = "catkin" if distro in {"melodic", "noetic"} else "ament_cmake"
+    files = {
+        "package.xml": f"<package><name>demo</name><buildtool_depend>{tool}</buildtool_depend></package>",
+        "CMakeLists.txt": f"project(demo)\nfind_package({tool} REQUIRED)\nfind_package({asked})\n",
+    }
+    decision = tree({**files, "README.md": f"For ROS {distro}\n"})
+    assert built(decision) == ([found] if found else [])
+    assert not any("CMake requires" in warning.message for warning in decision.warnings)
+
+
+@pytest.mark.parametrize(("ubuntu", "found"), [("20.04", [("cli11", "v2.1.2")]), ("22.04", [])])
+def test_a_library_that_newer_ubuntus_have_is_built_on_an_older_one(
+    tree: Tree, ubuntu: str, found: list[tuple[str, str]]
+) -> None:
+    decision = tree({"CMakeLists.txt": CMAKE.format("CLI11 REQUIRED"), "README.md": ON.format(ubuntu)})
+    assert built(decision) == found
+    assert ("libcli11-dev" in (*decision.apt, *decision.apt_guessed)) is not bool(found)
+
+
 def test_an_example_is_no_reason(tree: Tree) -> None:
     files = {
         "CMakeLists.txt": CMAKE.format("Eigen3 REQUIRED"),

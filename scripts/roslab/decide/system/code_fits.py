@@ -11,9 +11,10 @@ from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.code_limits import fits, satisfies
+from roslab.knowledge.code_limits import bounds_of, fits, satisfies
 from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus
+from roslab.knowledge.recipes import has_release, stands_beside
 from roslab.knowledge.shared_objects import ubuntus_with
 from roslab.values.version import Version
 
@@ -53,11 +54,18 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
         if needs_newer_cmake(evidence, ubuntu, cmake):
             lacks[f"CMake {needs_newer_cmake(evidence, ubuntu, cmake)}"] = None
         for name, version, place in asked:
-            if not satisfies(name, ubuntu, version, ros=ros) and not _compiled(name, evidence):
+            if not (
+                satisfies(name, ubuntu, version, ros=ros) or _compiled(name, evidence) or _built_beside(name, version)
+            ):
                 lacks[f"{name} {version} ({place})"] = None
     nowhere = set.intersection(*(set(lacks) for lacks in found.values()))
     left = {ubuntu: tuple(lack for lack in lacks if lack not in nowhere) for ubuntu, lacks in found.items()}
     return {ubuntu: lacks for ubuntu, lacks in left.items() if lacks}
+
+
+def _built_beside(name: str, version: str) -> bool:
+    """Tell whether the image can build a release that CMake asks for, whichever one its Ubuntu has."""
+    return stands_beside(name.lower()) and has_release(name.lower(), *bounds_of(name, version))
 
 
 def _unlinkable(linked: Iterable[tuple[str, str]], ubuntu: str) -> dict[str, None]:

@@ -15,7 +15,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import bounds_of, fits, satisfies
 from roslab.knowledge.libraries import library
-from roslab.knowledge.recipes import Bound, Recipe, recipe, releases
+from roslab.knowledge.recipes import Bound, Recipe, has_release, recipe, releases
 from roslab.values.version import Version
 
 
@@ -132,9 +132,7 @@ def refused_here(required: Iterable[CodeLimit], target: Target) -> Iterator[tupl
     """Yield the libraries that CMake requires in a release which this Ubuntu does not have, and which a recipe has."""
     for limit in required:
         name, oldest = limit.library.lower(), limit.at_least or "0"
-        end = Version(limit.below) if limit.below else None
-        known = (Version(release) for release in releases(name))
-        fit = any(release >= Version(oldest) and (end is None or release < end) for release in known)
+        fit = has_release(name, oldest, limit.below)
         if fit and target.ubuntu and not satisfies(limit.library, target.ubuntu, oldest, ros=bool(target.ros_distro)):
             asked = Dependency(
                 namespace="cmake", name=limit.what, strength="declared", file=limit.file, line=limit.line
