@@ -78,6 +78,36 @@ def test_a_library_that_newer_ubuntus_have_is_built_on_an_older_one(
     assert ("libcli11-dev" in (*decision.apt, *decision.apt_guessed)) is not bool(found)
 
 
+@pytest.mark.parametrize(
+    ("asked", "ubuntu", "found", "brought"),
+    [
+        ("ruckig", "22.04", [("ruckig", "v0.9.2")], set()),
+        ("ifopt", "20.04", [("ifopt", "2.1.3")], {"coinor-libipopt-dev", "libeigen3-dev"}),
+        ("qpOASES", "22.04", [("qpoases", "36362520bdbcdec79343e00999cc71e8ad69b622")], set()),
+        ("autodiff", "22.04", [("autodiff", "98a5565305ad4700d84f8272bb441f848ecae6b6")], {"libeigen3-dev"}),
+        ("fbow", "20.04", [("fbow", "2dd957c8e2b4c7a4e007dd3cfb901a250e299daa")], {"libopencv-dev"}),
+        ("magic_enum", "22.04", [("magic_enum", "v0.9.7")], set()),
+        ("apriltag", "18.04", [("apriltag", "v3.3.0")], set()),
+        ("apriltag", "22.04", [], {"libapriltag-dev"}),
+    ],
+)
+def test_a_library_without_a_package_is_built(
+    tree: Tree, asked: str, ubuntu: str, found: list[tuple[str, str]], brought: set[str]
+) -> None:
+    cmake = CMAKE.format(f"{asked} REQUIRED")
+    decision = tree({"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n", "README.md": ON.format(ubuntu)})
+    assert built(decision) == found
+    assert brought <= {*decision.apt, *decision.apt_guessed}
+
+
+def test_a_ros_that_has_a_small_library_brings_it(tree: Tree) -> None:
+    manifest = "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    cmake = "project(demo)\nfind_package(ament_cmake REQUIRED)\nfind_package(ruckig REQUIRED)\n"
+    decision = tree({"package.xml": manifest, "CMakeLists.txt": cmake, "README.md": "For ROS humble\n"})
+    assert built(decision) == []
+    assert "ros-humble-ruckig" in decision.apt_guessed
+
+
 def test_an_example_is_no_reason(tree: Tree) -> None:
     files = {
         "CMakeLists.txt": CMAKE.format("Eigen3 REQUIRED"),
