@@ -89,6 +89,8 @@ def test_a_library_that_newer_ubuntus_have_is_built_on_an_older_one(
         ("magic_enum", "22.04", [("magic_enum", "v0.9.7")], set()),
         ("apriltag", "18.04", [("apriltag", "v3.3.0")], set()),
         ("apriltag", "22.04", [], {"libapriltag-dev"}),
+        ("VISP", "22.04", [], {"libvisp-dev"}),
+        ("PahoMqttCpp", "22.04", [], {"libpaho-mqttpp-dev", "libpaho-mqtt-dev"}),
     ],
 )
 def test_a_library_without_a_package_is_built(
