@@ -1,10 +1,11 @@
-"""ROS packages that many repositories need and no distribution released: their repository and the ref to build."""
+"""ROS packages that many repositories need, and that not every distribution released: their repository and its ref."""
 
 from __future__ import annotations
 
 from functools import cache
 
 from roslab.knowledge.record import record
+from roslab.knowledge.released import released
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 
@@ -33,10 +34,12 @@ def _table() -> dict[tuple[str, str], dict[str, str]]:
 def ros_sources(package: str, ros: int, distro: str = "") -> tuple[RosSource, ...]:
     """Return what to clone for a package, its own needs first; empty if the table does not have it.
 
-    So is what exists for other distributions alone, where the distribution is given.
+    So is what the given distribution released, and what exists for others alone.
     """
     row = _table().get((package, str(ros)))
-    if row is None or (distro and row["distros"] and distro not in row["distros"].split()):
+    if row is None or package in released(distro):
+        return ()
+    if distro and row["distros"] and distro not in row["distros"].split():
         return ()
     first = {found.package: found for needed in row["after"].split() for found in ros_sources(needed, ros, distro)}
     own = record(RosSource, row, ref=row["ref"].format(distro=distro or "rolling"))

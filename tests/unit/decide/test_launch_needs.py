@@ -126,7 +126,7 @@ ASKS = "import rospkg\ndef main():\n    {before}rospkg.RosPack().get_path('demo_
         (GAZEBO, {"urdf/a.xacro": f'<robot><xacro:macro name="b">{FOUND}</xacro:macro></robot>'}, ""),
         (GAZEBO, {"urdf/a.xacro": f"<robot><!-- {FOUND} --></robot>"}, ""),
         (GAZEBO, {"urdf/a.xacro": FOUND.replace("demo_arms", "rviz")}, ""),
-        (GAZEBO, {"urdf/a.xacro": FOUND.replace("demo_arms", "rotors_description")}, "urdf/a.xacro"),
+        (GAZEBO, {"urdf/a.xacro": FOUND.replace("demo_arms", "sns_ik_lib")}, "urdf/a.xacro"),
         (GAZEBO, {"urdf/b.xacro": FOUND}, ""),
         (GAZEBO.replace("<param", '<param if="$(arg b)"'), {"urdf/a.xacro": FOUND}, ""),
         (WORLD, {"scripts/world.py": ASKS.format(before="")}, "scripts/world.py"),

@@ -861,6 +861,46 @@ def test_what_the_table_knows_of_an_unreleased_package_is_cloned_with_its_needs(
     assert [source.name for source in decision.source] == ["mrs_msgs", "mrs_lib"]
 
 
+@pytest.mark.parametrize(
+    ("distro", "sources"),
+    [("Melodic", []), ("Noetic", ["mav_comm", "rotors_simulator"])],
+)
+def test_what_the_distribution_released_is_not_cloned_for_a_package_of_the_table(
+    tree: Tree, distro: str, sources: list[str]
+) -> None:
+    needs = "<buildtool_depend>catkin</buildtool_depend><depend>rotors_control</depend>"
+    cmake = "find_package(catkin REQUIRED COMPONENTS rotors_control)\n"
+    manifest = f"<package><name>demo</name>{needs}</package>"
+    decision = tree({"package.xml": manifest, "CMakeLists.txt": cmake, "README.md": f"For ROS {distro}."})
+    assert [source.name for source in decision.source] == sources
+    assert not [warning for warning in decision.warnings if "rotors_control" in warning.message]
+
+
+@pytest.mark.parametrize(
+    "load",
+    [
+        '<include file="$(find turtlebot_gazebo)/launch/turtlebot_world.launch"/>',
+        '<param name="robot" command="xacro $(find demo)/robot.xacro"/>',
+    ],
+)
+def test_what_only_a_launch_file_or_a_description_needs_comes_from_the_table(tree: Tree, load: str) -> None:
+    cmake = "find_package(catkin REQUIRED COMPONENTS roscpp)\nadd_executable(demo main.cpp)\n"
+    needs = "<buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend>"
+    include = '<xacro:include filename="$(find turtlebot_gazebo)/urdf/turtlebot.xacro"/>'
+    files = {
+        "package.xml": f"<package><name>demo</name>{needs}</package>",
+        "CMakeLists.txt": cmake,
+        "main.cpp": "int main() {}\n",
+        "launch/demo.launch": f'<launch><node pkg="demo" type="demo" name="demo"/>{load}</launch>',
+        "robot.xacro": f"<robot>{include}</robot>",
+        "README.md": "ROS Melodic\n```\nroslaunch demo demo.launch\n```\n",
+    }
+    decision = tree(files)
+    assert {source.name for source in decision.source} >= {"kobuki", "turtlebot", "turtlebot_simulator"}
+    assert "yujin_ocs" not in {source.name for source in decision.source}  # Melodic released it
+    assert not [w for w in decision.warnings if "needs the package" in w.message]
+
+
 def test_an_unknown_key_that_an_install_line_of_apt_has_is_left_to_apt(tree: Tree) -> None:
     manifest = (
         "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>libgmp-dev</depend></package>"

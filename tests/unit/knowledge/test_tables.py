@@ -15,6 +15,7 @@ from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import distros, distros_of, rosdistro_tag, ubuntus
 from roslab.knowledge.never import never
 from roslab.knowledge.recipes import recipe
+from roslab.knowledge.ros_sources import ros_sources
 from roslab.knowledge.table import rows
 
 if sys.version_info >= (3, 11):
@@ -162,3 +163,41 @@ def test_every_pattern_can_be_compiled() -> None:
     for name in tables:
         for row in rows(name):
             re.compile(row["pattern"])
+
+
+_SOURCES = rows("ros_sources")
+_FAMILIES = {(row["repo"], row["ros"]) for row in _SOURCES}
+
+
+@pytest.mark.parametrize("row", _SOURCES, ids=lambda row: f"{row['package']}-{row['ros']}")
+def test_a_source_of_ros_is_for_distributions_that_lack_it_and_brings_what_it_needs(row: dict[str, str]) -> None:
+    ros = int(row["ros"])
+    named = row["distros"].split()
+    of_ros = [name for name, found in distros().items() if found.ros == ros]
+    assert set(named) <= set(of_ros)
+    assert re.fullmatch(r"https://[\w.-]+/[\w.-]+/[\w.-]+\.git", row["repo"])
+    assert re.fullmatch(r"[0-9a-f]{40}|v?\d[\w.-]*|ros2|\{distro\}|", row["ref"]), row["ref"]
+    assert not row["library"] or row["library"] in RECIPES
+    having = {name for name in distros() if row["package"] in released.released(name)}
+    assert not having & {*named}, f"{', '.join(having)} released it"
+    assert {*of_ros} - having
+    for distro in {*(named or of_ros)} - having:
+        there = {source.package for source in ros_sources(row["package"], ros, distro)} | released.released(distro)
+        lacking = {*row["after"].split()} - there
+        assert not lacking, f"{', '.join(lacking)}, which it needs on {distro}, has no row"
+
+
+@pytest.mark.parametrize("family", sorted(_FAMILIES), ids=lambda family: family[0].rpartition("/")[2])
+def test_one_repository_of_ros_is_taken_once_and_in_one_way(family: tuple[str, str]) -> None:
+    ours = [row for row in _SOURCES if (row["repo"], row["ros"]) == family]
+    for column in ("ref", "alone", "prepare", "options", "library"):
+        assert len({row[column] for row in ours}) == 1, column
+    assert len(ours) == 1 or not ours[0]["alone"], "what is alone in its repository has no sister there"
+    assert len({row["package"] for row in ours}) == len(ours)
+    needed = {name for row in ours for name in row["after"].split()}
+    assert needed <= {row["package"] for row in _SOURCES if row["ros"] == family[1]}, "each need has a row"
+
+
+def test_no_two_sources_of_ros_have_one_folder() -> None:
+    folders = {(row["repo"].rpartition("/")[2], row["ros"]) for row in _SOURCES}
+    assert len(folders) == len(_FAMILIES)
