@@ -901,6 +901,23 @@ def test_what_only_a_launch_file_or_a_description_needs_comes_from_the_table(tre
     assert not [w for w in decision.warnings if "needs the package" in w.message]
 
 
+@pytest.mark.parametrize(
+    ("library", "sources"),
+    [("libgazebo_grasp_fix.so", ["gazebo-pkgs"]), ("libgazebo_ros_camera.so", []), ("libacme.so", [])],
+)
+def test_a_plugin_of_gazebo_that_no_distribution_released_comes_from_the_table(
+    tree: Tree, library: str, sources: list[str]
+) -> None:
+    plugin = f'<gazebo><plugin name="plugin" filename="{library}"/></gazebo>'
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": "find_package(catkin REQUIRED)\n",
+        "urdf/robot.xacro": f"<robot>{plugin}</robot>",
+        "README.md": "ROS Noetic\n",
+    }
+    assert [source.name for source in tree(files).source] == sources
+
+
 def test_an_unknown_key_that_an_install_line_of_apt_has_is_left_to_apt(tree: Tree) -> None:
     manifest = (
         "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>libgmp-dev</depend></package>"
