@@ -902,6 +902,28 @@ def test_what_only_a_launch_file_or_a_description_needs_comes_from_the_table(tre
 
 
 @pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        (
+            "gazebo_ros_link_attacher",
+            "it is in https://github.com/pal-robotics/gazebo_ros_link_attacher, which is not cl",
+        ),
+        ("acme_link_attacher", "nothing here says where it comes from"),
+    ],
+)
+def test_where_a_package_is_that_only_the_manifest_names_is_told(tree: Tree, name: str, told: str) -> None:
+    needs = f"<buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend><exec_depend>{name}</exec_depend>"
+    files = {
+        "package.xml": f"<package><name>demo</name>{needs}</package>",
+        "CMakeLists.txt": "find_package(catkin REQUIRED COMPONENTS roscpp)\n",
+        "README.md": "ROS Noetic\n",
+    }
+    decision = tree(files)
+    assert not decision.source
+    assert [told in w.message for w in decision.warnings if name in w.message] == [True]
+
+
+@pytest.mark.parametrize(
     ("library", "sources"),
     [("libgazebo_grasp_fix.so", ["gazebo-pkgs"]), ("libgazebo_ros_camera.so", []), ("libacme.so", [])],
 )

@@ -20,6 +20,7 @@ from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import distro, ubuntus, ubuntus_with_python2
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released, released, rosdep_keys
+from roslab.knowledge.ros_sources import ros_sources
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
@@ -276,6 +277,11 @@ def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried:
     where = "one of the cloned repositories may hold it" if cloned else _NOWHERE
     if tried:
         where = _LOOKS.format(tried)
+    elif (
+        where == _NOWHERE and (here := distro(target.ros_distro)) and (tabled := ros_sources(name, here.ros, here.name))
+    ):
+        url = tabled[-1].repo.removesuffix(".git")
+        where = f"it is in {url}, which is not cloned where a package.xml alone names it"
     elif where == _NOWHERE and (other := elsewhere(name, target.ros_distro)):
         where = f"ROS {other} has a package of that name"
     correct = f"correct the name (is {near} meant?)" if near else "correct the name"
