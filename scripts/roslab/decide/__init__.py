@@ -176,19 +176,21 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     inside = compiled_inside(evidence, config, kind.answer)
     scripts = decide_scripts(evidence, config, kind.answer, inside, python.answer.projects, target=target)
     projects = [project for project in evidence.python if (project.folder or ".") in python.answer.projects]
+    page, parts = command.answer.page, python.answer.native_parts
+    downloads = decide_downloads(evidence, config, command.answer.command, folder_name, page=page, parts=parts)
     variables = decide_variables(
         evidence,
         config,
         base.answer.ubuntu,
         (*everything, *(each for project in projects for each in project.build_requires)),
-        command=command.answer.page,
+        command=page,
         image=base.answer.image,
         ros=distro,
         gui=command.answer.gui,
         dockerfile=dockerfile,
         apt=frozenset((*system.answer.apt, *system.answer.apt_guessed, *map(target.ros, system.answer.rosdep))),
+        downloads=downloads.answer,
     )
-    downloads = decide_downloads(evidence, config, command.answer.command, folder_name, command.answer.page)
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = with_too_old_sources(cuda, everything) if on_cuda else NO_CUDA
     compiling = decide_compiling(
@@ -219,14 +221,13 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         kind.answer,
         taken=(
             *(*sources.answer.names, *packages.names, *(each.name for each in downloads.answer)),
-            *(name for part in python.answer.native_parts for name in part.files),
+            *(name for part in parts for name in part.files),
         ),
         addresses=(each.repo or "" for each in sources.answer.everything),
         itself=names_of_itself(evidence, folder_name, packages.names),
         added=repositories.answer,
         fetched=(each.url for each in downloads.answer),
     )
-    test = decide_test(config)
     processor = decide_processor(
         evidence,
         kind.answer,
@@ -261,7 +262,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             own=own,
             mended=mended,
             command=command,
-            test=test,
+            test=decide_test(config),
             platforms=platforms,
             sources=sources,
             system=system,

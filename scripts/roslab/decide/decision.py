@@ -95,6 +95,10 @@ class Download:
     """In the repository."""
     unpack: str | None = None
     """The folder of the repository that it is unpacked to."""
+    home: bool = False
+    """Both paths are below the home of the image's user, not in the repository."""
+    strip: int = 0
+    """How many folders of the paths in the archive are left out."""
 
     @property
     def name(self) -> str:

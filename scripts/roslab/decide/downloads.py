@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import shlex
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
@@ -13,10 +13,16 @@ from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.downloads import stem_of
+from roslab.evidence.prose.home_archives import name_of
+from roslab.evidence.x86_only import X86Only
+from roslab.values.native_part import NativePart
 from roslab.values.pattern import pattern
 from roslab.values.words import line_of
 
 _ASSIGNS = pattern(r":?=")
+_LETTERS = pattern(r"[A-Za-z][A-Za-z_-]*")
+_X86 = pattern(r"(?<![a-z0-9])(?:x86[_-]64|amd64|x64|linux64)(?![a-z0-9])")
+_BUILD = ("CMakeLists.txt", ".cmake", "Makefile", ".mk", "setup.py")
 
 WEIGHT = 300
 """Files do not compete, so it only orders the report."""
@@ -28,13 +34,16 @@ def decide_downloads(
     config: Config,
     command: tuple[str, ...] | str,
     folder_name: str,
+    *,
     page: Candidate | None = None,
+    parts: Iterable[NativePart] = (),
 ) -> Choice[tuple[Download, ...]]:
     """Return what pages near the root fetch of what the command or the build names.
 
     An archive that a page unpacks is meant where the command names a path in it, or in the folder that it goes to, and
     so is what the last script of the tree fetches which the ``page`` runs before the command in the same section: its
-    configuration may name it. ``folder_name`` is the repository's.
+    configuration may name it. An archive for the user's home comes where the build or the code names its folder there,
+    but for those of the ``parts`` of pip's packages. ``folder_name`` is the repository's.
     """
     if config.compatible:
         return Choice(answer=())
@@ -55,8 +64,35 @@ def decide_downloads(
             why = f"{reader} names it, and the page fetches it" if reader else "the page fetches it before the command"
             reason = because("downloads", mention.value, why, mention, weight=WEIGHT)
             found.setdefault(path, (Download(url=mention.value, path=path, unpack=folder), reason))
-    chosen = list(found.values())[:MOST]
+    chosen = [*_for_home(evidence, parts), *found.values()][:MOST]
     return Choice(answer=tuple(each for each, _ in chosen), reasons=tuple(reason for _, reason in chosen))
+
+
+def names_at_home(evidence: Evidence) -> Iterator[str]:
+    """Yield the names of the libraries that archives for the home hold: ``mujoco`` of ``mujoco-3.2.7``."""
+    for mention in evidence.mentions:
+        if mention.topic == "home_archive" and (name := _LETTERS.match(name_of(mention.value))):
+            yield name[0].rstrip("-_.")
+
+
+def for_x86_alone(evidence: Evidence) -> X86Only | None:
+    """Return the first archive for the home with programs of x86-64, if a build file names it."""
+    for mention in evidence.mentions:
+        if mention.topic == "home_archive" and _X86.search(mention.value) and mention.inside.endswith(_BUILD):
+            return X86Only(mention.value, "binary", mention.file, mention.line)
+    return None
+
+
+def _for_home(evidence: Evidence, parts: Iterable[NativePart]) -> Iterator[tuple[Download, Reason]]:
+    there = {name for part in parts for name in part.files}
+    for mention in evidence.mentions:
+        name = mention.value.partition("?")[0].rpartition("/")[2]
+        if mention.topic == "home_archive" and name not in there:
+            folder, strip = mention.files
+            path = posixpath.normpath(posixpath.join(folder, name))
+            download = Download(url=mention.value, path=path, unpack=folder, home=True, strip=int(strip))
+            why = f"{mention.inside} looks for it in the home, where it is unpacked"
+            yield download, because("downloads", mention.value, why, mention, weight=WEIGHT)
 
 
 def _before(fetched: list[Mention], page: Candidate | None) -> int:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from roslab.config.model import BuildTool, Kind
+from roslab.decide import downloads
 from roslab.decide.python.image_python import Python
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.own_packages import for_x86_alone
+from roslab.decide.system import own_packages
 from roslab.evidence.facts import Evidence
 from roslab.evidence.x86_only import X86Only
 from roslab.values.dataclass import dataclass
@@ -38,8 +39,9 @@ def decide_processor(
         for each in evidence.x86_only
         if (each.file in made if each.source == "make" else _below(each.file, ours.get(each.source, folders | by_pip)))
     ]
-    if needed_package := for_x86_alone(evidence) if by_cmake else None:
-        return OnX86(needed=needed_package)
+    by_file = own_packages.for_x86_alone(evidence) if by_cmake else None
+    if brought := by_file or (downloads.for_x86_alone(evidence) if folders | by_pip else None):
+        return OnX86(needed=brought)
     if not compiled:
         return OnX86()
     needed = [each for each in compiled if each.source != "cmake" or as_it_is or not by_cmake]

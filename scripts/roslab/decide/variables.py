@@ -7,7 +7,7 @@ from collections.abc import Set as AbstractSet
 
 from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
-from roslab.decide.decision import Choice, Warning_
+from roslab.decide.decision import Choice, Download, Warning_
 from roslab.decide.launched_windows import opened_by_nodes
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.author_variables import author_variables
@@ -49,6 +49,7 @@ def decide_variables(
     gui: bool = True,
     dockerfile: str | None = None,
     apt: AbstractSet[str] = frozenset(),
+    downloads: Iterable[Download] = (),
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return each variable with the value that roslab.yaml gives it, else a page first.
 
@@ -56,16 +57,16 @@ def decide_variables(
     new CMake from refusing old code; ``asked``: what pip installs or builds with. Where the base ``image`` has CUDA's
     compiler, the folder that it lies in: NVIDIA's images do not say it, and build files read it. Without ``gui``, what
     has packages draw where there is no display; with it, what they need to open a window. ``dockerfile``: the author's
-    that the image is made with; ``apt``: what is installed.
+    that the image is made with; ``apt``: what is installed; ``downloads``: what is fetched, some of it for the home.
     """
     if config.compatible:
         return Choice(answer=())
     asked = tuple(asked)
     given = dict(config.env)
     found: dict[str, tuple[str, Mention]] = {}
-    for mention in evidence.mentions:
+    for mention in _said(evidence, downloads):
         name, _, value = mention.value.partition("=")
-        if mention.topic == "variable" and (name not in _SEARCHED or _installed(value, mention, evidence)):
+        if name not in _SEARCHED or _installed(value, mention, evidence):
             value = value.replace(PYTHON, python_of_ubuntu().get(ubuntu or "", "3"))
             found.setdefault(name, (given.get(name, value), mention))
     pairs = {name: value for name, (value, _) in found.items()}
@@ -101,6 +102,15 @@ def decide_variables(
     demanded = [m for m in evidence.mentions if m.topic == "demanded" and m.value not in {*pairs, *given}]
     demanded = [m for m in demanded if not of_every_image(m.value)]
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons), warnings=tuple(map(_demanded, demanded)))
+
+
+def _said(evidence: Evidence, downloads: Iterable[Download]) -> Iterator[Mention]:
+    """Yield the variables of pages, those with a place in the home only where something is unpacked there."""
+    there = tuple(f"~/{each.unpack}".removesuffix(".") for each in downloads if each.home)
+    for mention in evidence.mentions:
+        value = mention.value.partition("=")[2]
+        if mention.topic == "variable" and (not value.startswith("~/") or value.startswith(there)):
+            yield mention
 
 
 def _demanded(mention: Mention) -> Warning_:

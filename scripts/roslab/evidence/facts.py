@@ -183,7 +183,7 @@ class Mention:
         "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld", "entered",
         "parameter", "other_builder", "conflict", "made", "unlaunched", "machine", "own_setup", "demanded",
         "cloned_head", "at_top", "sibling", "contained", "weights", "port", "listens", "own_package", "opened", "above",
-        "companion",
+        "companion", "home_archive",
     ]  # fmt: skip
     value: str
     source: Literal[
@@ -196,11 +196,13 @@ class Mention:
     files: tuple[str, ...] = ()
     """Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``.
     Of what is fetched: where to, ``value`` being the URL; of what is unpacked: the archive and the folder, ``value``
-    being the build file that names what it holds."""
+    being the build file that names what it holds. Of an archive for the home: the folder there, and how many folders
+    of its paths are left out."""
     heading: str = ""
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
     inside: str = ""
-    """Of a command: the folder of the tree that it has to be started in; of what is fetched: the script."""
+    """Of a command: the folder of the tree that it has to be started in; of what is fetched: the script; of an archive
+    for the home and a variable with a place in it: the file of the tree that names or reads it."""
     variables: tuple[str, ...] = ()
     """Of a command: the variables that it is started with, ``NAME=VALUE``."""
 

@@ -47,6 +47,7 @@ from roslab.evidence.prose import (
     fetched_here,
     for_reference,
     gazebo,
+    home_archives,
     included,
     install_scripts,
     large_files,
@@ -129,6 +130,7 @@ PROSE = (
     notebook_installs.read,  # what their cells install
     apt_lists.read,  # names without a command
     ros_links.read,
+    home_archives.read,
     large_files.read,
 )
 

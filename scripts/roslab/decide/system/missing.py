@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
+from roslab.decide.downloads import names_at_home
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.included import without_headers
@@ -220,6 +221,7 @@ def provided(
     )
     yield from (name for name in said if written_for(name) == target.ros_distro or _there(name, target))
     yield from (each.key for each in installed if each.name)
+    yield from names_at_home(evidence)
 
 
 def _there(name: str, target: Target) -> bool:

@@ -33,11 +33,11 @@ def told(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, str]]:
     ``folder``: where the page is by then. Paths are relative to where it began, ``.`` for that.
     """
     program = words[0].rpartition("/")[2]
-    below = _option(words, _BELOW[program]) or "."
+    below = option(words, _BELOW[program]) or "."
     if program in _INTO:
         url = next((word for word in words[1:] if _URL.match(word)), "")
         name = url.partition("?")[0].rpartition("/")[2]
-        named = _option(words, _INTO[program])
+        named = option(words, _INTO[program])
         if program == "curl" and not (named or {"-O", "--remote-name"} & set(_letters(words))):
             return
         path = posixpath.join(below, named or (name if _FILE.match(name) else ""))
@@ -101,7 +101,7 @@ def _letters(words: tuple[str, ...]) -> Iterator[str]:
             yield word
 
 
-def _option(words: tuple[str, ...], names: tuple[str, ...]) -> str:
+def option(words: tuple[str, ...], names: tuple[str, ...]) -> str:
     """Return the value of an option, ``""`` without it; a short one may end a group (``-qO file``)."""
     for index, word in enumerate(words[1:], 1):
         name, equals, value = word.partition("=")

@@ -1,6 +1,7 @@
 #!/bin/bash
-# usage: fetch-optional URL PATH [FOLDER]
-# Fetches a file of at most 1 GB to a path of this folder, and unpacks it to FOLDER. What does not answer, is larger, or
+# usage: fetch-optional URL PATH [FOLDER [STRIP]]
+# Fetches a file of at most 1 GB to a path of this folder, and unpacks it to FOLDER, without the first
+# STRIP folders of its paths. What does not answer, is larger, or
 # is a page in place of a file, is named and left out.
 set -euo pipefail
 
@@ -27,7 +28,7 @@ if [ $# -gt 2 ]; then
   mkdir --parents "$3"
   case "${path}" in
     *.zip) unzip -q -o "${path}" -d "$3" || leave_out "it cannot be unpacked" ;;
-    *) tar --extract --no-same-owner --file "${path}" --directory "$3" || leave_out "it cannot be unpacked" ;;
+    *) tar --extract --no-same-owner --strip-components "${4:-0}" --file "${path}" --directory "$3" || leave_out "it cannot be unpacked" ;;
   esac
   rm "${path}"
 fi

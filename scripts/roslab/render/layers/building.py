@@ -8,6 +8,7 @@ from roslab.render.layers import shell
 
 OLDER_NAMES = "/usr/local/share/roslab/older-names.h"
 """A header that both compilers include before each file."""
+_LISTS = frozenset({"LD_LIBRARY_PATH", "CMAKE_PREFIX_PATH"})
 
 
 def settings(plan: Plan) -> str:
@@ -59,15 +60,19 @@ def variables(plan: Plan) -> str:
 
 
 def _value(name: str, value: str, plan: Plan) -> str:
-    """Return a value as it is written, with the folders of the repository (``./models``) at their place.
+    """Return a value as it is written, with folders of the repository (``./models``) and of the home at their place.
 
-    Those of PATH come before the others, and those of the linker before what the base image tells it.
+    Those of PATH come before the others, and those of the linker and of CMake before what the base image tells them.
     """
     parts = value.split(":")
     if name == "PATH":
         return f'"{quote.docker_path(value)}:${{PATH}}"'
     if name == "LIBRARY_PATH":
         return f'"{quote.docker_path(value)}${{LIBRARY_PATH:+:${{LIBRARY_PATH}}}}"'
+    if all(part.startswith("~/") for part in parts):
+        placed = ":".join(f"/home/{quote.USER}/{part[2:]}" for part in parts)
+        after = f"${{{name}:+:${{{name}}}}}" if name in _LISTS else ""
+        return f'"{quote.docker_path(placed)}{after}"'
     if not all(part.startswith("./") for part in parts):
         return quote.docker(value)
     placed = ":".join(f"/home/{quote.USER}/{plan.workspace.folder}/{part[2:]}".rstrip("/") for part in parts)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import secrets, shell
-from roslab.render.layers.workspace import source_folder
+from roslab.render.layers.workspace import HOME, source_folder
 
 STAGE = "downloads"
 FOLDER = "/fetched"
+AT_HOME = "/fetched-home"
 
 
 def stage(plan: Plan) -> str:
@@ -18,8 +19,9 @@ def stage(plan: Plan) -> str:
         return ""
     fetched = []
     for file in files:
-        into = () if file.unpack is None else (file.unpack,)
-        fetched.append(f"fetch-optional{shell.words((file.url, file.path, *into))}")
+        below = f"{AT_HOME}/" if file.home else ""
+        into = () if file.unpack is None else (f"{below}{file.unpack}", *((str(file.strip),) if file.strip else ()))
+        fetched.append(f"fetch-optional{shell.words((file.url, f'{below}{file.path}', *into))}")
     lines = [f"FROM base AS {STAGE}"]
     lines.append(shell.apt_install(("ca-certificates", "curl", "unzip", "xz-utils"), secrets.for_apt(plan)))
     lines.append(shell.copy_script("fetch-optional").rstrip())
@@ -28,10 +30,15 @@ def stage(plan: Plan) -> str:
 
 
 def bring(plan: Plan) -> str:
-    """Bring the files to where the source is copied afterwards."""
-    if not plan.workspace.downloads:
-        return ""
-    folder = source_folder(plan)
-    copy = f"COPY --from={STAGE} --chown=${{NB_UID}}:${{NB_UID}} {FOLDER}/ {quote.docker_path(folder)}/"
-    made = shell.run(f"mkdir --parents {quote.shell_with_user(folder)}")
-    return f"# What the README fetches for the program or its build\nUSER ${{NB_USER}}\n{made}\n{copy}\nUSER root"
+    """Bring the files to where the source is copied afterwards, and those for the home to it."""
+    blocks = []
+    if any(not file.home for file in plan.workspace.downloads):
+        folder = source_folder(plan)
+        copy = f"COPY --from={STAGE} --chown=${{NB_UID}}:${{NB_UID}} {FOLDER}/ {quote.docker_path(folder)}/"
+        made = shell.run(f"mkdir --parents {quote.shell_with_user(folder)}")
+        why = "# What the README fetches for the program or its build"
+        blocks.append(f"{why}\nUSER ${{NB_USER}}\n{made}\n{copy}\nUSER root")
+    if any(file.home for file in plan.workspace.downloads):
+        copy = f"COPY --from={STAGE} --chown=${{NB_UID}}:${{NB_UID}} {AT_HOME}/ {HOME}/"
+        blocks.append(f"# What the program or its build looks for in the home of its user\n{copy}")
+    return "\n".join(blocks)
