@@ -116,6 +116,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     ros = of.kind.answer in _ROS
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     interpreters = decide_interpreters(evidence, config, of.base.answer.ubuntu)
+    files = (
+        Choice[tuple[str, ...]](answer=()) if of.own.answer else own_packages(evidence, config, of.base.answer.ubuntu)
+    )
     failing = may_fail(
         evidence, of.packages, of.target, of.sources.answer, of.left_out, stopping=of.missing.answer.stopping
     )
@@ -188,6 +191,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             )
         ),
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
+        files,
         *(() if of.own.answer else (decide_compiler(evidence, config, of.base.answer.ubuntu, _by_apt(of)),)),
     )
     return Decision(
@@ -251,7 +255,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command, cuda=of.on_cuda),
         ),
         cuda_options=host_options(of.system.answer.apt_guessed, of.base.answer.ubuntu),
-        own_packages=() if of.own.answer else own_packages(evidence, config),
+        own_packages=files.answer,
         header_links=linked_headers(evidence, of.base.answer.ubuntu),
         interpreters=() if of.own.answer else interpreters.answer,
         native=told(evidence.problems) and not config.compatible,

@@ -79,3 +79,35 @@ def test_one_for_arm_beside_it_is_installed_there(
     decision = tree({**FILES, f"setup/{also}": "", "README.md": page})
     assert decision.own_packages == ((FILE, f"setup/{also}") if installed else (FILE,))
     assert decision.platforms == platforms
+
+
+@pytest.mark.parametrize(
+    ("script", "text", "installed"),
+    [
+        ("tools/acme.sh", f"#!/bin/bash\nset -e\nsudo dpkg -i {FILE}\n", True),
+        ("setup/acme.sh", f"#!/bin/bash\nsudo dpkg -i {FILE}\n", True),
+        ("tools/acme.sh", f"#!/bin/bash\nsudo dpkg -i {FILE}\n./flash --board 1\n", False),
+        ("tools/acme.sh", "#!/bin/bash\necho dpkg\n", False),
+    ],
+)
+def test_a_script_that_only_installs_them(tree: Tree, script: str, text: str, installed: bool) -> None:
+    assert tree({**FILES, script: text}).own_packages == ((FILE,) if installed else ())
+
+
+@pytest.mark.parametrize(
+    ("name", "installed"),
+    [
+        ("libacmesdk-dev_1.4_ubuntu22.04_amd64.deb", True),
+        ("libacmesdk-dev_1.4_ubuntu20.04_amd64.deb", False),
+        ("libacmesdk-dev_1.4~focal_amd64.deb", False),
+        ("libacmesdk-dev_1.4+ubuntu1804_amd64.deb", False),
+        ("libacmesdk-dev_1.4_debian12_amd64.deb", True),
+    ],
+)
+def test_one_for_another_ubuntu_is_told(tree: Tree, name: str, installed: bool) -> None:
+    page = f"{PAGE}## Install\n```\nsudo dpkg -i setup/{name}\n```\n"
+    decision = tree({**FILES, f"setup/{name}": "", "README.md": page})
+    assert decision.ubuntu == "jammy"
+    assert decision.own_packages == ((f"setup/{name}",) if installed else ())
+    told = [each.message for each in decision.warnings if each.message.startswith("not installed: setup/")]
+    assert len(told) == (not installed)

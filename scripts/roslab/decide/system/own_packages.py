@@ -5,25 +5,47 @@ from __future__ import annotations
 import posixpath
 
 from roslab.config.model import Config
+from roslab.decide.decision import Choice
+from roslab.decide.reasons import warn
 from roslab.decide.ros.by_page import packages_of
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.own_packages import NAME
 from roslab.evidence.x86_only import X86Only
+from roslab.knowledge.distros import ubuntus
 from roslab.values.pattern import pattern
 
 _PLAIN = pattern(r"[\w./+~-]+")
 """A path that a mount of a Dockerfile, whose options commas part, can name."""
+_NUMBER = pattern(r"ubuntu-?(\d\d)\.?(\d\d)(?!\d)")
 
 
-def own_packages(evidence: Evidence, config: Config) -> tuple[str, ...]:
-    """Return their paths in the order in which they are installed, of several with one name the first."""
+def own_packages(evidence: Evidence, config: Config, ubuntu: str | None) -> Choice[tuple[str, ...]]:
+    """Return their paths in the order in which they are installed, of several with one name the first.
+
+    One whose name says another Ubuntu than the image's is told and left out.
+    """
     if config.compatible:
-        return ()
-    paths = (each.value for each in evidence.mentions if each.topic == "own_package" and _PLAIN.fullmatch(each.value))
-    found: dict[str, str] = {}
-    for path in paths:
-        found.setdefault(posixpath.basename(path), path)
-    return tuple(found.values())
+        return Choice(answer=())
+    found: dict[str, Mention] = {}
+    for each in evidence.mentions:
+        if each.topic == "own_package" and _PLAIN.fullmatch(each.value):
+            found.setdefault(posixpath.basename(each.value), each)
+    others = {name: meant for name in found if (meant := _ubuntu_of(name)) and ubuntu and meant != ubuntu}
+    told = (
+        warn(
+            f"not installed: {found[name].value}, which is for Ubuntu {meant}, and the image has {ubuntu}", found[name]
+        )
+        for name, meant in others.items()
+    )
+    paths = tuple(each.value for name, each in found.items() if name not in others)
+    return Choice(answer=paths, warnings=tuple(told))
+
+
+def _ubuntu_of(file: str) -> str:
+    """Return the codename of the Ubuntu that the name of a file says, by its number or by itself, ``""`` for none."""
+    by_number = _NUMBER.search(file)
+    number = f"{by_number[1]}.{by_number[2]}" if by_number else ""
+    return ubuntus().get(number, "") or next((name for name in ubuntus().values() if name in file), "")
 
 
 def for_x86_alone(evidence: Evidence) -> X86Only | None:

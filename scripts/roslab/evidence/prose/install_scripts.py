@@ -32,8 +32,12 @@ _LIST = pattern(
     r"dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
 )
 _SCRIPT = pattern(r"([\w+.-]+\.(?:sh|bash))\b")
+_INSTALLERS = frozenset({"dpkg", "apt", "apt-get", "gdebi"})
+_BESIDE = frozenset({"cd", "echo", "set", "rm", "wget", "curl", "exit"})
+"""What a script that only installs packages calls besides."""
+MAX_INSTALLER = 4 * 1024
 _RUNNING = frozenset({"RUN", "ENTRYPOINT", "CMD"})
-_TOLD = ("install", "clone", "cmake", "docker", "catkin", "colcon")
+_TOLD = ("install", "clone", "cmake", "docker", "catkin", "colcon", "dpkg")
 """What stands in every script that is read."""
 _KEPT = frozenset({"build_tool", "compiled", "step", "image_built", "image_pulled", "own_package"})
 """What is believed of a script that nobody may run."""
@@ -54,7 +58,7 @@ def read(repository: Repository) -> Prose:
         file
         for file in repository.suffixed(".sh", ".bash", "")
         if (file.name.endswith(("sh",)) or "install" in file.name.lower())
-        and (file.name in by_images or _NAME.search(file.path.lower()))
+        and (file.name in by_images or _NAME.search(file.path.lower()) or _installs_packages(repository, file))
         and not _ROBOT.search(file.path.lower())
         and not places.vendored(file.path)
         and not of_tests(repository, file.path)
@@ -99,6 +103,17 @@ def _run_by_images(repository: Repository) -> frozenset[str]:
 
     found = (each for file in authored for each in instructions(repository.read(file, limit=MAX_SIZE)))
     return frozenset(name for each in found if each.name in _RUNNING for name in _SCRIPT.findall(each.text))
+
+
+def _installs_packages(repository: Repository, file: File) -> bool:
+    """Tell whether a script, whatever its name, does no more than install packages by their files (``dpkg -i``)."""
+    text = repository.read(file) if file.size < MAX_INSTALLER else ""
+    if "dpkg" not in text:
+        return False
+    from roslab.evidence.lex.shell import commands, logical_lines  # noqa: PLC0415 - few scripts install such files
+
+    called = {each.words[0] for start, line in logical_lines(text) for each in commands(line, start)}
+    return called <= _INSTALLERS | _BESIDE and not called.isdisjoint(_INSTALLERS)
 
 
 def _given(repository: Repository) -> list[File]:
