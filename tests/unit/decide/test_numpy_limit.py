@@ -111,3 +111,29 @@ def test_a_release_that_needs_a_numpy_without_what_the_code_uses_is_told(
     said = [each.message for each in decision.warnings if "np.float" in each.message]
     assert bool(said) is told
     assert all("scikit-image==0.25.0 needs one" in each for each in said)
+
+
+@pytest.mark.parametrize(
+    ("lists", "line", "code", "given_way"),
+    [
+        ("lab6", "numpy==2.1.0", "import cv_bridge\n", True),
+        ("lab6", "numpy>=2.0", "import cv_bridge\n", True),
+        ("lab6", "numpy>=1.20", "import cv_bridge\n", False),
+        ("lab6", "numpy==2.1.0", "import rclpy\n", False),
+        ("src", "numpy==2.1.0", "import cv_bridge\n", False),
+        ("src/eyes", "numpy==2.1.0", "import cv_bridge\n", False),
+    ],
+)
+def test_a_list_without_nodes_gives_way_to_them(tree: Tree, lists: str, line: str, code: str, given_way: bool) -> None:
+    files = robot("humble", code, "")
+    del files["requirements.txt"]
+    page = files["README.md"].replace("requirements.txt", f"{lists}/requirements.txt")
+    lab = {f"{lists}/requirements.txt": f"{line}\npyserial==3.5\n", f"{lists}/lab.py": "import numpy\n"}
+    decision = tree({**files, **lab, "README.md": page})
+    told = [each.message for each in decision.warnings if "gives way to numpy<2" in each.message]
+    assert len(told) == given_way
+    written = {each.written for each in decision.python.pip}
+    assert ({"numpy", "pyserial==3.5"} <= written) is given_way
+    if given_way:
+        assert f"{lists}/requirements.txt" not in decision.python.requirements
+        assert "numpy<2" in {each.written for each in decision.python.bounds}

@@ -8,6 +8,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.agreeing import agreeing
+from roslab.decide.python.beside_nodes import Loose, beside_nodes
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_channels import default_channels, no_channels, told
@@ -86,10 +87,10 @@ def decide_python(
     alone = conda_alone(evidence, own.answer)
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
     interpreter = _interpreter(runs := number or python_of_ubuntu().get(ubuntu or ""))
-    lists = pip_lists(config, ubuntu, number)
-    conda = chosen.conda if manager == "conda" else None
-    repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda))
-    manifests = [*loosened(_of_manifests(evidence, chosen), runs)]
+    lists, conda = pip_lists(config, ubuntu, number), chosen.conda if manager == "conda" else None
+    loose = beside_nodes(evidence, kind, ubuntu, chosen.files) if manager == "system" else {}
+    repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
+    manifests = [*loosened(_of_manifests(evidence, chosen), runs, loose)]
     declared = [*lists.requirements, *repaired.requirements]
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
     if chosen.conda and (manager != "conda" or pixi):
@@ -241,9 +242,9 @@ def _interpreter(version: str | None) -> Interpreter:
     return Interpreter(pythons=(minor_of(version) or version,)) if version else ANY
 
 
-def _repaired(evidence: Evidence, chosen: Chosen, python: str | None, brought: set[str]) -> Repaired:
+def _repaired(evidence: Evidence, chosen: Chosen, python: str | None, brought: set[str], loose: Loose) -> Repaired:
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
-    repaired = repair(evidence, chosen.files, chosen.projects, names | brought, python)
+    repaired = repair(evidence, chosen.files, chosen.projects, names | brought, python, loose=loose)
     more = right(loosened(chosen.declared, python), of_pages(evidence, _own_names(evidence)))
     return replace(repaired, requirements=(*repaired.requirements, *more))
 

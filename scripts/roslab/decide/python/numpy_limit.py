@@ -82,7 +82,7 @@ def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirem
     """
     names = {each.key for each in asked if each.name}
     numpy = [each for each in asked if each.key == "numpy"]
-    found = _limit_of(evidence, ubuntu or "", names) if names - _OF_BUILDS else None
+    found = limit_of(evidence, ubuntu or "", names) if names - _OF_BUILDS else None
     if found is None or any(each.limited or not each.specifier.contains(found.last) for each in numpy):
         return Choice(answer=())
     used = found.used
@@ -95,7 +95,7 @@ def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirem
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class _Limit:
+class Limit:
     """The first NumPy that a module of apt does not bear, the last one that it does, and where it is imported."""
 
     below: str
@@ -104,7 +104,7 @@ class _Limit:
     used: Dependency
 
 
-def _limit_of(evidence: Evidence, ubuntu: str, by_pip: set[str]) -> _Limit | None:
+def limit_of(evidence: Evidence, ubuntu: str, by_pip: set[str]) -> Limit | None:
     """Return the lowest limit of the modules of apt that the code imports."""
     used = list(_built_with_numpy(evidence, by_pip))
     broken = {each["module"]: each for each in rows("broken_by_numpy") if each["ubuntu"] == ubuntu}
@@ -112,11 +112,11 @@ def _limit_of(evidence: Evidence, ubuntu: str, by_pip: set[str]) -> _Limit | Non
         if each.name in broken:
             below, last = broken[each.name]["below"], broken[each.name]["last"]
             why = f"is older than NumPy {below}, and stops beside one that pip brings: names that it uses were removed"
-            return _Limit(below=below, last=last, why=why, used=each)
+            return Limit(below=below, last=last, why=why, used=each)
     if not used or Version(python_of_ubuntu().get(ubuntu, "0")) < _OLDEST_PYTHON:
         return None
     why = "was built with NumPy 1, which what pip brings must not replace by NumPy 2"
-    return _Limit(below="2", last=_LAST_NUMPY_1, why=why, used=used[0])
+    return Limit(below="2", last=_LAST_NUMPY_1, why=why, used=used[0])
 
 
 def _built_with_numpy(evidence: Evidence, by_pip: set[str]) -> Iterator[Dependency]:

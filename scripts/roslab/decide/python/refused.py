@@ -136,13 +136,15 @@ def repair(
     projects: Iterable[PythonProject],
     own: Iterable[str],
     python: str | None = None,
+    *,
+    loose: Mapping[Requirement, Warning_] = MappingProxyType({}),
 ) -> Repaired:
     """Return how to install what is declared if pip would refuse some of its lines; ``own`` are names in the tree.
 
     What a page has pip take from git comes from there, too: the index may have another package of that name, or none.
     So it does with a folder (``-e .``): files are installed before the source is there, and pip looks for a folder
     from where it is started (https://pip.pypa.io/en/stable/reference/requirements-file-format/, read 2026-11-23).
-    A release that never was for the image's ``python`` gives way to one that was.
+    A release that never was for the image's ``python`` gives way to one that was, and so do ``loose`` lines of files.
     """
     names = set(own)
     pages = of_pages(evidence, names)
@@ -160,11 +162,11 @@ def repair(
             missing = [asked for asked in missing if not of_ros(asked.key)]
         short = [asked for asked in found if in_full(asked) is not asked]
         gone = [path for _, path in lacking(evidence, [file])]
-        newer = [asked for asked in found if too_new(asked, python)]
+        newer = [asked for asked in found if asked in loose or too_new(asked, python)]
         if not any((spelled, short, taken, missing, gone, newer, any(asked.role == "project" for asked in found))):
             continue
         broken.add(file.file)
-        named = _kept((each for each in loosened(found, python) if each.role != "project"), names, pages)
+        named = _kept((each for each in loosened(found, python, loose) if each.role != "project"), names, pages)
         kept += named
         tried += named if spelled or gone else []
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
@@ -173,7 +175,7 @@ def repair(
         cloned = cloned_files(evidence, [file])
         warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
         warnings += [_warning(asked) for asked in missing if asked.key not in names]
-        warnings += [told(asked, python) for asked in newer]
+        warnings += [loose.get(asked) or told(asked, python) for asked in newer]
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
         taken = [asked for asked in found if _from_page(asked, pages)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
@@ -26,10 +26,12 @@ def too_new(asked: Requirement, python: str | None) -> bool:
     return row is not None and Version(python) < Version(row.python_min)
 
 
-def loosened(found: Iterable[Requirement], python: str | None) -> Iterator[Requirement]:
-    """Yield the requirements, those without their version that are too new for the Python."""
+def loosened(
+    found: Iterable[Requirement], python: str | None, also: Container[Requirement] = ()
+) -> Iterator[Requirement]:
+    """Yield the requirements, those without their version that are too new for the Python, and ``also`` these."""
     for asked in found:
-        if too_new(asked, python):
+        if asked in also or too_new(asked, python):
             free = stated(asked.name or asked.key, asked.origin, asked.file, asked.line)
             yield replace(free, marker=asked.marker, extras=asked.extras, role=asked.role)
         else:
