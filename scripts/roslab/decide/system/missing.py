@@ -21,6 +21,7 @@ from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
 from roslab.decide.system.library_headers import without_library
 from roslab.decide.system.lost_libraries import lost_libraries
 from roslab.decide.system.names import Target, resolve, written_for
+from roslab.decide.system.no_config import told_configs, without_config
 from roslab.decide.system.not_found import not_found
 from roslab.decide.system.other_than_carried import other_than_carried
 from roslab.decide.system.packages import SystemPackages
@@ -128,8 +129,11 @@ def decide_missing(
     unmet = [
         (package, asked)
         for package, asked in (of_program if kind == "cpp" else required)(evidence, packages)
-        if not ((asked.namespace == "ros" and may_hold(asked.name)) or package in unsure)
-        if not resolve(asked, target).known and not similar(plain(asked.name), names)
+        if without_config(asked, kind)
+        or (
+            not ((asked.namespace == "ros" and may_hold(asked.name)) or package in unsure)
+            and not (resolve(asked, target).known or similar(plain(asked.name), names))
+        )
     ]
     options = given(evidence) if switch else ""
     off = {switch_of(asked, options): asked for _, asked in unmet if switch and switch_of(asked, options)}
@@ -150,7 +154,7 @@ def decide_missing(
     started = line_of(command).split()
     left = skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {}
     found = leave_out(lacking, packages, build_tool, started=started, left=left, tried=tried or {}, linked=linked)
-    warnings = [*found.warnings]
+    warnings = told_configs(found.warnings, unmet, kind)
     first = {asked.name: asked for asked in reversed(unsure_of)}
     warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
