@@ -79,6 +79,13 @@ def test_also_of_a_script_and_of_ci(tree: Tree, path: str, text: str) -> None:
     assert of(tree, "cmake ..", **{path: text}).downloads == (THERE,)
 
 
+def test_a_release_that_a_script_lets_the_reader_choose(tree: Tree) -> None:
+    named, file = URL.replace("3.2.7", "${V}"), "${HOME}/got/acme-${V}-linux-x86_64.tar.gz"
+    lines = ("#!/bin/bash", 'V="${ACME_VERSION:-3.2.7}"', f'FILE="{file}"', "wget -q \\", f'  "{named}" \\')
+    script = "\n".join((*lines, '  -O "${FILE}"', 'tar -xzf "${FILE}" -C "${HOME}/.acme"', ""))
+    assert of(tree, "cmake ..", **{"setup/acme.sh": script}).downloads == (THERE,)
+
+
 @pytest.mark.parametrize(
     ("code", "there"),
     [

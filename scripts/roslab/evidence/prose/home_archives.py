@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
+from roslab.evidence.lex.shell import UNKNOWN, Command, commands, expand, logical_lines
 from roslab.evidence.prose import author_dockerfile
 from roslab.evidence.prose.downloads import option, stem_of
 from roslab.evidence.prose.installs import MentionSource
@@ -34,7 +34,6 @@ _CALLS = pattern(r"^(?:RUN\s|sudo\s|mkdir\s|cd\s|wget\s|curl\s|tar\s|unzip\s)")
 _ASSIGNED = pattern(
     r"^[ \t]*(?:export[ \t]+|ENV[ \t]+|ARG[ \t]+)?([A-Za-z_]\w*)=[\"']?([\w./:${}~+-]+)[\"']?[ \t]*$", re.MULTILINE
 )
-_USED = pattern(r"\$\{?(\w+)\}?")
 _URL = pattern(rf"https?://[^\s\"'<>{UNKNOWN}]+/[^\s\"'<>{UNKNOWN}]+$")
 _ARCHIVE = pattern(r"\.(?:zip|tar|tgz|tbz2|txz|tar\.(?:gz|bz2|xz))$")
 _OTHER = pattern(r"mac[_-]?os|osx|darwin|windows|win(?:32|64)|aarch64|arm64|(?<![a-z])armv?\d", re.IGNORECASE)
@@ -170,7 +169,7 @@ def _texts(repository: Repository) -> Iterator[tuple[File, MentionSource, str]]:
 def _assigned(text: str) -> dict[str, str]:
     known: dict[str, str] = {"HOME": "~"}
     for match in _ASSIGNED.finditer(text):
-        value = _USED.sub(lambda used: known.get(used[1], used[0]), match[2])
+        value = expand(match[2], known)
         if "$" not in value:
             known.setdefault(match[1], value)
     return known
