@@ -5,6 +5,7 @@ from __future__ import annotations
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.absent_launches import decide_absent_launches
 from roslab.decide.author_dockerfile import Dockerfile
+from roslab.decide.author_folders import decide_author_folders
 from roslab.decide.base import BaseImage
 from roslab.decide.command import Command
 from roslab.decide.conflicts import decide_conflicts
@@ -119,6 +120,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     files = (
         Choice[tuple[str, ...]](answer=()) if of.own.answer else own_packages(evidence, config, of.base.answer.ubuntu)
     )
+    folders = decide_author_folders(evidence, config, of.packages, of.layout.answer, of.build_tool.answer)
     failing = may_fail(
         evidence, of.packages, of.target, of.sources.answer, of.left_out, stopping=of.missing.answer.stopping
     )
@@ -174,8 +176,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
                     sources=of.sources.answer,
                     ros_distro=distro,
                     linked=interpreters.answer,
+                    folders=folders.answer,
                 ),
-                interpreters,
+                *(interpreters, folders),
             )
         ),
         decide_conflicts(evidence),
@@ -258,6 +261,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         own_packages=files.answer,
         header_links=linked_headers(evidence, of.base.answer.ubuntu),
         interpreters=() if of.own.answer else interpreters.answer,
+        author_folders=() if of.own.answer else folders.answer,
         native=told(evidence.problems) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if of.build_tool.answer == "cmake" else (),
         dockerfile=of.dockerfile,

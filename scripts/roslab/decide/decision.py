@@ -175,6 +175,8 @@ class Decision:
     """Headers of the Ubuntu that links take the place of, each with where its link leads to."""
     interpreters: tuple[tuple[str, str], ...] = ()
     """Paths of Python on the author's machine, each with the program that a link there leads to."""
+    author_folders: tuple[tuple[str, str], ...] = ()
+    """Folders of the author's machine, each with what a link there leads to: ``source/…`` or ``workspace/…``."""
     native: bool = False
     """CMake files compile for the processor of the machine that builds."""
     clones_day: str = ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Config
+from roslab.decide.author_folders import absent_paths
 from roslab.decide.command import Command
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.launch_calls import started_launch
@@ -40,18 +41,21 @@ def decide_launch_needs(
     sources: Sources,
     ros_distro: str | None,
     linked: Iterable[tuple[str, str]] = (),
+    folders: Iterable[tuple[str, str]] = (),
 ) -> Choice[None]:
     """Return a warning for each variable, package, interpreter and launch file without which the default command stops.
 
-    ``there``: the variables that it has, ``sources``: what is cloned, ``linked``: interpreters that links stand for.
+    ``there``: the variables that it has, ``sources``: what is cloned, ``linked`` and ``folders``: the interpreters and
+    the folders of the author's that links stand for.
     For its packages and interpreters, what it starts is read too. One more for the packages of its other launch files.
     """
     if config.compatible:
         return Choice(answer=None)
     launch = started_launch(evidence, command.command)
     others = tuple(_of_others(evidence, launch, sources, ros_distro)) if ros_distro else ()
+    absent = tuple(absent_paths(evidence, command.command, launch, folders))
     if launch is None:
-        return Choice(answer=None, warnings=others)
+        return Choice(answer=None, warnings=(*absent, *others))
     from roslab.decide.launched_simulators import lacking_simulators  # noqa: PLC0415 - few default commands launch
     from roslab.decide.launched_vendors import lacking_vendors  # noqa: PLC0415 - as above
 
@@ -87,15 +91,7 @@ def decide_launch_needs(
         for package, name, file, line in launch.gone
     ]
     told += _elsewhere(evidence, launch, ros_distro)
-    told += [
-        Warning_(
-            message=f"the default command loads {file}, which names {path}, a path of its author's computer: it is not "
-            "in the image; write a path of the tree there, or mount what is meant",
-            file=file,
-            line=line,
-        )
-        for file, path, line in launch.homes
-    ]
+    told += absent
     told += unmade_nodes(evidence, launch)
     told += lacking_simulators(evidence, config, launch, given)
     told += lacking_vendors(evidence, config, launch, ros_distro)

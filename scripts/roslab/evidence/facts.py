@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from roslab.evidence.apt_source import AptSource
+from roslab.evidence.author_path import AuthorPath
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import Dependency, GitSource
@@ -269,6 +270,8 @@ class Evidence:
     """Packages that CMake requires of which ROS has one that the code, using no variable of it, does not find."""
     misnamed: tuple[tuple[str, str], ...] = ()
     """Variables that CMake files use and nothing sets, each with the value that is meant."""
+    author_paths: tuple[AuthorPath, ...] = ()
+    """Paths of the author's machine that code, launch files, parameters and worlds name."""
     copies: tuple[str, ...] = ()
     """Folders with packages of somebody else."""
     repositories: tuple[str, ...] = ()

@@ -100,6 +100,7 @@ from roslab.evidence.python import (
 )
 from roslab.evidence.python.modules import modules
 from roslab.evidence.ros import (
+    author_folders,
     commit_date,
     controllers,
     distro_names,
@@ -262,6 +263,7 @@ def gather(repository: Repository) -> Evidence:
         cmake_modules=cmake.modules(repository),
         by_variables=by_variables.read(repository),
         misnamed=misnamed.read(repository),
+        author_paths=author_folders.read(repository, _folders(manifests)) if manifests else (),
         copies=copies.read(repository, manifests),
         repositories=copies.repositories(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
@@ -281,6 +283,10 @@ def gather(repository: Repository) -> Evidence:
             *stopped_setup.problems(stopped),
         ),
     )
+
+
+def _folders(manifests: tuple[PackageManifest, ...]) -> tuple[tuple[str, str], ...]:
+    return tuple((each.name, posixpath.dirname(each.file)) for each in manifests if each.name)
 
 
 def _without_python(

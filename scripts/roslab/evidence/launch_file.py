@@ -46,7 +46,7 @@ class LaunchFile:
     """Files that it starts whose first line names an interpreter of the author's machine, each with that."""
     elsewhere: tuple[tuple[str, str, int], ...] = ()
     """Programs of Python that it starts, each with a folder of the author's machine that it puts on its path, where."""
-    homes: tuple[tuple[str, str, int], ...] = ()
-    """Parameter files that it loads, each with the first path below somebody's home in it, and where."""
+    loaded: tuple[str, ...] = ()
+    """Files of the tree that it loads or starts whatever the arguments are, itself first."""
     installed: bool = True
     """Not, if it lies in a folder that the build of its package does not name."""

@@ -23,6 +23,7 @@ from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.tools import PythonTools, for_old_packages, python_tools, with_setuptools
 from roslab.plan.as_of import AsOf, as_of, lacking, of_day
 from roslab.plan.author_dockerfile import AuthorDockerfile, author_dockerfile
+from roslab.plan.author_folders import author_folders
 from roslab.plan.locked import Lock
 from roslab.plan.package_sources import PackageSources, package_sources
 from roslab.plan.packages import data_of, image_packages
@@ -98,6 +99,8 @@ class Plan:
     """Headers that contradict others, each with the one that a link in its place leads to."""
     interpreters: tuple[tuple[str, str], ...]
     """Paths of Python on the author's machine that scripts name, each with the program that a link there leads to."""
+    author_folders: tuple[tuple[str, str], ...]
+    """Folders of the author's machine that files name, each with the folder below the home that a link leads to."""
     python: PythonPlan
     python_tools: PythonTools
     source_version: SourceVersion | None
@@ -213,6 +216,7 @@ def make_plan(
         else tuple((each.package, each.script.format(distro=decision.ros_distro)) for each in data_of(decision)),
         header_links=() if config.compatible else decision.header_links,
         interpreters=decision.interpreters,
+        author_folders=author_folders(decision, place),
         libraries=tuple(of_day(library(source, config), decision.day) for source in libraries),
         rosdep=(
             Rosdep(

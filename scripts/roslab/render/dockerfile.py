@@ -90,6 +90,7 @@ TODAY = Order(
         system.package_data,
         system.header_links,
         system.interpreters,
+        system.author_folders,
         python.constraints,
         python.locked,
         python.packages,

@@ -14,18 +14,6 @@ _GIVEN = pattern(r"(?<![\w.])([A-Za-z_]\w{0,60})[ \t]{0,9}=(?!=)[ \t]{0,9}([^\n#
 _ELSEWHERE = pattern(r"[\"'](/(?:home|Users|root|mnt|media)/[^\s\"']+)[\"']")
 
 
-_IN_PARAMETERS = pattern(r"[^#\n]*?:[ \t]{0,99}[\"']?(/(?:home|Users)/[A-Za-z][\w.-]*/[\w./+-]*)")
-"""A parameter whose value is a path below somebody's home, from the beginning of its line."""
-
-
-def in_parameters(text: str) -> tuple[str, int] | None:
-    """Return the first path below an author's home that a parameter file has, with its line."""
-    for number, line in enumerate(text.split("\n"), 1) if "/home/" in text or "/Users/" in text else ():
-        if match := _IN_PARAMETERS.match(line):
-            return match[1], number
-    return None
-
-
 def read(text: str) -> Iterator[tuple[str, int]]:
     """Yield each such folder with the line that adds it, be it by a name that is never given anything else."""
     for match in _ADDED.finditer(text) if "sys.path." in text else ():

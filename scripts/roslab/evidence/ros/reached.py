@@ -26,7 +26,7 @@ _PACKAGE = r"[a-z][a-z0-9_-]{1,60}"
 _FOUND = pattern(rf"\$\(\s*find(?:-pkg-share)?\s+['\"]?({_PACKAGE})['\"]?\s*\)(?:/([\w./-]{{1,200}}\w))?")
 _NODE = pattern(r"<node\s([^>]{0,2000})>")
 _SAID = pattern(r"\b(pkg|type|exec)\s{0,9}=\s{0,9}[\"']([\w.-]{1,80})[\"']")
-_QUOTED = pattern(r"[\"'](?:[\w./-]{0,200}/)?([\w.-]{1,80}\.(?:py|launch\.xml|launch|xacro|urdf))[\"']")
+_QUOTED = pattern(r"[\"'](?:[\w./-]{0,200}/)?([\w.-]{1,80}\.(?:py|launch\.xml|launch|xacro|urdf|ya?ml|rviz))[\"']")
 _LOOK_UP = ("get_path", "get_package_share_directory", "get_package_share_path")
 _LOOKED_UP = pattern(
     rf"^[ \t]{{0,99}}[^\n#]{{0,200}}\b(?:{'|'.join(_LOOK_UP)})"
@@ -42,6 +42,7 @@ _ELSEWHERE = pattern(
 )
 """A first line that names an interpreter in somebody's own folder; images of conda have theirs in `/opt/conda`."""
 _DESCRIPTIONS = (".xacro", ".urdf")
+_PARAMETERS = (".yaml", ".yml", ".rviz")
 
 Conditional = Callable[[str, int, int], bool]
 
@@ -61,7 +62,7 @@ def with_reached(
             foreign=tuple(follow.foreign(each)) if each.ros == 1 else (),
             elsewhere=tuple(follow.elsewhere(each.file)),
             gone=tuple(follow.gone(each.file)),
-            homes=tuple(follow.homes(each.file)),
+            loaded=tuple(follow.loaded(each.file)),
         )
         for each in found
     )
@@ -83,7 +84,7 @@ class _Follow:
     def needs(self, start: LaunchFile) -> Iterator[Dependency]:
         """Yield each package once that the files need which a launch file loads, but not what it names itself."""
         seen = {each.name for each in start.dependencies}
-        for path in self._loaded(start.file):
+        for path in self.loaded(start.file):
             for each in self._of(path)[1] if path != start.file else ():
                 if each.name not in seen:
                     seen.add(each.name)
@@ -95,7 +96,7 @@ class _Follow:
         Not those that catkin starts by a program of its own, which it writes where CMake installs them:
         https://github.com/ros/catkin/blob/noetic-devel/cmake/catkin_install_python.cmake, read 2026-11-26.
         """
-        for path in self._loaded(start.file):
+        for path in self.loaded(start.file):
             file = self._file(path) if path != start.file and path.endswith(".py") else None
             if file is not None:
                 named = _ELSEWHERE.match(self.repository.read(file))
@@ -104,17 +105,10 @@ class _Follow:
 
     def elsewhere(self, start: str) -> Iterator[tuple[str, str, int]]:
         """Yield the programs of Python that put folders of the author's machine on their path."""
-        for path in self._loaded(start):
+        for path in self.loaded(start):
             file = self._file(path) if path != start and path.endswith(".py") and path not in self.launch else None
             if file is not None:
                 yield from ((path, folder, line) for folder, line in author_paths.read(self.repository.read(file)))
-
-    def homes(self, start: str) -> Iterator[tuple[str, str, int]]:
-        """Yield the parameter files that a launch file loads and that have a path below an author's home, with that."""
-        for path in self._loaded(start):
-            file = self._file(path) if path.endswith((".yaml", ".yml")) and path not in self.launch else None
-            if file and (found := author_paths.in_parameters(self.repository.read(file))):
-                yield (path, *found)
 
     def _installed(self, path: str) -> bool:
         made = (
@@ -125,12 +119,12 @@ class _Follow:
 
     def gone(self, start: str) -> Iterator[tuple[str, str, str, int]]:
         """Yield the launch files that one and those which it loads include, and that are nowhere."""
-        for path in self._loaded(start):
+        for path in self.loaded(start):
             file = self._file(path) if path in self.launch else None
             if file:
                 yield from included_elsewhere(self.repository, file, self.packages, self.conditional)
 
-    def _loaded(self, start: str) -> Iterator[str]:
+    def loaded(self, start: str) -> Iterator[str]:
         """Yield a launch file and each file once that it loads."""
         told, taken = set[str](), set[tuple[str, Given]]()
         waiting: list[tuple[str, Given]] = [(start, ())]
@@ -158,7 +152,11 @@ class _Follow:
         text = self.repository.read(file)
         if path in self.launch:
             xml = filled(_without(_COMMENT, text), given)
-            loads = ((each, ()) for each in self._quoted(text)) if path.endswith(".py") else self._started(xml)
+            loads = (
+                ((each, ()) for each in self._quoted(text, self.launch[path].package))
+                if path.endswith(".py")
+                else self._started(xml)
+            )
             named = self.launch[path].dependencies
             return tuple(loads), tuple(d for d in named if d.namespace == "ros" and d.strength != "optional")
         if path.endswith(_DESCRIPTIONS):
@@ -192,10 +190,13 @@ class _Follow:
             if match[2] and folder is not None and not self.conditional(text, match.start(), match.end()):
                 yield posixpath.normpath(posixpath.join(folder, match[2])), match.start()
 
-    def _quoted(self, text: str) -> Iterator[str]:
-        """Yield what a launch file in Python names that is the only file of its name."""
+    def _quoted(self, text: str, package: str | None) -> Iterator[str]:
+        """Yield what a launch file in Python names that is the only file of its name, or of that in its package."""
+        own = f"{folder}/" if (folder := self.packages.get(package or "")) else ""
         for match in _QUOTED.finditer(text):
             there = self.repository.named(match[1])
+            if len(there) > 1 and own and match[1].endswith(_PARAMETERS):
+                there = tuple(each for each in there if each.path.startswith(own))
             if len(there) == 1 and not self.conditional(text, match.start(), match.end()):
                 yield there[0].path
 

@@ -1,0 +1,122 @@
+"""Folders of the author's machine that files of the tree name: links in their places lead to what they mean."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.config.model import BuildTool, Config
+from roslab.decide.decision import Choice, Warning_
+from roslab.decide.reasons import because
+from roslab.decide.ros.layout import Layout
+from roslab.decide.ros.workspace import Packages
+from roslab.evidence import places
+from roslab.evidence.author_path import AuthorPath
+from roslab.evidence.facts import Evidence
+from roslab.evidence.launch_file import LaunchFile
+from roslab.values.origin import Place
+
+LINKED = 40
+"""Weight of the reason; nothing competes with it."""
+MOST = 12
+"""Most folders that links stand for."""
+_MADE: dict[BuildTool, str] = {"catkin_make": "devel", "catkin_tools": "devel", "colcon": "install"}
+_PLAIN = frozenset({"cmake", "pip", "conda", "none"})
+"""Tools that build no packages of ROS."""
+_LISTED = (".yaml", ".yml", ".launch", ".xml", ".xacro", ".urdf", ".rviz")
+"""Files in which a path is no place that a program writes to."""
+
+
+def decide_author_folders(
+    evidence: Evidence, config: Config, packages: Packages, layout: Layout, build_tool: BuildTool
+) -> Choice[tuple[tuple[str, str], ...]]:
+    """Return the author's folders, each with what a link there leads to: ``source/...`` or ``workspace/install``.
+
+    Only those that files of packages name which are built: the rest of a tree may be of another machine altogether.
+    """
+    if config.compatible or build_tool in _PLAIN or not evidence.author_paths:
+        return Choice(answer=())
+    built = tuple(each.file.rpartition("/")[0] for each in packages.built)
+    inside = tuple(f"{folder}/" if folder else "" for folder in built)
+    named = (p for p in evidence.author_paths if any(_holds(folder, p.file) for folder in inside))
+    made = _MADE.get(build_tool) if layout.workspace != "none" else None
+    found = [each for each in _folders(named) if not each.made or each.folder == made][:MOST]
+    why = "a file names it, and the tree has what is meant: a link there leads to it"
+    return Choice(
+        answer=tuple(sorted((p.prefix, _target(p)) for p in found)),
+        reasons=tuple(
+            because("workspace", p.prefix, why, Place(file=p.file, line=p.line), weight=LINKED) for p in found
+        ),
+    )
+
+
+def absent_paths(
+    evidence: Evidence, command: tuple[str, ...] | str, launch: LaunchFile | None, linked: Iterable[tuple[str, str]]
+) -> Iterator[Warning_]:
+    """Yield a warning for each file that a launch file loads and that names what no link stands for.
+
+    One for all code that the command starts: a program may do without. ``linked``: folders that links stand for.
+    """
+    folders = tuple(f"{folder}/" for folder, _ in linked)
+    loaded = launch.loaded if launch else ()
+    started = {*loaded, *_started(evidence, command, launch)} if evidence.author_paths else set()
+    told: set[str] = set()
+    in_code: list[AuthorPath] = []
+    for each in evidence.author_paths:
+        lists = each.file.endswith(_LISTED) or (launch is not None and each.file == launch.file)
+        if f"{each.path}/".startswith(folders) and (each.there or not lists):
+            continue
+        if lists and each.file in loaded and each.file not in told:
+            told.add(each.file)
+            yield Warning_(
+                message=f"the default command loads {each.file}, which names {each.path}, a path of its author's "
+                "computer: it is not in the image; write a path of the tree there, or mount what is meant",
+                file=each.file,
+                line=each.line,
+            )
+        elif not lists and each.file in started:
+            in_code.append(each)
+    if in_code:
+        first, more = in_code[0], len(in_code) - 1
+        rest = f", and there {'is one' if more == 1 else f'are {more}'} more" if more else ""
+        yield Warning_(
+            message=f"the default command starts {first.file}, which names {first.path}, a path of its author's "
+            f"computer{rest}: where that is read, it stops, for it is not in the image",
+            file=first.file,
+            line=first.line,
+        )
+
+
+def _holds(folder: str, file: str) -> bool:
+    """Tell whether a file is of a package, but none of its tests and examples; the package itself may be called so."""
+    return file.startswith(folder) and not places.aside(file[len(folder) :])
+
+
+def _target(path: AuthorPath) -> str:
+    return f"workspace/{path.folder}" if path.made else f"source/{path.folder}".rstrip("/")
+
+
+def _folders(paths: Iterable[AuthorPath]) -> Iterator[AuthorPath]:
+    """Yield the first of the paths for each folder of the author's, of two inside each other that which most name."""
+    often: dict[tuple[bool, str, str], list[AuthorPath]] = {}
+    for each in paths:
+        if each.prefix:
+            often.setdefault((each.made, each.prefix, each.folder), []).append(each)
+    kept: list[str] = []
+    for (_, prefix, _), same in sorted(often.items(), key=lambda item: (item[0][0], -len(item[1]), item[0])):
+        if not any(f"{prefix}/".startswith(f"{each}/") or f"{each}/".startswith(f"{prefix}/") for each in kept):
+            kept.append(prefix)
+            yield same[0]
+
+
+def _started(evidence: Evidence, command: tuple[str, ...] | str, launch: LaunchFile | None) -> Iterator[str]:
+    """Yield the files of code, of those that name a path, which a command names or which are called like its nodes."""
+    of_package = {each.name: each.file.rpartition("/")[0] for each in evidence.manifests if each.name}
+    words = () if isinstance(command, str) else command[1:] if command[:1] == ("rosrun",) else command[2:]
+    nodes = launch.nodes if launch else (words[:2],)
+    yield from () if launch or isinstance(command, str) else command
+    for package, program in (node for node in nodes if len(node) == 2):
+        folder = of_package.get(package)
+        for each in evidence.author_paths if folder is not None else ():
+            name = each.file.rpartition("/")[2].rpartition(".")[0]
+            if name == program.removesuffix(".py") and each.file.startswith(f"{folder}/" if folder else ""):
+                yield each.file

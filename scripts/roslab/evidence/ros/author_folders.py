@@ -1,0 +1,147 @@
+"""Paths of the author's machine in code, launch files, parameters and worlds, and what of the tree they mean."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable
+
+from roslab.evidence import places
+from roslab.evidence.author_path import AuthorPath
+from roslab.repository.checkout import Repository, nearest
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 256 * 1024
+MAX_FILES = 2_000
+"""Most files that are opened, those nearest to the root first."""
+MOST = 20
+"""Most paths of one file."""
+_XML = (".launch", ".xml", ".xacro", ".urdf", ".world", ".sdf")
+_CODE = (".cpp", ".cc", ".cxx", ".h", ".hpp")
+_SUFFIXES = (*_XML, *_CODE, ".py", ".yaml", ".yml", ".rviz")
+_HINTS = ("/home/", "/Users/", "/root/", "_ws/", "/src/", ":\\Users", ":\\\\Users")
+_PATH = pattern(
+    r"(?:(?<=file://)|(?<![\w.}$)~/\\*-]))/(?:[\w.+@-]+/){2,30}[\w.+@-]*|\b[A-Z]:\\{1,2}Users\\{1,2}[\w.\\-]+"
+)
+_HOME = pattern(r"/(?:home|Users)/[A-Za-z][\w.-]*/.|/root/.|[A-Z]:\\")
+_COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
+_BUILT = pattern(r"(/.+)/(install|devel)/(?:[\w-]+/)?(?:share|lib)/([\w-]+)/.+")
+_MADE = pattern(r"(?:^|/)(?:build|devel|install|log)/")
+_SYSTEM = frozenset(
+    ("bin", "boot", "dev", "etc", "lib", "lib32", "lib64", "proc", "root", "run", "sbin", "snap", "sys", "tmp", "usr"),
+) | {"var", "Users"}
+"""Folders at the top of the image that are its own, into which its user cannot look, or that no Linux has."""
+_KEPT = ("/home/jovyan/", "/opt/ros/", "/opt/conda/")
+"""Folders of the image, which are never the author's."""
+
+
+def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[AuthorPath, ...]:
+    """Return the paths below somebody's home, and others that mean what is in the tree; each once for a file.
+
+    ``packages``: the name and the folder of each. What stands in a comment is none.
+    """
+    tree = _Tree(repository, tuple(packages))
+    found: dict[tuple[str, str], AuthorPath] = {}
+    files = (f for f in repository.suffixed(*_SUFFIXES) if f.size <= MAX_SIZE and not places.vendored(f.path))
+    for file in nearest(f for f in files if not _MADE.search(f.path))[:MAX_FILES]:
+        text = repository.read(file)
+        if not any(hint in text for hint in _HINTS):
+            continue
+        if file.path.endswith(_XML):
+            text = _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
+        here = 0
+        for match in _PATH.finditer(text):
+            path = match[0].rstrip(".")
+            if (file.path, path) in found or here >= MOST or _commented(file.path, text, match.start()):
+                continue
+            prefix, folder, made, there = tree.meant(path) or ("", "", False, False)
+            if prefix or _HOME.match(path):
+                here += 1
+                line = text.count("\n", 0, match.start()) + 1
+                found[file.path, path] = AuthorPath(
+                    path=path, file=file.path, line=line, prefix=prefix, folder=folder, made=made, there=there
+                )
+    return tuple(found.values())
+
+
+def _commented(file: str, text: str, at: int) -> bool:
+    before = text[text.rfind("\n", 0, at) + 1 : at]
+    if file.endswith(_CODE):
+        return "//" in before.replace("://", "") or before.lstrip().startswith(("*", "/*"))
+    return "#" in before and not file.endswith(_XML)
+
+
+class _Tree:
+    """The files and folders of a tree by their names, and its packages."""
+
+    def __init__(self, repository: Repository, packages: tuple[tuple[str, str], ...]) -> None:
+        self.repository, self.packages = repository, {name for name, _ in packages}
+        self.names = {repository.name, repository.folder_name}
+        self.names |= {name for name, folder in packages if not folder}
+        self.inside = {folder for _, folder in packages if folder}
+        self.by_name: dict[str, list[str]] | None = None
+
+    def meant(self, path: str) -> tuple[str, str, bool, bool] | None:
+        """Return the author's folder, the tree's, whether a build writes it, and whether all of the path is there."""
+        parts = path.strip("/").split("/")
+        if parts[0] in _SYSTEM or "\\" in path or f"{path}/".startswith(_KEPT) or {".", ".."} & {*parts}:
+            return None
+        built = _BUILT.fullmatch(path)
+        if built:
+            known = built[3] in self.packages and len(_short(built[1])) == 0
+            return (f"{built[1]}/{built[2]}", built[2], True, True) if known else None
+        if found := self._found(parts):
+            return (*found, False, True)
+        found = self._found(parts[:-1])
+        return (*found, False, False) if found else None
+
+    def _found(self, parts: list[str]) -> tuple[str, str] | None:
+        """Return the author's folder and the tree's for what only one file or folder of the tree ends like."""
+        nested = any(folder.rpartition("/")[2] == parts[-1] for folder in self.inside)
+        if len(parts) > 1 and parts[-1] in self.names and parts[-2] == "src" and not nested:
+            return f"/{'/'.join(parts)}", ""
+        best, means = -1, set[str]()
+        for path in self._named(parts[-1]):
+            has = path.split("/")
+            same = next(
+                (n for n, (a, b) in enumerate(zip(reversed(parts), reversed(has), strict=False)) if a != b), len(has)
+            )
+            same = min(same, len(parts))
+            if same >= best and self._whole(path, has, parts, same):
+                means = means if same == best else set()
+                best = same
+                means.add("/".join(has[: len(has) - same]))
+        if len(means) != 1:
+            return None
+        (folder,) = means
+        head, tail = parts[: len(parts) - best], parts[len(parts) - best :]
+        while tail and _short("/" + "/".join(head)):
+            head.append(tail[0])
+            folder = f"{folder}/{tail.pop(0)}".lstrip("/")
+        return (f"/{'/'.join(head)}", folder) if tail or folder in self.repository.folders else None
+
+    def _whole(self, path: str, has: list[str], parts: list[str], same: int) -> bool:
+        """Tell whether the end that both have holds the folder of a package, and one thing more or what is known."""
+        before = parts[len(parts) - same - 1] if len(parts) > same else ""
+        above = [folder for folder in self.inside if f"{path}/".startswith(f"{folder}/")]
+        if above:
+            package = max(above, key=len)
+            return len(has) - same <= package.count("/") and (same > 1 or before == "src" or before in self.names)
+        if same < len(has):
+            return False  # of no package, and not from the root
+        two = parts[len(parts) - same - 2] if len(parts) > same + 1 else ""
+        return before in self.names or (same > 1 and two == "src")
+
+    def _named(self, name: str) -> Collection[str]:
+        if self.by_name is None:
+            self.by_name = {}
+            for folder in self.repository.folders:
+                if folder and not _MADE.search(f"{folder}/"):
+                    self.by_name.setdefault(folder.rpartition("/")[2], []).append(folder)
+        files = (each.path for each in self.repository.named(name) if not _MADE.search(each.path))
+        return (*files, *self.by_name.get(name, ()))
+
+
+def _short(folder: str) -> str:
+    """Return a folder that is too near to the top for a link to take its place: somebody's home, the root."""
+    depth = folder.strip("/").count("/") + 1 if folder.strip("/") else 0
+    return folder if depth < (3 if f"{folder}/".startswith(("/home/", "/media/", "/mnt/")) else 1) else ""

@@ -1,0 +1,13 @@
+"""Where links in the places of the author's folders lead to."""
+
+from __future__ import annotations
+
+from roslab.decide.decision import Decision
+from roslab.plan.workspace import WORKSPACE, Workspace
+
+
+def author_folders(decision: Decision, place: Workspace) -> tuple[tuple[str, str], ...]:
+    """Return the author's folders, each with the folder below the user's home that stands for it."""
+    sides = {"source": place.folder, "workspace": WORKSPACE}
+    parted = ((folder, *target.partition("/")[::2]) for folder, target in decision.author_folders)
+    return tuple((folder, f"{sides[side]}/{rest}".rstrip("/")) for folder, side, rest in parted)

@@ -1,0 +1,160 @@
+"""Folders of the author's machine that files name: links lead to what the tree has, the rest is told."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+MANIFEST = (
+    '<package format="3"><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend>'
+    "<export><build_type>ament_cmake</build_type></export></package>"
+)
+BEHAVIOR = "config/behavior.xml"
+
+
+def package(folder: str, name: str = "server") -> dict[str, str]:
+    at = f"{folder}/" if folder else ""
+    return {
+        f"{at}package.xml": MANIFEST.format(name),
+        f"{at}CMakeLists.txt": f"project({name})\nfind_package(ament_cmake REQUIRED)\n",
+        f"{at}{BEHAVIOR}": "<root/>\n",
+    }
+
+
+def linked(tree: Tree, files: dict[str, str]) -> list[tuple[str, str]]:
+    return list(tree({"README.md": "ROS 2 Humble\n", **files}).author_folders)
+
+
+@pytest.mark.parametrize(
+    ("folder", "path", "found"),
+    [
+        ("server", "/home/user/ros2_ws/src/server/config/behavior.xml", ("/home/user/ros2_ws/src", "source")),
+        (
+            "server",
+            "/home/user/ros2_ws/src/whole/server/config/behavior.xml",
+            ("/home/user/ros2_ws/src/whole", "source"),
+        ),
+        ("src/server", "/home/user/ros2_ws/src/server/config/behavior.xml", ("/home/user/ros2_ws", "source")),
+        ("nav/server", "/home/user/ros2_ws/src/server/config/behavior.xml", ("/home/user/ros2_ws/src", "source/nav")),
+        ("", "/home/me/ws/src/server/config/behavior.xml", ("/home/me/ws/src/server", "source")),
+        ("", "/home/me/ws/src/server/", ("/home/me/ws/src/server", "source")),
+        ("server", "/home/me/server/config/behavior.xml", ("/home/me/server", "source/server")),
+        ("server", "/ros2_ws/src/server/config/behavior.xml", ("/ros2_ws/src", "source")),
+        ("src/server", "/src/server/config/behavior.xml", ("/src", "source/src")),
+        ("server", "/home/me/ws/src/server/config/", ("/home/me/ws/src", "source")),
+        ("server", "/home/me/ws/src/server/config/written.xml", ("/home/me/ws/src", "source")),
+        (
+            "server",
+            "/home/me/ws/install/server/share/server/config/a.xml",
+            ("/home/me/ws/install", "workspace/install"),
+        ),
+        ("server", "/home/me/ws/install/other/share/other/config/a.xml", None),
+        ("server", "/home/me/ws/devel/share/server/config/a.xml", None),
+        ("server", "/home/me/config/behavior.xml", None),
+        ("server", "/home/me/data/other.xml", None),
+        ("server", "/usr/src/server/config/behavior.xml", None),
+        ("server", "/opt/ros/server/config/behavior.xml", None),
+        ("server", "/root/ws/src/server/config/behavior.xml", None),
+        ("server", "/Users/me/ws/src/server/config/behavior.xml", None),
+        ("server", "/home/jovyan/ws/src/server/config/behavior.xml", None),
+        ("server", "$(find x)/home/me/src/server/config/behavior.xml", None),
+    ],
+)
+def test_a_folder_of_the_author_s_leads_to_what_the_tree_has(
+    tree: Tree, folder: str, path: str, found: tuple[str, str] | None
+) -> None:
+    files = {**package(folder), f"{folder}/include/server/a.hpp".lstrip("/"): "\n"}
+    files |= {f"{folder}/config/a.yaml".lstrip("/"): f'bt: 1\nfile: "{path}"\n'}
+    assert linked(tree, files) == ([found] if found else [])
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "found"),
+    [
+        ("scripts/a.py", 'open("{}")\n', True),
+        ("scripts/a.py", '# open("{}")\n', False),
+        ("src/a.cpp", 'std::string a = "{}";\n', True),
+        ("src/a.cpp", '// std::string a = "{}";\n', False),
+        ("launch/a.launch.xml", '<launch><arg name="a" default="{}"/></launch>\n', True),
+        ("launch/a.launch.xml", '<launch><!--\n<arg name="a" default="{}"/> --></launch>\n', False),
+        ("worlds/a.world", "<uri>file://{}</uri>\n", True),
+        ("test/a.py", 'open("{}")\n', False),
+    ],
+)
+def test_what_names_it(tree: Tree, name: str, text: str, *, found: bool) -> None:
+    path = "/home/me/ws/src/server/config/behavior.xml"
+    files = {**package("server"), f"server/{name}": text.format(path)}
+    assert linked(tree, files) == ([("/home/me/ws/src", "source")] if found else [])
+
+
+def test_of_folders_inside_each_other_one_is_linked_and_a_place_is_told(tree: Tree) -> None:
+    paths = ["/home/me/ws/src/server/config/behavior.xml", "/home/me/ws/src/server/config/a.yaml"]
+    files = {**package("src/server"), "src/server/config/a.yaml": "".join(f"- {path}\n" for path in paths)}
+    files["src/server/config/b.yaml"] = "a: /home/me/ws/install/server/share/server/config/a.yaml\n"
+    decision = tree({"README.md": "ROS 2 Humble\n", **files})
+    assert decision.author_folders == (("/home/me/ws", "source"),), "which has the folder that the build writes, too"
+    reasons = [each for each in decision.reasons if each.answer == "/home/me/ws"]
+    assert [(each.file, each.line) for each in reasons] == [("src/server/config/a.yaml", 1)]
+
+
+def test_what_two_packages_may_mean_is_not_linked(tree: Tree) -> None:
+    files = {**package("one/server", "one_server"), **package("two/server", "two_server")}
+    files["one/server/config/a.yaml"] = "a: /home/me/ws/src/server/config/behavior.xml\n"
+    assert linked(tree, files) == []
+
+
+LAUNCH = (
+    "import os\nfrom launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+    "from ament_index_python.packages import get_package_share_directory\n\n\n"
+    "def generate_launch_description():\n"
+    "    a = os.path.join(get_package_share_directory('server'), 'config', 'a.yaml')\n"
+    "    return LaunchDescription([Node(package='server', executable='serve', parameters=[a])])\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "told"),
+    [
+        ("server/config/a.yaml", "a: 1\nb: /home/me/data/map.pcd\n", 2),
+        ("server/config/a.yaml", "a: /home/me/ws/src/server/config/behavior.xml\n", None),
+        ("server/config/a.yaml", "a: /home/me/ws/src/server/config/gone.xml\n", 1),
+        ("server/config/other.yaml", "a: /home/me/data/map.pcd\n", None),
+        ("server/launch/demo.launch.py", f"{LAUNCH}A = '/home/me/map.pcd'\n", 10),
+        ("server/src/serve.cpp", '\nload("/home/me/map.pcd");\nload("C:\\\\Users\\\\me\\\\a.pcd");\n', 2),
+        ("server/src/serve.cpp", '\nsave("/home/me/ws/src/server/config/written.txt");\n', None),
+        ("server/src/other.cpp", '\nload("/home/me/map.pcd");\n', None),
+    ],
+)
+def test_what_the_tree_has_not_is_told_of_what_the_command_reaches(
+    tree: Tree, name: str, text: str, told: int | None
+) -> None:
+    files = {**package("server"), "server/launch/demo.launch.py": LAUNCH, name: text}
+    files["README.md"] = "ROS 2 Humble\n```\nros2 launch server demo.launch.py\n```\n"
+    decision = tree(files)
+    assert decision.command == ("ros2", "launch", "server", "demo.launch.py")
+    warnings = [(w.file, w.line) for w in decision.warnings if "a path of its author's computer" in w.message]
+    assert warnings == ([(name, told)] if told else [])
+
+
+def test_a_parameter_file_of_the_launch_file_s_own_package_is_meant(tree: Tree) -> None:
+    files = {**package("server"), **package("client", "client"), "server/launch/demo.launch.py": LAUNCH}
+    files |= {"server/config/a.yaml": "a: /home/me/a.pcd\n", "client/config/a.yaml": "a: /home/me/b.pcd\n"}
+    files["README.md"] = "ROS 2 Humble\n```\nros2 launch server demo.launch.py\n```\n"
+    warnings = [w.file for w in tree(files).warnings if "a path of its author's computer" in w.message]
+    assert warnings == ["server/config/a.yaml"]
+
+
+def test_the_node_that_the_command_names_is_read_too(tree: Tree) -> None:
+    files = {**package("server"), "server/src/serve.cpp": 'int main() { load("/home/me/map.pcd"); }\n'}
+    files["server/CMakeLists.txt"] += (
+        "add_executable(serve src/serve.cpp)\ninstall(TARGETS serve DESTINATION lib/server)\n"
+    )
+    files["README.md"] = "ROS 2 Humble\n```\nros2 run server serve\n```\n"
+    decision = tree(files)
+    assert decision.command == ("ros2", "run", "server", "serve")
+    warnings = [(w.file, w.line) for w in decision.warnings if "a path of its author's computer" in w.message]
+    assert warnings == [("server/src/serve.cpp", 1)]
