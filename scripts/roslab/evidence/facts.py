@@ -271,7 +271,7 @@ class Evidence:
     misnamed: tuple[tuple[str, str], ...] = ()
     """Variables that CMake files use and nothing sets, each with the value that is meant."""
     author_paths: tuple[AuthorPath, ...] = ()
-    """Paths of the author's machine that code, launch files, parameters and worlds name."""
+    """Paths of the author's machine that code, CMake, launch files, parameters and worlds name."""
     copies: tuple[str, ...] = ()
     """Folders with packages of somebody else."""
     repositories: tuple[str, ...] = ()

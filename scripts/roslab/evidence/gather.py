@@ -174,6 +174,7 @@ def gather(repository: Repository) -> Evidence:
     by_file = linked_files.read(own)
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
     otherwise = tuple(other_builders.read(repository))
+    paths = author_folders.read(repository, _folders(manifests)) if manifests else ()
     dates = manifests or cmake_projects or made or listed or by_file or otherwise
     return Evidence(
         manifests=manifests,
@@ -263,7 +264,7 @@ def gather(repository: Repository) -> Evidence:
         cmake_modules=cmake.modules(repository),
         by_variables=by_variables.read(repository),
         misnamed=misnamed.read(repository),
-        author_paths=author_folders.read(repository, _folders(manifests)) if manifests else (),
+        author_paths=paths,
         copies=copies.read(repository, manifests),
         repositories=copies.repositories(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
@@ -277,7 +278,9 @@ def gather(repository: Repository) -> Evidence:
             *vcs.absent(repository),
             *links.problems(lost, by_name_alone),
             *cpu.read(repository),
-            *authors_folders.read(repository),
+            *authors_folders.read(
+                repository, {(path.file, path.line) for path in paths if path.there and not path.made}
+            ),
             *made_elsewhere.read(repository),
             *pointers.read(repository),
             *stopped_setup.problems(stopped),

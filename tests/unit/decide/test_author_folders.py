@@ -158,3 +158,16 @@ def test_the_node_that_the_command_names_is_read_too(tree: Tree) -> None:
     assert decision.command == ("ros2", "run", "server", "serve")
     warnings = [(w.file, w.line) for w in decision.warnings if "a path of its author's computer" in w.message]
     assert warnings == [("server/src/serve.cpp", 1)]
+
+
+@pytest.mark.parametrize(
+    ("path", "found"),
+    [("/home/me/ws/src/server/config", True), ("/home/me/ws/src/server/gone/a", False), ("/home/me/opencv", False)],
+)
+def test_what_cmake_takes_from_there_is_linked_or_told(tree: Tree, path: str, *, found: bool) -> None:
+    files = package("server")
+    files["server/CMakeLists.txt"] += f"include_directories({path})\n"
+    decision = tree({"README.md": "ROS 2 Humble\n", **files})
+    assert decision.author_folders == ((("/home/me/ws/src", "source"),) if found else ())
+    told = [(w.file, w.line) for w in decision.warnings if "is a folder of its author's computer" in w.message]
+    assert told == ([] if found else [("server/CMakeLists.txt", 3)])

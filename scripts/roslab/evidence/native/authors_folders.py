@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
 from roslab.repository.checkout import Repository
@@ -14,8 +14,11 @@ MAX_SIZE = 64 * 1024
 _HOME = pattern(r"^[^#\n]*?(?<![\w/}])(/(?:home|Users)/[A-Za-z][\w.-]*/[\w./+-]*)")
 
 
-def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
-    """Yield what the author should know of the first such folder: the message, the file and the line."""
+def read(repository: Repository, meant: Collection[tuple[str, int]] = ()) -> Iterator[tuple[str, str, int]]:
+    """Yield what the author should know of the first such folder: the message, the file and the line.
+
+    ``meant``: files and lines that name what the tree has, to which a link leads.
+    """
     files = (f for f in repository.named("CMakeLists.txt") if f.size <= MAX_SIZE and not places.vendored(f.path))
     kept = [f for f in files if not places.test(f.path) and not places.example(f.path)]
     first: tuple[str, str, int] | None = None
@@ -23,7 +26,7 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
     for file in sorted(kept, key=lambda f: (f.path.count("/"), f.path))[:MAX_FILES]:
         text = repository.read(file)
         for number, line in enumerate(text.split("\n"), 1) if "/home/" in text or "/Users/" in text else ():
-            if match := _HOME.match(line):
+            if (match := _HOME.match(line)) and (file.path, number) not in meant:
                 found += 1
                 first = first or (match[1], file.path, number)
     if first:

@@ -1,4 +1,4 @@
-"""Paths of the author's machine in code, launch files, parameters and worlds, and what of the tree they mean."""
+"""Paths of the author's machine in code, CMake, launch files, parameters and worlds, and what of the tree they mean."""
 
 from __future__ import annotations
 
@@ -41,7 +41,8 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
     """
     tree = _Tree(repository, tuple(packages))
     found: dict[tuple[str, str], AuthorPath] = {}
-    files = (f for f in repository.suffixed(*_SUFFIXES) if f.size <= MAX_SIZE and not places.vendored(f.path))
+    code = (*repository.suffixed(*_SUFFIXES), *repository.named("CMakeLists.txt"))
+    files = (f for f in code if f.size <= MAX_SIZE and not places.vendored(f.path))
     for file in nearest(f for f in files if not _MADE.search(f.path))[:MAX_FILES]:
         text = repository.read(file)
         if not any(hint in text for hint in _HINTS):
