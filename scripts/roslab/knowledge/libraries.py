@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 from typing import Literal
 
@@ -105,6 +106,11 @@ def _missed() -> dict[str, list[dict[str, str]]]:
     for row in rows("headers"):
         found.setdefault(row["header"], []).append(row)
     return found
+
+
+def names(naming: Naming) -> Iterable[str]:
+    """Return all names of a kind, as they are written."""
+    return _table(naming)[1]
 
 
 @cache

@@ -76,6 +76,44 @@ def test_a_program_that_cmake_misses_is_installed(tmp_path: Path, said: str) -> 
     assert (tmp_path / "calls").read_text(encoding="utf-8").splitlines() == ["../", "../"]
 
 
+SAID = """\
+CMake Warning at a.cmake:1 (find_package):
+  By not providing "FindMaybe.cmake" in CMAKE_MODULE_PATH this project has
+CMake Error at CMakeLists.txt:9 (find_package):
+  By not providing "FindVISP.cmake" in CMAKE_MODULE_PATH this project has
+CMake Error at FindPackageHandleStandardArgs.cmake:148 (message):
+  Could NOT find GSL (missing: GSL_INCLUDE_DIR)
+--   No package 'libfoo' found"""
+
+
+def test_what_cmake_did_not_find_is_told_in_a_line(tmp_path: Path) -> None:
+    body = f"cat >&2 <<'EOF'\n{SAID}\nEOF\nexit 1"
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    (programs / "cmake").write_text(f"#!/bin/bash\ntouch CMakeCache.txt\n{body}\n", encoding="utf-8")
+    (programs / "cmake").chmod(0o755)
+    environment = {"PATH": f"{programs}:{os.environ['PATH']}"}
+    command = ["bash", str(SCRIPT), "../"]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert done.stdout.splitlines()[-1].split() == ["roslab:", "CMake", "stops", "without:", "GSL", "VISP", "libfoo"]
+
+
+@pytest.mark.parametrize(("packages", "prefix"), [("ros-noetic-visp\n", "/opt/ros/noetic"), ("libeigen3-dev\n", "")])
+def test_what_ros_brought_is_found(tmp_path: Path, packages: str, prefix: str) -> None:
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    (programs / "cmake").write_text('#!/bin/bash\necho "${CMAKE_PREFIX_PATH:-}"\n', encoding="utf-8")
+    (programs / "cmake").chmod(0o755)
+    (tmp_path / "required").mkdir()
+    (tmp_path / "required/acme.txt").write_text(packages, encoding="utf-8")
+    text = SCRIPT.read_text(encoding="utf-8").replace("/usr/local/share/roslab", str(tmp_path))
+    environment = {"PATH": f"{programs}:{os.environ['PATH']}", "ROS_DISTRO": "noetic"}
+    command = ["bash", "-c", text, "x", "../"]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == prefix
+
+
 OLD = "CMake 3.13 or higher is required.  You are running 3.10.2"
 
 

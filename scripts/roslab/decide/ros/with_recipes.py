@@ -8,14 +8,20 @@ from roslab.config.model import Source
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import told, why
 from roslab.evidence.dependency import Dependency
+from roslab.knowledge.recipes import recipe_at
 from roslab.values.dataclass import replace
 
 
 def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:
-    """Put libraries from the table of recipes before the sister packages that link them."""
+    """Put libraries from the table of recipes before the sister packages that link them.
+
+    What the author builds is built before a library that nobody has read, where the table knows it: it is what such a
+    library may need, and what the build then says to write into roslab.yaml.
+    """
     added: dict[str, Source] = {}
     reasons = list(choice.reasons)
     warnings = list(choice.warnings)
@@ -29,9 +35,16 @@ def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Depend
                 reason = why(source, asked)
                 warnings.append(told(source, asked))
             reasons.append(because("source", source.name, reason, asked, weight=Weight.RECIPE))
+    tabled = tuple(s for s in choice.answer.sources if s.build == "cmake" and recipe_at(address(s.repo or "")))
+    others = tuple(s for s in choice.answer.sources if s not in tabled)
     answer = replace(
         choice.answer,
-        sources=(*added.values(), *choice.answer.sources),
+        sources=(
+            *(s for s in added.values() if not s.unread),
+            *tabled,
+            *(s for s in added.values() if s.unread),
+            *others,
+        ),
         names=choice.answer.names | added.keys(),
     )
     return replace(choice, answer=answer, reasons=tuple(reasons), warnings=tuple(warnings))

@@ -5,12 +5,32 @@
 # Where CMake fails for programs that it names, those that are packages of apt under that name are installed and it is
 # configured again. Where it still fails, it is configured once more without what its own options leave out and nothing
 # links: bindings for other languages, tests, examples, benchmarks, documentation. Options that are given stay as they are.
+# Where it fails in the end, what CMake did not find is told in a line.
 set -euo pipefail
 
 part='(.*_)?(PYTHON[0-9]*|MATLAB|OCTAVE|JAVA|(PY)?BINDINGS?|TEST(S|ING)?|EXAMPLES?|DEMOS?|SAMPLES?|TUTORIALS?'
 part+='|BENCHMARKS?|DOCS?|DOCUMENTATION|DOXYGEN)(_.*)?'
 log="$(mktemp)"
-trap 'rm -f "${log}"' EXIT
+ended() {
+  local code=$? lacking
+  lacking="$(
+    sed --quiet --regexp-extended \
+      -e 's/.*By not providing "Find([^"]+)\.cmake".*/\1/p' \
+      -e 's/.*Could NOT find ([A-Za-z0-9_]+) .*/\1/p' \
+      -e "s/.*No package '([^']+)' found.*/\1/p" \
+      -e 's/.*Could not find ([A-Za-z0-9_]+) using the following (names|files):.*/\1/p' \
+      <(awk '/^CMake .*Warning/ { error = 0 } /^CMake Error|No package/ { error = 1 } error' "${log}") | LC_ALL=C sort --unique
+  )"
+  rm -f "${log}"
+  if [ "${code}" -ne 0 ] && [ -n "${lacking}" ]; then echo "roslab: CMake stops without: $(tr '\n' ' ' <<<"${lacking}")"; fi
+}
+trap ended EXIT
+
+# CMake looks into the folder of ROS for what the library requires and ROS brought
+if grep --quiet --recursive --no-messages '^ros-' /usr/local/share/roslab/required; then
+  export CMAKE_PREFIX_PATH="/opt/ros/${ROS_DISTRO}${CMAKE_PREFIX_PATH:+:${CMAKE_PREFIX_PATH}}"
+  export PKG_CONFIG_PATH="/opt/ros/${ROS_DISTRO}/lib/pkgconfig${PKG_CONFIG_PATH:+:${PKG_CONFIG_PATH}}"
+fi
 
 configure() { cmake "$@" 2>&1 | tee "${log}"; }
 # Prints the programs that CMake missed

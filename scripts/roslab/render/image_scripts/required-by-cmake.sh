@@ -1,7 +1,11 @@
 #!/bin/bash
 # usage: required-by-cmake FILE...
+#        required-by-cmake --library FOLDER [OPTION...]
 # Prints the names of what CMakeLists.txt files require: components of catkin, and packages. What stands below a condition
 # that is off is left out: an option or variable that the file itself turns off, and systems that the image is not.
+#   --library  of a library that CMake configures with these options: its CMakeLists.txt with the files that it adds and
+#              includes, without what its own projects are called. Also pkg:MODULE for a module of pkg-config, and
+#              link:NAME and header:NAME for what find_library and find_path look for and every build uses
 set -eu # a search that finds nothing is no failure
 
 # Each command on a line of its own, without comments and texts
@@ -9,8 +13,28 @@ commands() {
   sed 's/#.*//' "$1" | tr '\n\t\r' '   ' |
     sed --regexp-extended 's/"[^"]*"/""/g; s/([A-Za-z_][A-Za-z0-9_]*) *\(/\n\1 (/g'
 }
-for file in "$@"; do
-  commands "${file}" | awk '
+# The same, with the commands of a file that is added or included below that command: FILE ITS_FOLDER LEVEL
+with_added() {
+  local line path found
+  commands "$1" | while IFS='' read -r line || [ -n "${line}" ]; do
+    printf '%s\n' "${line}"
+    if [[ ! "${line,,}" =~ ^(add_subdirectory|include)\ \( ]] || [ "$3" -gt 5 ]; then continue; fi
+    read -r path _ <<<"$(tr '()' '  ' <<<"${line#*(}")"
+    path="${path#\$\{*SOURCE_DIR\}/}"
+    if [[ ! "${path}" =~ ^[A-Za-z0-9_./+-]+$ ]]; then continue; fi
+    for found in "$2/${path}/CMakeLists.txt" "${top}/${path}/CMakeLists.txt" {"$2/","${top}/","${top}/cmake/"}"${path}"{,.cmake}; do
+      if [ ! -f "${found}" ]; then continue; fi
+      if [[ "${line,,}" = include* ]]; then with_added "${found}" "$2" "$(($3 + 1))"; else
+        with_added "${found}" "${found%/*}" "$(($3 + 1))"
+      fi
+      break
+    done
+  done
+}
+
+# Reads commands; GIVEN are the options of CMake, without which each name is printed as it comes
+required() {
+  awk -v library="$1" -v given="${2:-}" '
     function truth(words, count,    name) { # 1 on, 0 off, -1 unknown
       name = words[count]
       if (count > 2 || (count == 2 && toupper(words[1]) != "NOT") || !(name in value)) return -1
@@ -22,7 +46,20 @@ for file in "$@"; do
       else if (word ~ /^(ON|TRUE|YES|1)$/) value[name] = 1
       else delete value[name]
     }
-    BEGIN { value["WIN32"] = value["MSVC"] = value["APPLE"] = value["ANDROID"] = value["IOS"] = 0 }
+    function take(names,    i, all, total) {
+      total = split(names, all, " ")
+      for (i = 1; i <= total; i++) if (library) taken[all[i]] = 1; else print all[i]
+    }
+    BEGIN {
+      value["WIN32"] = value["MSVC"] = value["APPLE"] = value["ANDROID"] = value["IOS"] = 0
+      total = split(given, options, " ")
+      for (i = 1; i <= total; i++) {
+        split(options[i], pair, "=")
+        sub(/:.*/, "", pair[1])
+        note(pair[1], pair[2])
+        set_outside[pair[1]] = 1
+      }
+    }
     {
       command = tolower($1)
       text = substr($0, index($0, "(") + 1)
@@ -33,19 +70,60 @@ for file in "$@"; do
     command == "if" { depth++; known = truth(words, count); skip[depth] = known == 0; met[depth] = known == 1 }
     command == "elseif" { known = truth(words, count); skip[depth] = met[depth] || known == 0; if (known == 1) met[depth] = 1 }
     command == "else" { skip[depth] = met[depth] }
+    command ~ /^(if|elseif|else)$/ { without[depth] = count == 2 && toupper(words[1]) == "NOT" ? words[2] : "" }
     {
       for (level = 1; level <= depth; level++) if (skip[level]) next
     }
-    command == "option" { note(words[1], count > 1 && words[count] != "\"\"" ? words[count] : "OFF") }
-    command == "set" && count > 1 { if (depth > 0) delete value[words[1]]; else note(words[1], words[2]) }
+    command == "option" && !(words[1] in set_outside) {
+      note(words[1], count > 1 && words[count] != "\"\"" ? words[count] : "OFF")
+    }
+    command == "set" && count > 1 && !(words[1] in set_outside && / CACHE /) {
+      if (depth > 0) delete value[words[1]]; else note(words[1], words[2])
+    }
     command == "find_package" {
       required = components = 0
       for (i = 2; i <= count; i++) {
         if (words[i] == "REQUIRED") required = 1
         if (words[i] == "COMPONENTS") components = 1
-        else if (components && words[1] == "catkin") print words[i]
+        else if (components && words[1] == "catkin") take(words[i])
       }
-      if (required && words[1] != "catkin") print words[1]
-    }'
-done | grep --line-regexp --extended-regexp '[A-Za-z][A-Za-z0-9_+.-]*' | grep --line-regexp --invert-match REQUIRED |
-  LC_ALL=C sort --unique
+      if (required && words[1] != "catkin") take(words[1])
+      looked[words[1] "_FOUND"] = looked[toupper(words[1]) "_FOUND"] = words[1]
+    }
+    !library { next }
+    command == "project" { own[tolower(words[1])] = 1 }
+    command ~ /^pkg_(check_modules|search_module)$/ {
+      required = 0
+      modules = ""
+      for (i = 2; i <= count; i++) {
+        if (words[i] == "REQUIRED") required = 1
+        sub(/[<>=].*/, "", words[i])
+        if (words[i] ~ /[a-z]/ && !(modules && command ~ /search/)) modules = modules " pkg:" words[i]
+      }
+      if (required) take(modules)
+      looked[words[1] "_FOUND"] = modules
+    }
+    command ~ /^find_(library|path)$/ && count > 1 {
+      name = words[2] == "NAMES" ? words[3] : words[2]
+      if (command == "find_library") sub(/^lib/, "", name)
+      name = (command == "find_path" ? "header:" : "link:") name
+      looked[words[1]] = name
+      if (depth == 0) found["${" words[1] "}"] = name
+      for (i = 3; i <= count; i++) if (words[i] == "REQUIRED") take(name)
+    }
+    # What is used in any case, and what stops CMake where it is not there
+    depth == 0 && command ~ /^(target_)?(link_libraries|include_directories)$/ {
+      for (i = 1; i <= count; i++) if (words[i] in found) take(found[words[i]])
+    }
+    command == "message" && words[1] == "FATAL_ERROR" && depth > 0 && without[depth] in looked { take(looked[without[depth]]) }
+    END { for (name in taken) if (!(tolower(name) in own)) print name }'
+}
+
+if [ "$1" = --library ]; then
+  top="$2"
+  given="$(printf '%s\n' "${@:3}" | sed --quiet --regexp-extended 's/^-D([A-Za-z0-9_]+(:[A-Z]+)?=[A-Za-z0-9]+)$/\1/p' | tr '\n' ' ')"
+  with_added "${top}/CMakeLists.txt" "${top}" 0 | required 1 "${given}"
+else
+  for file in "$@"; do commands "${file}" | required ''; done
+fi | grep --line-regexp --extended-regexp '((pkg|link|header):)?[A-Za-z][A-Za-z0-9_+./-]*' |
+  grep --line-regexp --invert-match REQUIRED | LC_ALL=C sort --unique

@@ -17,6 +17,7 @@ from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.frameworks import same_numbers
 from roslab.knowledge.keys import key
 from roslab.knowledge.libraries import cmake_packages
+from roslab.knowledge.library_names import library_names
 from roslab.knowledge.os_releases import archives
 from roslab.knowledge.shared_objects import table as shared_objects
 from roslab.render.layers import shell
@@ -34,8 +35,8 @@ _TABLES: dict[str, Callable[[], str]] = {
     "shared-objects.txt": shared_objects,
 }
 """Tables of the program's knowledge that scripts read."""
-_CMAKE = pattern(r"cmake-(\w+)\.txt")
-"""What CMake finds on an Ubuntu, a part of a table."""
+_OF_UBUNTU = pattern(r"(cmake|libraries)-(\w+)\.txt")
+"""What libraries are called on an Ubuntu: a part of a table."""
 _WHY = "# What is the same in every image, as small scripts; what belongs to this repository begins below them."
 
 
@@ -50,8 +51,8 @@ def stage(image: str) -> str:
 def _text(name: str) -> str:
     if name.endswith(".asc"):
         return key(name.removesuffix(".asc"))
-    if found := _CMAKE.fullmatch(name):
-        return cmake_packages(found[1])
+    if found := _OF_UBUNTU.fullmatch(name):
+        return (cmake_packages if found[1] == "cmake" else library_names)(found[2])
     if name in _TABLES:
         return _TABLES[name]()
     return (_FOLDER / f"{name}.sh").read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ from roslab.config.model import Source
 from roslab.plan.packages import own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import caches, locks, secrets, shell
+from roslab.render.layers import caches, locks, required, secrets, shell
 from roslab.values.pattern import pattern
 from roslab.values.secret import NETRC, SSH
 
@@ -161,14 +161,17 @@ def library_stages(plan: Plan) -> str:
             f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])
         ]
         fetched, given = _fetch(plan, library), secrets.for_git(plan)
-        if given.mounts:  # what is compiled has no part in them
-            lines.append(shell.run(*_tried(library, fetched), secrets=given))
+        reads = required.reads(library)
+        if given.mounts or reads:  # what is compiled has no part in them
+            lines.append(shell.run(*_told(library, fetched, "cloned"), secrets=given))
             fetched = []
+        if reads:
+            lines.append(required.of_library(plan, library, f"{SOURCES}/{library.name}"))
         for script in (CONFIGURE,) * library.unread + (INSTALL_BY_MAKE,) * library.by_make:
             lines.append(shell.copy_script(script).rstrip())
         lines.append(
             shell.run(
-                *_tried(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")]),
+                *_told(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")], "compiled"),
                 "mkdir --parents /installed",
                 secrets=secrets.for_pip(plan) if library.build == "pip" else secrets.NONE,
             )
@@ -177,13 +180,24 @@ def library_stages(plan: Plan) -> str:
     return "\n\n".join(stages)
 
 
-def _tried(library: Source, commands: list[str]) -> list[str]:
-    """Return the commands; for a library that nothing requires, so that their failure is told and stops nothing."""
-    if not library.unasked or not commands:
+def _told(library: Source, commands: list[str], step: str) -> list[str]:
+    """Return the commands, so that the failure of a library that nobody has read is told, with what named it.
+
+    Of one that nothing requires it stops nothing.
+    """
+    if not commands or not (library.unasked or required.reads(library)):
         return commands
-    left_out = quote.shell(f"roslab: left out: {library.name} cannot be built, which nothing that was read requires")
     tried = " \\\n && ".join(commands)
-    return [f"{{ ( {tried} ) || {{ rm -rf /installed; echo {left_out}; }}; }}"]
+    if library.unasked:
+        left_out = quote.shell(
+            f"roslab: left out: {library.name} cannot be built, which nothing that was read requires"
+        )
+        return [f"{{ ( {tried} ) || {{ rm -rf /installed; echo {left_out}; }}; }}"]
+    where = f", which {library.place.file}:{library.place.line} names," if library.place else ""
+    stops = quote.shell(
+        f"roslab: {library.name} of {library.repo}{where} cannot be {step}: the build stops, see above why"
+    )
+    return [f"{{ {{ {tried}; }} \\\n || {{ echo {stops} >&2; exit 1; }}; }}"]
 
 
 def libraries(plan: Plan) -> str:
@@ -193,7 +207,7 @@ def libraries(plan: Plan) -> str:
     copies = "\n".join(
         f"COPY --from={stage_name(i, library)} /installed/ /" for i, library in enumerate(plan.libraries)
     )
-    return f"# Libraries built from their source\n{copies}\nRUN ldconfig"
+    return f"# Libraries built from their source\n{copies}\nRUN ldconfig{required.in_image(plan)}"
 
 
 def libraries_in_place(plan: Plan) -> str:

@@ -1,0 +1,62 @@
+#!/bin/bash
+# usage: install-required [NAME FOLDER [OPTION...]]
+# Installs what the CMakeLists.txt in FOLDER of a library requires with these options of CMake: packages that the tables of
+# the image's Ubuntu name, else those of ROS that are called so. A list of them goes along with the library to where it is
+# installed, for what is linked with it needs them too: without arguments, all lists that came with libraries are installed,
+# as they are before those of a further library. What no package brings is told.
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
+
+tables=/usr/local/share/roslab
+lists="${tables}/required"
+install() {
+  local packages
+  mapfile -t packages < <(find "${lists}" -name '*.txt' -exec cat {} + 2>/dev/null | LC_ALL=C sort --unique)
+  if [ "${#packages[@]}" -gt 0 ]; then install-optional-apt "${packages[@]}"; fi
+}
+if [ $# = 0 ]; then install && exit; fi
+
+name="$1" folder="$2"
+shift 2
+if [ ! -f "${folder}/CMakeLists.txt" ]; then exit 0; fi
+apt-get update --quiet=2
+known() { apt-cache show "$1" >/dev/null 2>&1; }
+of_ros() { if [ -n "${ROS_DISTRO:-}" ]; then echo "ros-${ROS_DISTRO}-${1//_/-}"; else echo -; fi; }
+# Prints what the tables say of a name; of a header also what they say of its folder
+told() {
+  awk -F' = ' -v name=" ${1,,} " 'index(" " $1 " ", name) { print $2; exit }' "${tables}"/{libraries,cmake}-*.txt
+}
+# Of what is built from its source already, nothing is installed
+installed() {
+  [ -n "$(find /usr/local/{lib,share} -iname "$1config.cmake" -o -iname "$1-config.cmake" -o -name "${1#pkg:}.pc" 2>/dev/null)" ]
+}
+packages() {
+  local wanted said ros package
+  required-by-cmake --library "${folder}" "$@" | while read -r wanted; do
+    if installed "${wanted}"; then continue; fi
+    said="$(told "${wanted}")"
+    if [ -z "${said}" ] && [[ "${wanted}" = header:*/* ]]; then said="$(told "${wanted%%/*}/")"; fi
+    ros="$(of_ros "${wanted,,}")"
+    if [[ "${said}" = ros:* ]]; then
+      ros="${said%% *}" ros="$(of_ros "${ros#ros:}")"
+      if known "${ros}"; then said="${ros}"; else said="${said#"${said%% *}"}" said="${said# }"; fi
+    fi
+    case "${said}" in
+      -) ;; # CMake or the compiler has it
+      recipe:* | '')
+        if known "${ros}"; then echo "${ros}" && continue; fi
+        if [[ "${wanted}" = link:* || "${wanted}" = header:* ]]; then continue; fi
+        echo "roslab: ${name} requires ${wanted#pkg:}, and no package of this image's sources is known to bring it" >&2
+        if [ -n "${said}" ]; then
+          echo "roslab: it can be built before ${name}; write into roslab.yaml:" >&2
+          sed -e 's/^recipe:/format: 3\nsource:\n  - /' -e 's/ | /\n  - /g' <<<"${said}" >&2
+        fi
+        ;;
+      *) for package in ${said}; do if known "${package}"; then echo "${package}"; fi; done ;;
+    esac
+  done | LC_ALL=C sort --unique
+}
+mkdir --parents "${lists}" "/installed${lists}"
+packages "$@" >"${lists}/${name}.txt"
+cp "${lists}/${name}.txt" "/installed${lists}/"
+if [ -s "${lists}/${name}.txt" ]; then echo "roslab: ${name} requires, and apt installs: $(tr '\n' ' ' <"${lists}/${name}.txt")"; fi
+install

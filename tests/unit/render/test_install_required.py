@@ -1,0 +1,197 @@
+"""What a library that nobody has read requires by its own CMakeLists.txt is installed before CMake configures it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslab.knowledge.libraries import cmake_packages
+from roslab.knowledge.library_names import library_names
+from roslab.pipeline import plan_repository
+from roslab.render import image_scripts
+from roslab.render.dockerfile import dockerfile
+
+pytestmark = pytest.mark.usefixtures("scripts_on_path")
+SCRIPT = Path(image_scripts.__path__[0]) / "install-required.sh"
+
+
+def required(folder: Path, files: dict[str, str], *options: str) -> list[str]:
+    """Return the names that are required of a library of these files, with options of CMake."""
+    for name, text in files.items():
+        (folder / "lib" / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / "lib" / name).write_text(text)
+    command = ["required-by-cmake", "--library", str(folder / "lib"), *options]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+
+
+@pytest.mark.parametrize(
+    ("cmake", "names"),
+    [
+        ("find_package(VISP REQUIRED)\nfind_package(Ceres 1.14 REQUIRED)\nfind_package(Qt5)", ["Ceres", "VISP"]),
+        ("project(VISP)\nfind_package(VISP REQUIRED)", []),
+        ("find_package(GSL)\nif(NOT GSL_FOUND)\nmessage(FATAL_ERROR no)\nendif()", ["GSL"]),
+        ("find_package(Gsl)\nif(NOT GSL_FOUND)\nmessage(FATAL_ERROR no)\nendif()", ["Gsl"]),
+        ("find_package(GSL)\nif(NOT GSL_FOUND)\nmessage(WARNING no)\nendif()", []),
+        ("find_package(GSL)\nif(NOT GSL_FOUND)\nelse()\nmessage(FATAL_ERROR no)\nendif()", []),
+        ("pkg_check_modules(A REQUIRED IMPORTED_TARGET fmt>=3 eigen3 >= 3.2)", ["pkg:eigen3", "pkg:fmt"]),
+        ("pkg_check_modules(A fmt)\nif(NOT A_FOUND)\nmessage(FATAL_ERROR no)\nendif()", ["pkg:fmt"]),
+        ("pkg_check_modules(A fmt)", []),
+        ("pkg_search_module(A REQUIRED sdl2 sdl)", ["pkg:sdl2"]),
+        ("find_library(A NAMES libusb-1.0 usb)\ntarget_link_libraries(x ${A})", ["link:usb-1.0"]),
+        ("find_library(A usb)", []),
+        ("find_library(A usb)\nif(A)\ntarget_link_libraries(x ${A})\nendif()", []),
+        ("find_library(A usb REQUIRED)", ["link:usb"]),
+        ("find_path(A NAMES b/c.h PATHS /x)\ninclude_directories(${A})", ["header:b/c.h"]),
+    ],
+)
+def test_what_is_required_and_what_is_only_tried(tmp_path: Path, cmake: str, names: list[str]) -> None:
+    assert required(tmp_path, {"CMakeLists.txt": cmake}) == names
+
+
+OPTIONS = 'option(GUI "a (slow) one" OFF)\noption(SPEED "s" ON)\nset(LOG OFF CACHE BOOL "")\n'
+FOLDERS = "if(GUI)\nadd_subdirectory(gui)\nendif()\nif(SPEED)\nadd_subdirectory(${PROJECT_SOURCE_DIR}/speed)\nendif()\n"
+
+
+@pytest.mark.parametrize(
+    ("options", "names"),
+    [
+        ((), ["Deep", "Speed"]),
+        (("-DGUI=ON", "-DSPEED:BOOL=OFF"), ["Deep", "Shown"]),
+        (("-DLOG=ON",), ["Deep", "Log", "Speed"]),
+    ],
+)
+def test_files_that_it_adds_are_read_as_its_options_have_it(
+    tmp_path: Path, options: tuple[str, ...], names: list[str]
+) -> None:
+    files = {
+        "CMakeLists.txt": f"{OPTIONS}if(LOG)\nfind_package(Log REQUIRED)\nendif()\n{FOLDERS}include(Needs)\n",
+        "gui/CMakeLists.txt": "project(gui)\nfind_package(GUI REQUIRED)\nfind_package(Shown REQUIRED)",
+        "speed/CMakeLists.txt": "find_package(Speed REQUIRED)",
+        "cmake/Needs.cmake": "include(cmake/deep.cmake)\ninclude(Needs)",
+        "cmake/deep.cmake": "find_package(Deep REQUIRED)",
+        "examples/CMakeLists.txt": "find_package(Example REQUIRED)",
+    }
+    assert required(tmp_path, files, *options) == names
+
+
+class Stage:
+    """A stand-in of the stage in which a library is built: its apt knows these packages, and installs them all."""
+
+    def __init__(self, folder: Path, *known: str, ubuntu: str = "focal", ros: str = "noetic") -> None:
+        """Make the programs and tables that the script uses."""
+        self.folder, self.ros = folder, ros
+        (folder / "share").mkdir()
+        (folder / "local/lib").mkdir(parents=True)
+        (folder / "share/cmake-x.txt").write_text(cmake_packages(ubuntu))
+        (folder / "share/libraries-x.txt").write_text(library_names(ubuntu))
+        (folder / "bin").mkdir()
+        programs = {
+            "apt-get": ":",
+            "apt-cache": f'[[ " {" ".join(known)} " = *" $2 "* ]]',
+            "install-optional-apt": f'echo "$*" >>{folder}/calls',
+        }
+        for name, body in programs.items():
+            (folder / "bin" / name).write_text(f"#!/bin/bash\n{body}\n")
+            (folder / "bin" / name).chmod(0o755)
+        text = SCRIPT.read_text().replace("/usr/local/share/roslab", f"{folder}/share")
+        text = text.replace("/usr/local/{lib,share}", f"{folder}/local/lib").replace(
+            "/installed$", f"{folder}/installed$"
+        )
+        (folder / "script").write_text(text)
+
+    def run(self, *arguments: str) -> tuple[list[list[str]], str]:
+        """Return the calls that install, each sorted list of packages, and what was said of what is not known."""
+        path = f"{self.folder / 'bin'}:{os.environ['PATH']}"
+        environment = os.environ | {"ROS_DISTRO": self.ros, "PATH": path}
+        command = ["bash", str(self.folder / "script"), *arguments]
+        ran = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        calls = self.folder / "calls"
+        return [line.split() for line in calls.read_text().splitlines()] if calls.exists() else [], ran.stderr
+
+    def library(self, cmake: str, name: str = "acme") -> tuple[list[list[str]], str]:
+        """Run the script for a library."""
+        (self.folder / name).mkdir()
+        (self.folder / name / "CMakeLists.txt").write_text(cmake)
+        return self.run(name, str(self.folder / name))
+
+
+BOTH = "find_package(VISP REQUIRED)\nfind_package(Eigen3 REQUIRED)\nfind_package(OpenMP REQUIRED)\n"
+
+
+def test_ubuntu_and_ros_bring_what_is_required(tmp_path: Path) -> None:
+    stage = Stage(tmp_path, "ros-noetic-visp", "libeigen3-dev")
+    assert stage.library(BOTH) == ([["libeigen3-dev", "ros-noetic-visp"]], "")
+    kept = tmp_path / "installed" / f"{tmp_path}/share/required/acme.txt".lstrip("/")
+    assert kept.read_text() == "libeigen3-dev\nros-noetic-visp\n"
+
+
+def test_without_ros_it_is_told_that_no_package_is_known(tmp_path: Path) -> None:
+    calls, said = Stage(tmp_path, "ros-noetic-visp", "libeigen3-dev", ros="").library(BOTH)
+    assert calls == [["libeigen3-dev"]]
+    assert said == "roslab: acme requires VISP, and no package of this image's sources is known to bring it\n"
+
+
+def test_names_of_pkg_config_links_and_headers(tmp_path: Path) -> None:
+    cmake = (
+        "pkg_check_modules(A REQUIRED eigen3)\nfind_library(B glog REQUIRED)\nfind_path(C assimp/scene.h REQUIRED)\n"
+    )
+    stage = Stage(tmp_path, "libeigen3-dev", "libgoogle-glog-dev", "libassimp-dev")
+    assert stage.library(f"{cmake}find_library(D nowhere REQUIRED)") == (
+        [["libassimp-dev", "libeigen3-dev", "libgoogle-glog-dev"]],
+        "",
+    )
+
+
+def test_what_is_built_already_is_not_installed(tmp_path: Path) -> None:
+    stage = Stage(tmp_path, "libceres-dev")
+    (tmp_path / "local/lib/CeresConfig.cmake").touch()
+    assert stage.library("find_package(Ceres REQUIRED)") == ([], "")
+
+
+def test_a_library_that_can_be_built_before_is_told_with_what_to_write(tmp_path: Path) -> None:
+    calls, said = Stage(tmp_path, "libeigen3-dev").library("find_package(GTSAM REQUIRED)")
+    assert calls == []
+    first, second, *written = said.splitlines()
+    assert first == "roslab: acme requires GTSAM, and no package of this image's sources is known to bring it"
+    assert second == "roslab: it can be built before acme; write into roslab.yaml:"
+    tree = tmp_path / "tree"
+    tree.mkdir()
+    (tree / "roslab.yaml").write_text("\n".join(written))
+    (tree / "CMakeLists.txt").write_text("project(demo)\nfind_package(acme REQUIRED)\nadd_executable(a a.cpp)\n")
+    (tree / "a.cpp").write_text("int main() {}\n")
+    (tree / "README.md").write_text("Needs [acme](https://github.com/lab/acme)\n")
+    assert [(s.name, s.ref) for s in plan_repository(tree).plan.libraries] == [("gtsam", "4.0.3"), ("acme", None)]
+
+
+def test_what_earlier_libraries_required_is_installed_for_a_later_one_and_in_the_image(tmp_path: Path) -> None:
+    stage = Stage(tmp_path, "libeigen3-dev", "libceres-dev")
+    stage.library("find_package(Eigen3 REQUIRED)")
+    calls, _ = stage.library("project(other)\n", name="other")
+    assert calls[1:] == [["libeigen3-dev"]]
+    assert stage.run()[0][2:] == [["libeigen3-dev"]]
+
+
+def test_what_could_not_be_cloned_requires_nothing(tmp_path: Path) -> None:
+    assert Stage(tmp_path).run("acme", str(tmp_path / "nowhere")) == ([], "")
+
+
+@pytest.mark.parametrize(("asked", "reads"), [("acme_lidar", True), ("Pangolin", False)])
+def test_the_image_calls_it_between_the_clone_and_cmake(tmp_path: Path, asked: str, reads: bool) -> None:
+    made = f"project(demo)\nfind_package({asked} REQUIRED)\nadd_executable(a a.cpp)\n"
+    page = "Needs [acme_lidar](https://github.com/lab/acme_lidar)"
+    for name, text in {"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": page}.items():
+        (tmp_path / name).write_text(text)
+    text = dockerfile(plan_repository(tmp_path).plan)
+    called = "install-required acme_lidar /tmp/sources/acme_lidar -DCMAKE_BUILD_TYPE=Release\n"
+    assert (called in text) == reads
+    assert ("\n    install-required\n" in text) == reads
+    if reads:
+        before, after = text.split(called)
+        assert "git clone https://github.com/lab/acme_lidar" in before
+        assert "configure-library -DCMAKE_BUILD_TYPE=Release ../" in after
+        which = "acme_lidar of https://github.com/lab/acme_lidar, which README.md:1 names, cannot be"
+        assert f"roslab: {which} cloned: the build stops" in before
+        assert f"roslab: {which} compiled: the build stops" in after
