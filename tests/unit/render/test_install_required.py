@@ -128,10 +128,11 @@ def test_ubuntu_and_ros_bring_what_is_required(tmp_path: Path) -> None:
     assert kept.read_text() == "libeigen3-dev\nros-noetic-visp\n"
 
 
-def test_without_ros_it_is_told_that_no_package_is_known(tmp_path: Path) -> None:
-    calls, said = Stage(tmp_path, "ros-noetic-visp", "libeigen3-dev", ros="").library(BOTH)
+def test_what_no_package_brings_is_told(tmp_path: Path) -> None:
+    calls, said = Stage(tmp_path, "libeigen3-dev").library(BOTH + "find_package(Nowhere REQUIRED)\n")
     assert calls == [["libeigen3-dev"]]
-    assert said == "roslab: acme requires VISP, and no package of this image's sources is known to bring it\n"
+    assert "roslab: acme requires Nowhere, and no package of this image's sources is known to bring it\n" in said
+    assert "roslab: acme requires VISP, and this image's sources do not have libvisp-dev, which brings it\n" in said
 
 
 def test_names_of_pkg_config_links_and_headers(tmp_path: Path) -> None:

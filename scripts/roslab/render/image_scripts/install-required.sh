@@ -30,7 +30,7 @@ installed() {
   [ -n "$(find /usr/local/{lib,share} -iname "$1config.cmake" -o -iname "$1-config.cmake" -o -name "${1#pkg:}.pc" 2>/dev/null)" ]
 }
 packages() {
-  local wanted said ros package
+  local wanted said ros package found
   required-by-cmake --library "${folder}" "$@" | while read -r wanted; do
     if installed "${wanted}"; then continue; fi
     said="$(told "${wanted}")"
@@ -51,7 +51,13 @@ packages() {
           sed -e 's/^recipe:/format: 3\nsource:\n  - /' -e 's/ | /\n  - /g' <<<"${said}" >&2
         fi
         ;;
-      *) for package in ${said}; do if known "${package}"; then echo "${package}"; fi; done ;;
+      *)
+        found=''
+        for package in ${said}; do if known "${package}"; then echo "${package}" && found=yes; fi; done
+        if [ -z "${found}" ] && [[ "${wanted}" != link:* && "${wanted}" != header:* ]]; then
+          echo "roslab: ${name} requires ${wanted#pkg:}, and this image's sources do not have ${said}, which brings it" >&2
+        fi
+        ;;
     esac
   done | LC_ALL=C sort --unique
 }
