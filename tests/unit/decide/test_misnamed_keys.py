@@ -176,3 +176,32 @@ def test_a_controller_that_is_called_like_its_package_is_that(tree: Tree) -> Non
     decision = tree({**_files("joint_state_broadcaster"), "config/controllers.yaml": config})
     assert "joint_state_broadcaster" in decision.rosdep
     assert decision.skip_keys == ()
+
+
+@pytest.mark.parametrize(
+    ("key", "apt"),
+    [("opencv4", "libopencv-dev"), ("libcrypto", "libssl-dev"), ("boost_serialization", "libboost-all-dev")],
+)
+def test_names_of_pkg_config_and_of_the_linker_are_libraries(tree: Tree, key: str, apt: str) -> None:
+    decision = tree(_files(key))
+    assert apt in {*decision.apt, *decision.apt_guessed}
+    assert key in decision.skip_keys
+    assert [each.message for each in decision.warnings if f"{apt} is installed for it" in each.message]
+    assert decision.source == ()
+
+
+def test_a_package_that_begins_like_a_library_is_none(tree: Tree) -> None:
+    assert "boost_of_ours" not in tree(_files("boost_of_ours")).skip_keys
+
+
+@pytest.mark.parametrize("key", ["python3-pymavlink", "python-pymavlink"])
+def test_a_key_is_brought_by_what_pip_installs(tree: Tree, key: str) -> None:
+    decision = tree({**_files(key), "README.md": "ROS 2 Jazzy\n```\npip install pymavlink\n```\n"})
+    assert key in decision.skip_keys
+    assert [each.message for each in decision.warnings if "pip installs pymavlink" in each.message]
+    assert not [each.message for each in decision.warnings if "nothing here says" in each.message]
+
+
+def test_a_key_that_pip_installs_nothing_for_is_unknown(tree: Tree) -> None:
+    decision = tree(_files("python3-pymavlink"))
+    assert [each.message for each in decision.warnings if "nothing here says" in each.message]

@@ -131,3 +131,15 @@ def test_a_library_that_is_linked_rules_out_processors_and_ubuntus(
     (tmp_path / "lib/a.a").write_bytes(b"!<arch>\n" + bytes(60) + data)
     decision = plan_repository(tmp_path).decision
     assert (decision.ros_distro, len(decision.platforms)) == (distro, platforms)
+
+
+def test_what_was_built_elsewhere_asks_for_nothing_but_tells_the_ubuntu(tmp_path: Path) -> None:
+    for path, needed in {"devel/lib/liba.so": (CV, BOOST), "lib/libb.so": ("libGLEW.so.2.0",)}.items():
+        (tmp_path / path).parent.mkdir(parents=True)
+        (tmp_path / path).write_bytes(compiled(*needed))
+    repository = Repository.open(tmp_path)
+    assert len(shared_objects.read(repository)) == 3
+    (tmp_path / "devel/.built_by").write_text("catkin_make\n")
+    repository = Repository.open(tmp_path)
+    assert [each.name for each in shared_objects.read(repository)] == ["libglew2.0"]
+    assert [each.value for each in shared_objects.made_on(repository)] == ["bionic"]

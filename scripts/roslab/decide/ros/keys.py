@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
-from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, left_over, packaged
+from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, left_over, library_called, of_installed, packaged
 from roslab.decide.ros.own_configs import installing
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
@@ -18,7 +18,6 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import distro, ubuntus, ubuntus_with_python2
-from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released, released, rosdep_keys
 from roslab.knowledge.ros_sources import ros_sources
 from roslab.values.dataclass import dataclass, replace
@@ -142,20 +141,22 @@ def translate(
     cloned: bool,
     submodules: tuple[str, ...] = (),
     tried: str = "",
+    installed: Collection[str] = (),
     evidence: Evidence,
 ) -> Translated:
     """Return what to do about a key that rosdep cannot resolve: a library's packages or recipe, else a warning.
 
     ``cloned``: a sister repository, whose packages are not known before it is cloned, may hold it. ``submodules``: the
     folders of submodules; one that is named like the key and has no package.xml is not checked out. ``tried``: where
-    the build looks for it, in words. ``evidence``: code of C++ may be compiled with it.
+    the build looks for it, in words. ``installed``: what pip installs. ``evidence``: code of
+    C++ may be compiled with it.
     """
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or "") or _of_python_2(name, target):
         return Translated()
-    if useless := _useless(name, target.ros_distro):
+    if useless := _useless(name, target.ros_distro, installed):
         return Translated(skip=True, warning=warn(useless, key))
-    found = library("cmake", name, target.ubuntu)
+    found = library_called(name, target.ubuntu)
     python = packaged(name, target)
     if python and not (found and found.apt and _of_code(key, evidence)):
         message = f"{name} is the name of a package of pip, not a key of rosdep: {python[0]} is installed for it"
@@ -181,8 +182,10 @@ def translate(
     )
 
 
-def _useless(name: str, ros_distro: str | None) -> str:
+def _useless(name: str, ros_distro: str | None, installed: Collection[str]) -> str:
     """Return what is wrong with a key that no repository can bring, ``""`` where one can."""
+    if by_pip := of_installed(name, installed):
+        return f"{name} is no key of rosdep for ROS {ros_distro}: pip installs {by_pip}"
     if left_over(name, ros_distro):
         return f"rosdep has no key {name} for ROS {ros_distro}: left over from ROS 1; remove the dependency"
     if name in BUILD_TYPES:

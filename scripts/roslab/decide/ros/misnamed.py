@@ -5,13 +5,19 @@ https://docs.ros.org/en/independent/api/rosdep/html/rosdep_yaml_format.html, 202
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from roslab.decide.system.names import Target
 from roslab.knowledge.carried import base_holds
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import imports
+from roslab.knowledge.libraries import Library, library
 from roslab.knowledge.released import ever_released, released, rosdep_keys
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
 
+_OF_PYTHON = pattern(r"python3?-([\w.-]+)")
+"""How rosdep's keys of Python are called: https://github.com/ros/rosdistro/blob/master/CONTRIBUTING.md, 2026-11-27"""
 BUILD_TYPES = frozenset({"ament_python"})
 """Build types that no package stands for: https://www.ros.org/reps/rep-0149.html#build-type, 2026-11-26"""
 
@@ -23,6 +29,25 @@ def of_pip(name: str) -> str:
     plain = canonicalize_name(name)
     rows = ((module, pip, apt) for module, (pip, apt) in imports().items() if apt)
     return next((apt for module, pip, apt in rows if module == name or canonicalize_name(pip or "") == plain), "") or ""
+
+
+def library_called(name: str, ubuntu: str | None) -> Library | None:
+    """Return where the library comes from that a key names: as CMake does, else as pkg-config or the linker does.
+
+    Of the linker's names only those with ``lib`` before them, for the others are plain words.
+    """
+    found = library("cmake", name, ubuntu) or library("pkg-config", name, ubuntu)
+    return found or (library("link", name[3:], ubuntu) if name.startswith("lib") else None)
+
+
+def of_installed(name: str, installed: Collection[str]) -> str:
+    """Return the name of what pip installs that a key of Python is called like, ``""`` where it is none of it.
+
+    ``installed``: names in pip's plain spelling.
+    """
+    plain = _OF_PYTHON.fullmatch(name)
+    key = canonicalize_name(plain[1]) if plain else ""
+    return key if key in installed else ""
 
 
 def packaged(name: str, target: Target) -> tuple[str, ...]:

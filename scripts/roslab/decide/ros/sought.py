@@ -15,7 +15,7 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.clones import taken_apart
 from roslab.decide.ros.controllers import controllers
-from roslab.decide.ros.misnamed import BUILD_TYPES, of_pip
+from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.source_names import address, akin, fixed, plain
 from roslab.decide.ros.weights import Weight
@@ -163,7 +163,7 @@ def _lacking(needed: Iterable[Dependency], known: AbstractSet[str], own: set[str
         if not of_ros or asked.strength != "declared" or asked.name in known or plain(asked.name) in known:
             continue
         sibling = asked.name.partition("-")[0] in families and not _OF_SYSTEM.search(asked.name)
-        named = asked.name in BUILD_TYPES or of_pip(asked.name) or library("cmake", asked.name, None)
+        named = asked.name in BUILD_TYPES or of_pip(asked.name) or library_called(asked.name, None)
         if (_PACKAGE.fullmatch(asked.name) or sibling) and not named:
             found.setdefault(asked.name, asked)
     return found

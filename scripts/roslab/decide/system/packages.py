@@ -110,12 +110,19 @@ def decide_system(
     unknown = [key for key in keys if not target.knows(key.name) and key.name not in rosdep_keys()]
     found.skip |= dict.fromkeys((*own_targets(unknown, evidence), *sorted(by_page(unknown, evidence))))
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
+    by_pip = {each.key for each in installed}
     ours = controllers((key for key in unknown if key.name not in tried and not may_hold(key.name)), evidence)
     for key in keys:
         if key.name not in found.skip:
             cloned, where = may_hold(key.name), tried.get(key.name, "")
             meant = of_controller(key, ours, target) or translate(
-                key, target, cloned=cloned, submodules=submodules, tried=where, evidence=evidence
+                key,
+                target,
+                cloned=cloned,
+                submodules=submodules,
+                tried=where,
+                installed=by_pip,
+                evidence=evidence,
             )
             _keep(key, meant, found)
     defined = ((each, False) for listed in own.values() for each in listed)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
+from roslab.evidence.native import made_elsewhere
 from roslab.knowledge.shared_objects import package_of, ubuntus_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
@@ -24,9 +25,13 @@ _NEEDED = re.compile(rb"\0(lib[\w+.-]{1,60}\.so(?:\.\d+){1,3})(?=\0)")
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the package of each library that such a file needs and that the tree does not hold itself, once."""
+    """Return the package of each library that such a file needs and that the tree does not hold itself, once.
+
+    Not of what a build on another machine left in the tree: the image has none of it, and compiles it anew.
+    """
     found: dict[str, Dependency] = {}
-    for path, soname in repository.once(_needed):
+    left = tuple(f"{name}/" for name in made_elsewhere.names(repository))
+    for path, soname in _needed_of(repository, left) if left else repository.once(_needed):
         if apt := package_of(soname):
             asked = Dependency(namespace="apt", name=apt, strength="used", file=path, line=1, role="linked")
             found.setdefault(apt, asked)
@@ -54,8 +59,12 @@ def made_on(repository: Repository) -> tuple[Mention, ...]:
 
 def _needed(repository: Repository) -> tuple[tuple[str, str], ...]:
     """Return what such files need and the tree does not hold: libraries with their versions, each with the file."""
+    return _needed_of(repository, ())
+
+
+def _needed_of(repository: Repository, without: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
     found: dict[tuple[str, str], None] = {}
-    for file in _files(repository):
+    for file in _files(repository, without):
         data = repository.read_bytes(file, limit=MAX_SIZE)
         if data[:4] != _MAGIC or data[18:20] not in _MACHINES:
             continue
@@ -65,7 +74,9 @@ def _needed(repository: Repository) -> tuple[tuple[str, str], ...]:
     return tuple(found)
 
 
-def _files(repository: Repository) -> Iterator[File]:
+def _files(repository: Repository, without: tuple[str, ...]) -> Iterator[File]:
+    """Yield the files of that name, but for those in folders whose paths begin like one of ``without``."""
     named = (file for file in repository.files if ".so" in file.name and _NAME.search(file.name))
+    named = (file for file in named if not file.path.startswith(without))
     own = [file for file in named if not (places.test(file.path) or places.documentation(file.path))]
     yield from nearest(own)[:MOST]
