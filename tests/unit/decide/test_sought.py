@@ -447,3 +447,12 @@ def test_a_listed_link_to_a_module_that_pip_brings_holds_what_is_called_like_it(
     page = f"ROS Noetic.\n# Dependencies\n* [a]({THIRD}/AirSim)\n* [b]({THIRD}/whole)\n"
     found = _sought(tree(files | {"README.md": page}))
     assert (f"{THIRD}/AirSim" in found, f"{THIRD}/whole" in found) == (looked, True)
+
+
+@pytest.mark.parametrize(("name", "looked"), [("drone_ws", False), ("drone_parts", True)])
+def test_nothing_is_looked_for_in_the_repository_itself_under_its_former_owner(
+    tree: Tree, name: str, looked: bool
+) -> None:
+    page = f"```\ncd ~/\ngit clone --recurse-submodules https://github.com/former/{name}.git\n```\n"
+    decision = tree(_git(f"{LAB}/drone_ws.git") | _package("src/mpc", "quad_x") | {"README.md": f"ROS Noetic.\n{page}"})
+    assert (f"https://github.com/former/{name}" in _sought(decision)) is looked

@@ -241,14 +241,16 @@ def _linked(evidence: Evidence, here: str, known: AbstractSet[str], names: Colle
     """Yield the repositories of the same owner that pages at the root link to; of others, the only one that they do.
 
     Before all, the first of those of anybody that a page says to hold the dependencies, or lists among them.
-    Not one with the name of what is known, as of one of the repository's own packages, which is what it was made from.
+    Not one with the name of what is known, as of one of the repository's own packages, which is what it was made from;
+    nor one with the repository's own name, which is itself under another owner.
     """
-    owner = here.rpartition("/")[0]
+    owner, _, itself = here.rpartition("/")
     links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
     others = {
         address(git.url): git
         for git in links
         if known.isdisjoint((git.name, plain(git.name))) and address(git.url) != here
+        if not itself or plain(git.name) != plain(itself)
     }
     of_python = {bare_name(name) for name in _of_python(evidence)}
     first = [git for git in others.values() if git.holds and bare_name(git.name) not in of_python]
