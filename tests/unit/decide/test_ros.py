@@ -1004,3 +1004,30 @@ def test_keys_of_python_2_are_of_the_tables_of_its_time(tmp_path: Path, distro: 
     found = decided(tmp_path, {**files, "README.md": f"ROS {distro.title()}\n"})
     assert found.ros_distro == distro
     assert any("python-pymongo-of-then" in each.message for each in found.warnings) is told
+
+
+@pytest.mark.parametrize(
+    ("line", "branch", "brought"),
+    [
+        ("#!/usr/bin/env python3", "melodic-devel", {"python3-tk", "python3-matplotlib"}),
+        ("#!/usr/bin/python3", "kinetic-devel", {"python3-tk", "python3-matplotlib"}),
+        ("#!/usr/bin/env python", "melodic-devel", set()),
+        ("# python3", "melodic-devel", set()),
+    ],
+)
+def test_programs_of_python_3_find_their_modules_beside_python_2(
+    tmp_path: Path, line: str, branch: str, brought: set[str]
+) -> None:
+    imports = "import os\nimport matplotlib.pyplot as plt\nimport rosbag\nimport catkin_pkg\n"
+    files = {**package("a"), "tools/plot.py": f"{line}\n{imports}"}
+    guessed = decided(tmp_path, files, branch=branch).apt_guessed
+    assert {name for name in guessed if name.startswith("python3-")} == brought
+    assert "python-matplotlib" in guessed
+
+
+def test_a_node_of_python_3_finds_what_ros_itself_imports(tmp_path: Path) -> None:
+    files = {**package("a"), "nodes/talk.py": "#!/usr/bin/env python3\nimport rospy\n"}
+    here = decided(tmp_path, files, branch="melodic-devel").apt_guessed
+    assert {"python3-yaml", "python3-rospkg-modules"} <= {*here}
+    there = decided(tmp_path, files, branch="noetic-devel").apt_guessed
+    assert "python3-rospkg-modules" not in there

@@ -19,6 +19,7 @@ _HOW = {
     "cuda": "CMake compiles for CUDA, which needs {}",
     "called": "a Python file calls a program of {}",
     "typelib": "a program asks for a library of GObject, which needs {}",
+    "python3": "a program whose first line asks for Python 3 imports what {} has",
     "shebang": "the first line of a program names {}",
     "named": "the page names {}",
     "linked": "a compiled file of the tree is linked with {}",

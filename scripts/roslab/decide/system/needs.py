@@ -16,7 +16,9 @@ from roslab.decide.system.tests import always_compiled, always_of_packages
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import Evidence
+from roslab.evidence.python.of_python3 import ROLE
 from roslab.knowledge.cuda_toolkits import host_compilers
+from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.libraries import qt_modules
 from roslab.knowledge.released import ever_released, released
@@ -51,7 +53,8 @@ def _all(
         folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages.built)
         yield from ((dependency, True) for dependency in always_of_packages(evidence, folders))
     for dependency in evidence.code:
-        started_by = dependency.role == "shebang" and kind in {"ros1", "ros2"}  # others have a `python` of their own
+        # Others have a `python` of their own
+        started_by = kind in {"ros1", "ros2"} and dependency.role in {"shebang", ROLE}
         if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:
             yield dependency, False
     for dependency in _made(evidence) if kind in {"cpp", "cuda"} else ():
@@ -62,6 +65,14 @@ def _all(
         yield dependency, False
     for dependency in _installed(evidence, ros_distro):
         yield dependency, False
+
+
+def of_another_python(dependency: Dependency, ubuntu: str | None) -> bool:
+    """Tell whether a program's first line asks for nothing: for ``python`` where that is 2, for 3 where ROS's is 3."""
+    of_python2 = ubuntu in ubuntus_with_python2()
+    return (dependency.role == "shebang" and (of_python2 or ubuntu is None)) or (
+        dependency.role == ROLE and not of_python2
+    )
 
 
 def _made(evidence: Evidence) -> Iterator[Dependency]:

@@ -27,14 +27,13 @@ from roslab.decide.system.by_pip import imported_from_pip, only_imported
 from roslab.decide.system.carried import brought, held
 from roslab.decide.system.compiled_with import compiled_with
 from roslab.decide.system.names import Target, resolve
-from roslab.decide.system.needs import compiler_of_cuda, needs
+from roslab.decide.system.needs import compiler_of_cuda, needs, of_another_python
 from roslab.decide.system.one_qt import of_another_qt
 from roslab.decide.system.recipes import lies_elsewhere, linked
 from roslab.decide.system.requested import requested
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.never import never
 from roslab.knowledge.recipes import beside, recipe
 from roslab.knowledge.released import rosdep_keys
@@ -134,9 +133,9 @@ def decide_system(
     known = frozenset({key.name for key in keys} - in_apt | packages.names | sisters | set(config.skip_keys))
     of_pip = imported_from_pip(evidence, installed)
     for dependency, trusted in needed:
-        if dependency.role == "shebang" and target.ubuntu in {None, *ubuntus_with_python2()}:
+        if dependency.name in known or of_another_python(dependency, target.ubuntu):
             continue
-        if dependency.name not in known and not only_imported(dependency, of_pip):
+        if not only_imported(dependency, of_pip):
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
     found.declared = compiled_with(needed, evidence, target) | found.declared
     for library, dependency in linked(needed, evidence, target.ubuntu):

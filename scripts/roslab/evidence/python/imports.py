@@ -13,6 +13,7 @@ from roslab.evidence.lex.lines import first_line
 from roslab.evidence.program import Program
 from roslab.evidence.python import notebooks
 from roslab.evidence.python.modules import MAX_READ, Module, modules
+from roslab.evidence.python.of_python3 import of_python3
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
 from roslab.evidence.python.rendered import rendered
@@ -49,8 +50,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     the role ``told`` where the module says how to install it. A framework that a node of ROS imports has the role
     ``node``.
     Calls that open windows are included, each library's once for a file, and those of the modules that it imports; the
-    package of a plain ``python`` if the first line of a program starts that, and those of the libraries of GObject that
-    a program asks for.
+    package of a plain ``python`` if the first line of a program starts that, those for Python 3 of what programs import
+    whose first line asks for that, and those of the libraries of GObject that a program asks for.
     """
     local, sorted_in = _local(repository)
     found: dict[str, Dependency] = {}
@@ -72,6 +73,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         found_in = [(match, modules_of(match, sorted_in)) for match in statements(text)]
         imported[file.path] = [name for match, _ in found_in for name in names(match)]
         said = {**_told(module, found_in), **said}
+        others = {top for _, tops in found_in for top in tops} - local
+        found = {f"{each.name} {each.role}": each for each in of_python3(module, others)} | found
         node = any(not _OF_NODES.isdisjoint(tops) for _, tops in found_in) and _of_node(module)
         for match, tops in found_in:
             for top in tops:

@@ -1,0 +1,35 @@
+"""Programs whose first line asks for Python 3: on an Ubuntu whose ROS has Python 2 they need packages of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.python.modules import Module
+from roslab.knowledge.frameworks import imports
+from roslab.values.pattern import pattern
+
+ROLE = "python3"
+_FIRST_LINE = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python3[\d.]*[ \t]*\r?\n")
+_OF_MODULES = {"rospy": ("python3-yaml", "python3-rospkg-modules"), "matplotlib": ("python3-tk",)}
+"""What a module needs beside its own package, or instead of one: rospy is ROS's own, for either Python.
+
+https://github.com/ros/ros_comm/blob/melodic-devel/clients/rospy/package.xml, 2026-11-27
+"""
+_OF_ROS = ("python3-catkin", "python3-ros", "python3-wstool", "python3-vcstool")
+"""Tools, whose packages for Python 3 cannot stand beside those for Python 2, which ROS needs: rospkg's has them part.
+
+https://github.com/ros-infrastructure/rospkg/blob/master/stdeb.cfg, 2026-11-27
+"""
+
+
+def of_python3(module: Module, imported: Collection[str]) -> Iterator[Dependency]:
+    """Yield Ubuntu's packages for Python 3 of the modules that such a program imports, but for a test's."""
+    if not _FIRST_LINE.match(module.text) or places.test(module.file.path):
+        return
+    for top in imported:
+        own = (imports().get(top) or (None, None))[1] or ""
+        kept = own if own.startswith("python3-") and not own.startswith(_OF_ROS) else ""
+        for name in filter(None, (kept, *_OF_MODULES.get(top, ()))):
+            yield Dependency(namespace="apt", name=name, strength="used", file=module.file.path, line=1, role=ROLE)
