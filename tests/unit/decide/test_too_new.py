@@ -46,6 +46,30 @@ def test_most_pins_tell_the_python_wherever_the_one_stands(tree: Tree, first: st
     assert [each.written for each in found.pip if each.key == "numpy"] == ["numpy"]
 
 
+ROS = {
+    "package.xml": "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
+    "README.md": "Tested on ROS Noetic.\n",
+    "scripts/show.py": "#!/usr/bin/env python3\nimport rospy, scipy\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("scipy", "loose"),
+    [
+        ("scipy>=1.16.2", ["scipy"]),
+        ("scipy>=1.16.2; python_version >= '3.11'", []),
+        ("scipy>=1.5", []),
+        ("scipy>=1.5,<1.17", []),
+    ],
+)
+def test_a_lower_bound_that_no_release_for_the_python_of_ros_meets(tree: Tree, scipy: str, loose: list[str]) -> None:
+    found = tree({**ROS, "requirements.txt": f"qpsolvers\n{scipy}\n"})
+    assert [each.written for each in found.python.pip if each.key == "scipy"] == loose
+    assert found.python.requirements == (() if loose else ("requirements.txt",))
+    assert any("scipy>=1.16.2 needs Python 3.11" in told.message for told in found.warnings) == bool(loose)
+
+
 def test_of_two_the_first_counts(tree: Tree) -> None:
     found = tree({"requirements.txt": "numpy==1.22.0\nmatplotlib==2.2.2\n", "main.py": "import numpy\n"}).python
     assert found.version in {"3.8", "3.9", "3.10"}

@@ -1,4 +1,4 @@
-"""Pins to a release that never was for the image's Python: one line of a list, while the others need that Python."""
+"""Pins and lower bounds that no release for the image's Python meets: single lines; the others need that Python."""
 
 from __future__ import annotations
 
@@ -15,15 +15,20 @@ from roslab.values.version import Version
 
 
 def too_new(asked: Requirement, python: str | None) -> bool:
-    """Tell whether a requirement is pinned to a release whose first Python is newer than this one.
+    """Tell whether a requirement is pinned to a release whose first Python is newer than this one, or begins there.
 
-    Robots that raise single lines of old lists leave such pins: pip finds no release for them and stops.
+    Robots that raise single lines of old lists leave such pins, and lists that were written on another machine such
+    bounds: pip finds no release for them and stops.
     """
-    release = None if asked.url or not asked.name else asked.release
+    release = _lowest(asked)
     if python is None or release is None or not Interpreter(pythons=(python,)).may(asked):
         return False
     row = framework(asked.key, release)
     return row is not None and Version(python) < Version(row.python_min)
+
+
+def _lowest(asked: Requirement) -> str | None:
+    return None if asked.url or not asked.name else asked.release or asked.at_least
 
 
 def loosened(
@@ -40,7 +45,7 @@ def loosened(
 
 def told(asked: Requirement, python: str | None) -> Warning_:
     """Return the warning about one of them."""
-    row = framework(asked.key, asked.release or "")
+    row = framework(asked.key, _lowest(asked) or "")
     needs = row.python_min if row else "a newer one"
     message = f"{asked.written} needs Python {needs}, and the image has {python}"
     return warn(f"{message}: pip takes a release of {asked.name} that runs there", asked)
