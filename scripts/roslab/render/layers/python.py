@@ -8,8 +8,11 @@ from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import building, caches, conda_lines, locks, manifests, secrets, shell
+from roslab.values.version import Version, minor_of
 
 GET_PIP = "https://bootstrap.pypa.io/pip/2.7/get-pip.py"
+NUMBERED_SINCE = "3.9"
+"""The first Python whose ``venv`` makes ``python3.9`` beside ``python3``: https://bugs.python.org/issue39656."""
 DOWNLOADS = "/tmp/pip-downloads"  # noqa: S108 - a folder of the image while it is built
 """Of the pip that a conda environment calls, removed in the same step."""
 
@@ -27,6 +30,7 @@ def environment(plan: Plan) -> str:
                 shell.run(
                     secrets.REPEATABLE,
                     *_venv("/opt/venv"),
+                    *_numbered(python.version, "/opt/venv"),
                     "sed --in-place '/^include-system-site-packages/s/false/true/' /opt/venv/pyvenv.cfg",
                     *_upgrades(plan),
                     around=locks.constraints(plan),
@@ -65,6 +69,14 @@ def _venv(folder: str) -> tuple[str, str]:
     ``venv`` itself calls ensurepip without Python's variables, one of which makes compiled modules the same each time.
     """
     return f"python3 -m venv --without-pip {folder}", f"{folder}/bin/python -m ensurepip --upgrade --default-pip"
+
+
+def _numbered(version: str | None, folder: str) -> tuple[str, ...]:
+    """Return the command that makes ``python3.8``, which a page may start: it would be the base's, without packages."""
+    number = minor_of(version or "")
+    if number is None or Version(number) >= Version(NUMBERED_SINCE):
+        return ()
+    return (f"ln --symbolic python3 {folder}/bin/python{number}",)
 
 
 def _both_pips(plan: Plan) -> str:
