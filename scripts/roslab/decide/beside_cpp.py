@@ -40,6 +40,13 @@ def mostly_cpp(evidence: Evidence) -> bool:
     return len(included) > len(imported)
 
 
+def with_helpers(evidence: Evidence) -> bool:
+    """Tell whether CMake makes programs, while no Python is started: its modules only serve them, or show results."""
+    started = evidence.programs or any(each.file.endswith(".ipynb") for each in evidence.code)
+    said = (mention.value for mention in evidence.mentions if mention.topic == "command")
+    return bool(compiled(evidence)) and not started and not any(each.startswith("python") for each in said)
+
+
 def built_otherwise(evidence: Evidence) -> tuple[Warning_, ...]:
     """Warn about each build tool that builds the repository and that no step of the image calls."""
     found = (each for each in evidence.mentions if each.topic == "other_builder")

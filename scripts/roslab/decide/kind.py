@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import cast
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
-from roslab.decide.beside_cpp import built_otherwise, mostly_cpp, to_compile, uncompiled
+from roslab.decide.beside_cpp import built_otherwise, mostly_cpp, to_compile, uncompiled, with_helpers
 from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.last_signs import OTHER_BUILDER, last_signs
@@ -50,7 +50,7 @@ class Weight:
     CONDA_BELOW = 240
     REQUIREMENTS_BELOW = 230
     WRAPPER = 200  # ROS packages that only wrap a Python program: any manifest of the program wins
-    CMAKE_BELOW = 150  # where most of the code is C++
+    CMAKE_BELOW = 150  # where most of the code is C++, or the Python is for helpers alone
     EXAMPLES = 140  # ROS packages that are examples of another program, whose manifest wins
     CUDA_SIGN = 130  # code or CUDA sources without any manifest
     RUN = 210  # a program that the page at the root runs, where ROS packages only wrap it
@@ -127,6 +127,7 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
     files = [m.file for m in (*by_version[1], *by_version[2])]
     wrapper = not named and wraps(evidence, files)
     around = any("/" not in project.file for project in evidence.cmake)  # the library that the examples wrap
+    around = around and not _without_ros(evidence)
     examples = not (named or around) and all(places.sample(file.rpartition("/")[0]) for file in files)
     reasons: list[Reason] = []
     for version, made in by_version.items():
@@ -250,7 +251,7 @@ def _cpp(evidence: Evidence) -> list[Reason]:
                 "kind", answer, "a CMake project, which the README builds with CMake alone", said, weight=Weight.BUILT
             )
         ]
-    most = mostly_cpp(evidence) and not places.sample(top.file)
+    most = (mostly_cpp(evidence) or with_helpers(evidence)) and not places.sample(top.file)
     below = Weight.CMAKE_BELOW if most else Weight.CMAKE_PART
     weight = Weight.CMAKE if root else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]
@@ -269,6 +270,12 @@ def _by_make(evidence: Evidence) -> list[Reason]:
 def _built_by_page(evidence: Evidence) -> Mention | None:
     """Return where the page at the root runs CMake, ``None`` if it does not, or has pip install the repository."""
     return None if _by_pip(evidence) else _page_of_cmake(evidence)
+
+
+def _without_ros(evidence: Evidence) -> bool:
+    """Tell whether the page at the root builds the repository by CMake, and no page names a build tool of ROS."""
+    tools = {m.value for m in evidence.mentions if m.topic == "build_tool"}
+    return tools.isdisjoint(WORKSPACE_TOOLS) and _built_by_page(evidence) is not None
 
 
 def _only_by_pip(evidence: Evidence) -> bool:

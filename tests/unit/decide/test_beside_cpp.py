@@ -80,3 +80,45 @@ def test_tensorrt_is_in_the_images_of_cuda_alone(tree: Tree, folder: str, kind: 
     assert found.base_image.startswith("nvidia/cuda:11.6" if kind == "cuda" else "ubuntu:")
     packages = {"libnvinfer-dev", "libnvonnxparsers-dev"} if kind == "cuda" else set()
     assert {each for each in found.apt_guessed if each.startswith("libnv")} >= packages
+
+
+BELOW = {
+    "planner/src/CMakeLists.txt": "project(tree)\nadd_executable(tree main.cpp)\n",
+    "planner/src/main.cpp": "#include <vector>\nint main() {}\n",
+    "planner/helper/show.py": "import matplotlib\nimport numpy\n",
+}
+STARTED = "import numpy\nif __name__ == '__main__':\n    print(numpy)\n"
+
+
+@pytest.mark.parametrize(
+    ("more", "kind"),
+    [
+        ({}, "cpp"),
+        ({"planner/helper/run.py": STARTED}, "python"),
+        ({"README.md": "```\npython planner/helper/show.py\n```\n"}, "python"),
+        ({"requirements.txt": "numpy\n"}, "python"),
+        ({"planner/src/CMakeLists.txt": "project(tree)\nadd_library(tree main.cpp)\n"}, "python"),
+    ],
+)
+def test_python_that_is_never_started_serves_the_programs_below(tree: Tree, more: dict[str, str], kind: str) -> None:
+    assert tree({**BELOW, **more}).kind == kind
+
+
+CATKIN = "<package><name>slam_ros</name><buildtool_depend>catkin</buildtool_depend></package>"
+EXAMPLE = {
+    "Examples/ROS/Slam/package.xml": CATKIN,
+    "Examples/ROS/Slam/CMakeLists.txt": "project(slam_ros)\nfind_package(catkin REQUIRED roscpp)\ncatkin_package()\n",
+}
+BUILD = "# Slam\n```\nmkdir build && cd build\ncmake ..\nmake -j\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "kind"),
+    [
+        (BUILD, "cpp"),
+        (f"{BUILD}Then, for ROS:\n```\ncatkin_make\n```\n", "ros1"),
+        ("# Slam\nIt is for ROS.\n", "ros1"),
+    ],
+)
+def test_examples_for_ros_beside_what_the_page_builds_with_cmake_alone(tree: Tree, page: str, kind: str) -> None:
+    assert tree({**CPP, **EXAMPLE, "README.md": page}).kind == kind
