@@ -199,6 +199,10 @@ def test_one_repository_of_ros_is_taken_once_and_in_one_way(family: tuple[str, s
     assert needed <= {row["package"] for row in _SOURCES if row["ros"] == family[1]}, "each need has a row"
 
 
+def test_a_package_has_one_source_for_a_version_of_ros() -> None:
+    assert len({(row["package"], row["ros"]) for row in _SOURCES}) == len(_SOURCES)
+
+
 def test_no_two_sources_of_ros_have_one_folder() -> None:
     folders = {(row["repo"].rpartition("/")[2], row["ros"]) for row in _SOURCES}
     assert len(folders) == len(_FAMILIES)
