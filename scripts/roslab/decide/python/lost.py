@@ -14,9 +14,10 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports
+from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.not_on_index import not_on_index
 from roslab.knowledge.python2_packages import system_package
-from roslab.knowledge.released import released
+from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.requirement import Requirement
@@ -77,19 +78,23 @@ def _told(evidence: Evidence) -> Iterator[GitSource]:
 def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Dependency]:
     """Return the imports of no table; where a manifest declares packages, none that begins like the name of one.
 
-    What begins like the name of a link that a page has people install is of that.
+    Not those of ROS, which pip has not: they are a part for robots, without which the rest runs. What begins like the
+    name of a link that a page has people install is of that.
     """
     found = [used for used in _imported(evidence, kind, chosen) if canonicalize_name(used.name) not in not_on_index()]
     found = [used for used in found if used.name not in imports()]
+    told = {bare_name(git.name) for git in _told(evidence)}
+    found = [used for used in found if not _of_ros(used.name) or _begins_like(used.name, told)]
     if found and (_declares(chosen) or _absent(evidence)):
         known = _known(evidence, chosen)
         stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
         stems -= _of_itself(evidence, chosen)
-        ros = released("noetic") | released("humble")  # a part for robots, without which the rest runs
-        told = {bare_name(git.name) for git in _told(evidence)}
-        found = [each for each in found if each.name not in ros]
         found = [each for each in found if not _begins_like(each.name, stems) or _begins_like(each.name, told)]
     return found
+
+
+def _of_ros(module: str) -> bool:
+    return module in ros_modules() or ever_released(module)
 
 
 def _of_itself(evidence: Evidence, chosen: Chosen) -> set[str]:
