@@ -24,6 +24,8 @@ _SERVES = pattern(
     re.IGNORECASE,
 )
 """The name of a program that serves the one that is meant."""
+_INTERFACE = pattern(r"(?:^|[/_.-])(?:v?can\d?|slcan\d?|can2usb)(?:[_.-][\w.-]*)?\.(?:ba)?sh$", re.IGNORECASE)
+"""A script of the shell that sets up a CAN bus of the machine, which takes its administrator."""
 _UPKEEP = pattern(
     r"(?:^|/)(?:\.\w[\w-]*|build[_-]?(?:tools?|utils?|scripts?)|ci|continuous_integration|docs?|documentation|sphinx\w*|"
     r"packaging|releases?|deploy\w*(?=/[^ ]*\.sh$)|dev(?:[_-]?tools?)?|maint\w*|admin|debian|"
@@ -220,9 +222,11 @@ def serves(candidate: Candidate) -> bool:
 
 
 def helps(candidate: Candidate) -> bool:
-    """Tell whether a program only prepares what the one that is meant needs: it converts, downloads, records."""
+    """Tell whether a program only prepares what the one that is meant needs: it converts, downloads, sets up a bus."""
     if _of_its_package(candidate) or _tried(candidate):
         return False
+    if _INTERFACE.search(program_of(candidate.argv)[-1]):
+        return True
     python = is_python(candidate)
     return _named(candidate, _SERVES) or (python and (_named(candidate, _DATASET) or _named(candidate, _FORMAT)))
 
