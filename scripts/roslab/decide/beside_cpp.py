@@ -7,6 +7,7 @@ from roslab.decide.programs import compiled, top_of
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.knowledge.frameworks import framework_on_cuda
 from roslab.knowledge.guesses import tooling
 
 
@@ -41,10 +42,15 @@ def mostly_cpp(evidence: Evidence) -> bool:
 
 
 def with_helpers(evidence: Evidence) -> bool:
-    """Tell whether CMake makes programs, while no Python is started: its modules only serve them, or show results."""
+    """Tell whether CMake makes programs, while no Python is started: its modules only serve them, or show results.
+
+    What imports a framework is no helper, and a script that a page starts may start Python.
+    """
     started = evidence.programs or any(each.file.endswith(".ipynb") for each in evidence.code)
-    said = (mention.value for mention in evidence.mentions if mention.topic == "command")
-    return bool(compiled(evidence)) and not started and not any(each.startswith("python") for each in said)
+    frameworks = any(each.namespace == "import" and framework_on_cuda(each.name) for each in evidence.code)
+    said = (mention.value.split() for mention in evidence.mentions if mention.topic == "command")
+    scripts = any(words[0].startswith(("python", "bash", "sh")) or words[0].endswith(".sh") for words in said if words)
+    return bool(compiled(evidence)) and not (started or frameworks or scripts)
 
 
 def built_otherwise(evidence: Evidence) -> tuple[Warning_, ...]:

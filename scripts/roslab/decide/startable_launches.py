@@ -58,7 +58,8 @@ def lacks(
     ours = _of_tree(evidence) | (keys if asked else set())
     families = {ros: _families(frozenset(keys), ros) for ros in (1, 2)}
     found = {
-        launch.file: tuple(_lacking(launch, ours, families[launch.ros], may_hold, has)) for launch in evidence.launch
+        launch.file: tuple(_lacking(launch, ours, families[launch.ros], may_hold, has, ros_distro=ros_distro or ""))
+        for launch in evidence.launch
     }
     return {file: names for file, names in found.items() if names}
 
@@ -69,11 +70,13 @@ def _lacking(
     families: frozenset[str],
     may_hold: Callable[[str], bool],
     has: Callable[[str], bool],
+    *,
+    ros_distro: str,
 ) -> Iterator[Dependency]:
     for asked in (*launch.dependencies, *launch.reached):
         if asked.namespace != "ros" or asked.strength == "optional" or asked.name in ours:
             continue
-        if has(asked.name) or ros_sources(asked.name, launch.ros):
+        if has(asked.name) or ros_sources(asked.name, launch.ros, ros_distro):
             continue
         if asked.name.partition("_")[0] not in families and not may_hold(asked.name):
             yield asked

@@ -90,6 +90,12 @@ def stands_beside(name: str) -> bool:
     return bool((_table(name) or {}).get("stands_beside", False))
 
 
+@cache
+def of_ros(name: str) -> bool:
+    """Tell whether packages of ROS link a library or show it in their headers: a process loads one release of it."""
+    return bool((_table(name) or {}).get("of_ros", False))
+
+
 def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS) -> tuple[Recipe, ...]:
     """Return what to build for a library, its own needs first; empty if the table does not have it.
 

@@ -97,6 +97,8 @@ STARTED = "import numpy\nif __name__ == '__main__':\n    print(numpy)\n"
         ({"planner/helper/run.py": STARTED}, "python"),
         ({"README.md": "```\npython planner/helper/show.py\n```\n"}, "python"),
         ({"requirements.txt": "numpy\n"}, "python"),
+        ({"planner/helper/net.py": "import torch\n"}, "cuda"),
+        ({"README.md": "```\nbash train.sh\n```\n"}, "python"),
         ({"planner/src/CMakeLists.txt": "project(tree)\nadd_library(tree main.cpp)\n"}, "python"),
     ],
 )

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config, Source
+from roslab.decide import decide
 from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
 MADE = "project(demo)\nfind_package(RBDyn 1.2.1 REQUIRED)\nadd_executable(a a.cpp)\n"
@@ -54,3 +59,18 @@ def test_pcl_of_xenial_links_proj(tree: Tree, ubuntu: str, linked: bool) -> None
     decision = tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": page})
     assert decision.ubuntu == ubuntu
     assert ("libproj-dev" in {*decision.apt, *decision.apt_guessed}) is linked
+
+
+def listed(name: str, repo: str) -> Source:
+    return Source(name=name, repo=f"https://github.com/{repo}.git", ref="1.0", build="cmake")
+
+
+def test_what_roslab_yaml_lists_keeps_its_order_before_a_library_that_nobody_has_read(tmp_path: Path) -> None:
+    made = "project(demo)\nfind_package(acme_top REQUIRED)\nadd_executable(a a.cpp)\n"
+    (tmp_path / "CMakeLists.txt").write_text(made)
+    (tmp_path / "a.cpp").write_text("int main() {}\n")
+    (tmp_path / "README.md").write_text(install("acme_top"))
+    ceres = listed("ceres", "ceres-solver/ceres-solver")
+    config = Config(source=(listed("math", "lab/math"), ceres, listed("late", "lab/late")))
+    decision = decide(gather(Repository.open(tmp_path)), config, folder_name="demo")
+    assert [source.name for source in decision.source] == ["math", "ceres", "acme_top", "late"]

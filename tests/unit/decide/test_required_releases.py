@@ -67,6 +67,8 @@ def test_small_libraries_come_in_the_release_that_is_asked_for(
     decision = tree({**files, "README.md": f"For ROS {distro}\n"})
     assert built(decision) == ([found] if found else [])
     assert not any("CMake requires" in warning.message for warning in decision.warnings)
+    beside = [warning for warning in decision.warnings if "is built beside the release" in warning.message]
+    assert bool(beside) is bool(found and found[0] in {"eigen3", "spdlog", "yaml-cpp"})
 
 
 @pytest.mark.parametrize(("ubuntu", "found"), [("20.04", [("cli11", "v2.1.2")]), ("22.04", [])])

@@ -906,7 +906,7 @@ def test_what_only_a_launch_file_or_a_description_needs_comes_from_the_table(tre
     [
         (
             "gazebo_ros_link_attacher",
-            "it is in https://github.com/pal-robotics/gazebo_ros_link_attacher, which is not cl",
+            "https://github.com/pal-robotics/gazebo_ros_link_attacher has a package of that name",
         ),
         ("acme_link_attacher", "nothing here says where it comes from"),
     ],

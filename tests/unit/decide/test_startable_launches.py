@@ -68,3 +68,14 @@ def test_else_it_is_a_shell(tree: Tree) -> None:
 )
 def test_what_may_start_is_guessed_as_ever(tree: Tree, launch: str, more: dict[str, str]) -> None:
     assert command(tree, launch, more) == LAUNCH
+
+
+@pytest.mark.parametrize(("distro", "told"), [("kinetic", False), ("noetic", True)])
+def test_a_package_that_the_table_has_for_other_distributions_is_told(tree: Tree, distro: str, told: bool) -> None:
+    files = {
+        **PACKAGE,
+        "launch/dataset.launch": f'<launch>{OWN}<node pkg="baxter_gazebo" type="x" name="b"/></launch>',
+        "README.md": f"For ROS {distro}.\n```\nroslaunch demo dataset.launch\n```\n",
+    }
+    warned = [warning.message for warning in tree(files).warnings if "baxter_gazebo" in warning.message]
+    assert bool(warned) is told

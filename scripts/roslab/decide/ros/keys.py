@@ -284,7 +284,7 @@ def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried:
         where == _NOWHERE and (here := distro(target.ros_distro)) and (tabled := ros_sources(name, here.ros, here.name))
     ):
         url = tabled[-1].repo.removesuffix(".git")
-        where = f"it is in {url}, which is not cloned where a package.xml alone names it"
+        where = f"{url} has a package of that name"
     elif where == _NOWHERE and (other := elsewhere(name, target.ros_distro)):
         where = f"ROS {other} has a package of that name"
     correct = f"correct the name (is {near} meant?)" if near else "correct the name"

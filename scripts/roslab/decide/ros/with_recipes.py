@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 
-from roslab.config.model import Source
+from roslab.config.model import Config, Source
 from roslab.decide.decision import Choice
-from roslab.decide.reasons import because
+from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import told, why
 from roslab.evidence.dependency import Dependency
-from roslab.knowledge.recipes import recipe_at
+from roslab.knowledge.recipes import of_ros, recipe_at
 from roslab.values.dataclass import replace
 
 
-def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]]) -> Choice[Sources]:
+def with_recipes(
+    choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]], config: Config, *, ros: bool
+) -> Choice[Sources]:
     """Put libraries from the table of recipes before the sister packages that link them.
 
     What the author builds is built before a library that nobody has read, where the table knows it: it is what such a
-    library may need, and what the build then says to write into roslab.yaml.
+    library may need, and what the build then says to write into roslab.yaml, whose order stays.
     """
     added: dict[str, Source] = {}
     reasons = list(choice.reasons)
@@ -34,17 +36,28 @@ def with_recipes(choice: Choice[Sources], recipes: Iterable[tuple[Source, Depend
             if source.unasked and asked.namespace != "link":
                 reason = why(source, asked)
                 warnings.append(told(source, asked))
+            if ros and of_ros(source.name):
+                message = (
+                    f"{source.name} {source.ref} is built beside the release that packages of ROS are compiled with"
+                )
+                warnings.append(warn(f"{message}: a program that passes its values to theirs may fail", asked))
             reasons.append(because("source", source.name, reason, asked, weight=Weight.RECIPE))
-    tabled = tuple(s for s in choice.answer.sources if s.build == "cmake" and recipe_at(address(s.repo or "")))
-    others = tuple(s for s in choice.answer.sources if s not in tabled)
+    first = _first(choice.answer.sources, {source.name for source in config.source})
     answer = replace(
         choice.answer,
         sources=(
             *(s for s in added.values() if not s.unread),
-            *tabled,
+            *first,
             *(s for s in added.values() if s.unread),
-            *others,
+            *(s for s in choice.answer.sources if s not in first),
         ),
         names=choice.answer.names | added.keys(),
     )
     return replace(choice, answer=answer, reasons=tuple(reasons), warnings=tuple(warnings))
+
+
+def _first(sources: tuple[Source, ...], listed: Container[str]) -> tuple[Source, ...]:
+    """Return the libraries that the table knows, and what roslab.yaml lists before one of them."""
+    tabled = [each.build == "cmake" and recipe_at(address(each.repo or "")) is not None for each in sources]
+    last = max((at for at, each in enumerate(sources) if tabled[at] and each.name in listed), default=-1)
+    return tuple(each for at, each in enumerate(sources) if tabled[at] or (at <= last and each.name in listed))
