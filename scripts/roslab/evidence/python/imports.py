@@ -13,6 +13,7 @@ from roslab.evidence.lex.lines import first_line
 from roslab.evidence.program import Program
 from roslab.evidence.python import notebooks
 from roslab.evidence.python.modules import MAX_READ, Module, modules
+from roslab.evidence.python.namesakes import Namesakes, namesakes
 from roslab.evidence.python.of_python3 import of_python3
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
@@ -53,7 +54,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     package of a plain ``python`` if the first line of a program starts that, those for Python 3 of what programs import
     whose first line asks for that, and those of the libraries of GObject that a program asks for.
     """
-    local, sorted_in = _local(repository)
+    local, sorted_in, like = _local(repository)
     found: dict[str, Dependency] = {}
     said: dict[str, Dependency] = {}
     imported: dict[str, list[str]] = {}
@@ -78,7 +79,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         node = any(not _OF_NODES.isdisjoint(tops) for _, tops in found_in) and _of_node(module)
         for match, tops in found_in:
             for top in tops:
-                if _standard(top) or top in local or top.startswith("_"):
+                inside = top in local and not _foreign(match, top, like, file)
+                if _standard(top) or inside or top.startswith("_"):
                     continue
                 known = found.get(top)
                 role = "node" if node and top in _OF_NODES and not match["indent"] else ""
@@ -201,8 +203,12 @@ def statements(text: str) -> Iterator[re.Match[str]]:
 
 def modules_of(match: re.Match[str], sorted_in: frozenset[str] = frozenset()) -> list[str]:
     """Return the top-level modules that a statement imports, without those that ``sorted_in`` has whole."""
-    names = [match["module"]] if match["module"] else [part.split()[0] for part in match["plain"].split(",")]
-    return [name.partition(".")[0] for name in names if name not in sorted_in]
+    return [name.partition(".")[0] for name in _whole(match) if name not in sorted_in]
+
+
+def _whole(match: re.Match[str]) -> list[str]:
+    """Return the modules that a statement imports, by their whole names."""
+    return [match["module"]] if match["module"] else [part.split()[0] for part in match["plain"].split(",")]
 
 
 @cache
@@ -240,12 +246,20 @@ def _programs(repository: Repository) -> tuple[Program, ...]:
     return tuple(sorted(found, key=lambda script: script.file))
 
 
-def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str]]:
+def _foreign(match: re.Match[str], top: str, like: Namesakes, file: File) -> bool:
+    """Tell whether a statement imports a known package and not the tree's folder of that name."""
+    return top in like.found and any(
+        name.partition(".")[0] == top and like.foreign(name, file) for name in _whole(match)
+    )
+
+
+def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str], Namesakes]:
     """Return every name that could be a module of the tree: its Python files and their folders.
 
     A folder that only holds others and is called like a known package (``gym``) sorts what is for that package. What
     is in it may be imported all the same: these modules are returned apart, whole (``datasets.indoor.loader``). So is a
-    package inside another one that no program lies beside: nothing finds it without the name of the other.
+    package inside another one that no program lies beside: nothing finds it without the name of the other. Of those
+    that are called like known packages, the last value tells which import means them.
     """
     packages = {file.folder for file in repository.named("__init__.py")}
     beside = {program.file.rpartition("/")[0] for program in programs(repository)}
@@ -262,9 +276,10 @@ def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str]]:
         sorted_in |= {".".join(whole[at:]) for at, name in enumerate(holding) if name in known_imports()}
     names |= above - known_imports().keys()
     names -= _imported_beside(repository, names - {file.name.partition(".")[0] for file in repository.suffixed(".py")})
-    for file in repository.named("package.xml"):
-        names.add(file.folder.rpartition("/")[2])
-    return frozenset(names), frozenset(sorted_in)
+    of_ros = {file.folder.rpartition("/")[2] for file in repository.named("package.xml")}
+    like = names & known_imports().keys() - of_ros
+    started = (program.file for program in programs(repository))
+    return frozenset(names | of_ros), frozenset(sorted_in), namesakes(repository, like, started)
 
 
 def _imported_beside(repository: Repository, names: set[str]) -> set[str]:

@@ -1,0 +1,94 @@
+"""Folders of the tree that are called like a known package: for some imports they are the module, for others not."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from roslab.evidence.python.modules import MAX_READ
+from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
+
+_CODE = (".py", ".pyx", ".so")
+_PROJECTS = ("setup.py", "pyproject.toml", "setup.cfg", "package.xml")
+_BELOW = ("", "/src", "/python", "/lib", "/scripts")
+"""Where the packages of a project lie in its folder."""
+_PATH = pattern(r"^.*(?:sys\.path|PYTHONPATH|addsitedir).*$", re.MULTILINE)
+_SAYS = (".sh", ".bash", ".zsh", ".md", ".rst", ".yml", ".yaml", ".ipynb", ".env")
+_WORD = pattern(r"[\w.-]+")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Namesakes:
+    """The places in which the tree has modules of known packages' names."""
+
+    found: Mapping[str, frozenset[str]]
+    """By name, the folders that hold a file or a folder of that name."""
+    roots: frozenset[str]
+    """Folders that are on Python's path whoever imports."""
+    named: frozenset[str]
+    """Names of folders in lines that add to Python's path."""
+    repository: Repository
+
+    def foreign(self, module: str, file: File) -> bool:
+        """Tell whether a file's import of a module, by its whole name, is of no folder of the tree.
+
+        Python looks into the folder of the program and into those of its path, and nowhere below
+        (https://docs.python.org/3/library/sys.html#sys.path, read 2026-11-27). Any folder above the file may be that.
+        """
+        top, _, inner = module.partition(".")
+        if top not in self.found:
+            return False
+        seen = [folder for folder in self.found[top] if self._on_path(folder, file)]
+        return not any(self._has(f"{folder}/{top}".lstrip("/"), inner) for folder in seen)
+
+    def _on_path(self, folder: str, file: File) -> bool:
+        above = not folder or file.folder == folder or file.folder.startswith(f"{folder}/")
+        return above or folder in self.roots or folder.rpartition("/")[2] in self.named
+
+    def _has(self, path: str, inner: str) -> bool:
+        """Tell whether a module of the tree has the one that is named inside it, which may be compiled or made."""
+        first = inner.partition(".")[0]
+        if not first or first.startswith("_") or first.endswith("_pb2"):
+            return True
+        folders = self.repository.folders
+        if path not in folders:  # a file, or one that is compiled
+            return False
+        within = f"{path}/{first}"
+        return within in folders or any(self.repository.has(f"{within}{suffix}") for suffix in _CODE)
+
+
+def namesakes(repository: Repository, names: Iterable[str], programs: Iterable[str]) -> Namesakes:
+    """Return where the tree has modules of these names; ``programs``: the files that are started."""
+    wanted = frozenset(names)
+    found: dict[str, set[str]] = {}
+    for folder, name in _named(repository, wanted):
+        found.setdefault(name, set()).add(folder)
+    if not found:
+        return Namesakes(found={}, roots=frozenset(), named=frozenset(), repository=repository)
+    projects = {file.folder for file in repository.named(*_PROJECTS)}
+    roots = {f"{folder}{below}".lstrip("/") for folder in projects for below in _BELOW}
+    return Namesakes(
+        found={name: frozenset(folders) for name, folders in found.items()},
+        roots=frozenset({*roots, *(program.rpartition("/")[0] for program in programs)}),
+        named=_on_lines(repository),
+        repository=repository,
+    )
+
+
+def _named(repository: Repository, wanted: frozenset[str]) -> Iterator[tuple[str, str]]:
+    """Yield the folder above each module of these names with the name; a folder is one if it holds code."""
+    for file in repository.suffixed(*_CODE) if wanted else ():
+        parts = file.folder.split("/")
+        yield from (("/".join(parts[:at]), part) for at, part in enumerate(parts) if part in wanted)
+        if (stem := file.name.partition(".")[0]) in wanted:
+            yield file.folder, stem
+
+
+def _on_lines(repository: Repository) -> frozenset[str]:
+    """Return the words of lines that add to Python's path, in code, scripts, settings and pages."""
+    files = [*repository.suffixed(".py", *_SAYS), *repository.named("Dockerfile")]
+    texts = (repository.read(file, limit=MAX_READ) for file in files if file.size < 16 * MAX_READ)
+    lines = (line for text in texts if "PATH" in text or "sys.path" in text for line in _PATH.findall(text))
+    return frozenset(word for line in lines for word in _WORD.findall(line))
