@@ -9,6 +9,7 @@ from roslab.config.model import Kind
 from roslab.decide.notebooks import opened
 from roslab.decide.python.extras import for_developers
 from roslab.decide.python.manifests import with_includes
+from roslab.decide.python.other_lists import as_in_list
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
@@ -78,7 +79,8 @@ def guesses(
         if ros and (by_apt or (name in _FRAMEWORKS and dependency.role != "node")):
             continue  # a ROS image's Python is the system's: what apt has comes from there
         version = (dependency.version or "") if dependency.role == "told" else limits.get(name, "")
-        found[name] = _as_in_extra(stated(package + version, "import", dependency.file, dependency.line), evidence)
+        guess = _as_in_extra(stated(package + version, "import", dependency.file, dependency.line), evidence)
+        found[name] = guess if name in _FRAMEWORKS else as_in_list(guess, evidence)
     return tuple(found.values())[:MAX_GUESSES]
 
 
