@@ -24,6 +24,32 @@ MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https
         ({"build.py": "run('cmake ..')\n"}, "python build.py\n", [("", "build.py", "python3 build.py")]),
         ({"lib/make.sh": "sudo make install\n"}, "bash lib/make.sh\n", []),
         ({"build_data.py": "import numpy\n"}, "python build_data.py\n", []),
+        ({"make_video.py": "import numpy  # make a video\ncmd = 'ffmpeg make'\n"}, "python make_video.py\n", []),
+        (
+            {"make_ops.py": "import subprocess\nsubprocess.run(['cmake', '..'])\n"},
+            "python make_ops.py\n",
+            [("", "make_ops.py", "python3 make_ops.py")],
+        ),
+        (
+            {"build_ops.py": "import os\nos.system(f'cd {there} && make -j4')\n"},
+            "python build_ops.py\n",
+            [("", "build_ops.py", "python3 build_ops.py")],
+        ),
+        (
+            {"compile_wrappers.py": "from distutils.core import setup\nsetup(name='a')\n"},
+            "python compile_wrappers.py\n",
+            [("", "compile_wrappers.py", "python3 compile_wrappers.py")],
+        ),
+        (
+            {"build_ffi.py": "from cffi import FFI\nbuilder = FFI()\n"},
+            "python build_ffi.py\n",
+            [("", "build_ffi.py", "python3 build_ffi.py")],
+        ),
+        (
+            {"build_knn.py": "from torch.utils.cpp_extension import load\nload('knn', ['knn.cu'])\n"},
+            "python build_knn.py\n",
+            [("", "build_knn.py", "python3 build_knn.py")],
+        ),
         ({}, "sh make.sh\n", []),
         (MODULE, "./planner/build.py\n", [("", "planner/build.py", "python3 planner/build.py")]),
         (MODULE, "cd demo/planner && ./build.sh\n", [("planner", "planner/build.sh", "bash build.sh")]),
@@ -66,6 +92,13 @@ def test_what_the_readme_compiles_by_a_script(
     readme = f"{fence}{page}{fence}".replace("# Docker\n", "# Docker\n```\n")
     found = tree({**CODE, **files, "README.md": readme})
     assert [(each.folder, each.path, each.command) for each in found.scripts] == scripts
+
+
+def test_a_program_of_python_whose_name_begins_like_a_builds_is_started(tree: Tree) -> None:
+    code = "# make a video\nimport numpy\nif __name__ == '__main__':\n    run()\n"
+    found = tree({"make_video.py": code, "README.md": "# Run\n```\npython make_video.py --fps 30\n```\n"})
+    assert found.scripts == ()
+    assert ("python", "make_video.py", "--fps", "30") in found.command_candidates
 
 
 def test_a_package_of_ros_is_compiled_by_its_build_tool(tree: Tree) -> None:

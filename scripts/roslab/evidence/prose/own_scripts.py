@@ -17,6 +17,15 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
 _COMPILES = pattern(r"\b(?:c?make|ninja|gcc|clang|nvcc|cython|setup\.py|build_ext)\b|\bg\+\+(?!\w)")
+_OF_PYTHON = pattern(
+    r"^[^\n#\"']*\b(?:setup|Extension|\w+Extension|cythonize|FFI|build_ext)\(|"
+    r"^[ \t]*(?:import|from)[ \t]+(?:torch\.utils\.cpp_extension|torch\.utils[ \t]+import[ \t]+cpp_extension)\b|"
+    r"\b(?:os\.system|subprocess\.\w+|check_call|check_output|Popen|run)\(\s*(?:\[\s*)?[rf]{0,2}[\"'][^\"'\n]*?"
+    r"(?<![\w./-])(?:c?make|ninja|gcc|g\+\+|clang(?:\+\+)?|nvcc|cython)(?=[ \"'])",
+    re.MULTILINE,
+)
+"""What a script of Python compiles with; the word ``make`` is in every other one."""
+_BY_NAME = frozenset({"build.py", "compile.py", "make.py"})
 _COMPILER = pattern(r"(?:=|\s|/)(clang)(?:\+\+)?(?=[\s\"'}]|$)", re.MULTILINE)
 _TERMINAL = pattern(r"^[ \t]*(x-terminal-emulator|xterm)[ \t]", re.MULTILINE)
 _PYTHON = pattern(
@@ -43,10 +52,16 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         if not repository.has(path):
             continue
         text = repository.read(path, limit=MAX_SIZE)
-        if (builds_in_place((script, *words)) or _COMPILES.search(text)) and not _ASKS.search(text):
+        if (builds_in_place((script, *words)) or _compiles(path, text)) and not _ASKS.search(text):
             yield replace(mention, value=" ".join((start or ".", script, *words)), files=(path,))
         return
     yield mention
+
+
+def _compiles(path: str, text: str) -> bool:
+    """Tell whether a script compiles something: one of Python, unless its whole name says so, shows it by its calls."""
+    of_python = path.endswith(".py") and posixpath.basename(path) not in _BY_NAME
+    return bool((_OF_PYTHON if of_python else _COMPILES).search(text))
 
 
 def _below(folder: str, script: str, words: list[str], repository: Repository) -> Iterator[str]:
