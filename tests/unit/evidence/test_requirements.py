@@ -149,3 +149,28 @@ def test_a_list_in_two_bytes_a_letter_is_pips(tmp_path: Path) -> None:
 )
 def test_a_list_of_what_is_not_another_tool_s_is_pip_s(tmp_path: Path, name: str, *, read_as_one: bool) -> None:
     assert (name in read(tmp_path, {name: "networkx>=2.8.4\n"})) is read_as_one
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "is_list"),
+    [
+        ("requirments.txt", "numpy==1.19\nscipy\n", True),
+        ("Requirments", "numpy\nscipy\n# more\n", True),
+        ("requierments.txt", "numpy\n", True),
+        ("requirements", "torch>=1.8\nsome-package\n", True),
+        ("src/reqirements.txt", "numpy\n", True),
+        ("data/requirments.txt", "numpy\n", False),  # beside no code
+        ("third_party/requirments.txt", "numpy\n", False),
+        ("requirments.txt", "numpy==1.19\nInstall ROS first.\n", False),
+        ("requirements", "libeigen3-dev\nlibopencv-dev\n", False),
+        ("requirments.txt", "", False),
+        ("requirments.md", "numpy\n", False),
+        ("retirement.txt", "- numpy\n- scipy\n", False),
+        ("recruitment.txt", "numpy\n", False),
+    ],
+)
+def test_a_list_whose_name_is_misspelt_holds_nothing_else(
+    tmp_path: Path, path: str, text: str, *, is_list: bool
+) -> None:
+    files = {path: text, "main.py": "", "src/main.py": "", "third_party/main.py": ""}
+    assert [*read(tmp_path, files)] == ([path] if is_list else [])

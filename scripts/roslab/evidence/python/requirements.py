@@ -8,6 +8,7 @@ from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.facts import RequirementFile
+from roslab.evidence.python import misspelt_lists
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -50,13 +51,17 @@ def read(repository: Repository) -> tuple[RequirementFile, ...]:
         if _NAME.match(file.name.lower()) or (_FOLDER.search(file.folder) and file.name.endswith((".txt", ".in")))
     ]
     pending = [path for path in pending if ".egg-info" not in path]
+    misspelt = misspelt_lists.named(repository).difference(pending)
+    pending += misspelt
     while pending:
         path = pending.pop()
         if path in found or not repository.has(path):
             continue
         text = repository.read(path, limit=MAX_SIZE)
         file = parse(text, path, purpose_of(path))
-        if of_another_tool(text, file):
+        if of_another_tool(text, file) or (
+            path in misspelt and not misspelt_lists.only_packages(file, len(_lines(text)))
+        ):
             continue
         there = tuple(constraint for constraint in file.constraints if repository.has(constraint))
         found[path] = replace(file, constraints=there)

@@ -1,0 +1,56 @@
+"""Lists of requirements whose file is called almost as usual: ``requirments.txt``, or ``requirements`` alone."""
+
+from __future__ import annotations
+
+from roslab.evidence import places
+from roslab.evidence.facts import RequirementFile
+from roslab.knowledge.frameworks import imports
+from roslab.repository.checkout import Repository
+from roslab.values.name import canonicalize_name
+
+_USUAL = ("requirements", "requirement")
+_ENDS = (".txt", ".in", ".pip")
+_MOST = 2
+"""Most letters that a name differs in."""
+
+
+def named(repository: Repository) -> frozenset[str]:
+    """Return the text files at the top, and beside code of Python, that are called so."""
+    close = [name for name in repository.by_name if _close(name)]
+    files = repository.named(*close) if close else ()
+    beside = {file.folder for file in repository.suffixed(".py")} if files else set()
+    return frozenset(
+        file.path for file in files if not file.folder or (file.folder in beside and not places.vendored(file.path))
+    )
+
+
+def only_packages(file: RequirementFile, lines: int) -> bool:
+    """Tell whether each of the lines in a file is one of pip's, and whether they are of packages that pip has.
+
+    A list of what the system has is made of names as well, but has no versions in Python's spelling.
+    """
+    asked = file.requirements
+    read = len(asked) + len(file.includes) + len(file.constraints) + len(file.options)
+    if not asked or read != lines or not all(each.package and each.name and each.role != "repaired" for each in asked):
+        return False
+    known = {canonicalize_name(package) for package, _ in imports().values() if package}
+    return any(each.specifier for each in asked) or all(each.key in known for each in asked)
+
+
+def _close(name: str) -> bool:
+    """Tell whether a file's name, with a suffix of such lists or with none, is almost a usual one."""
+    lowered = name.lower()
+    stem = next((lowered.removesuffix(end) for end in _ENDS if lowered.endswith(end)), lowered)
+    if not stem.startswith("r") or "." in stem:
+        return False
+    return any(abs(len(stem) - len(usual)) <= _MOST and _distance(stem, usual) <= _MOST for usual in _USUAL)
+
+
+def _distance(one: str, other: str) -> int:
+    """Return how many letters have to be put in, left out or replaced to make one word of the other."""
+    row = list(range(len(other) + 1))
+    for at, letter in enumerate(one, 1):
+        before, row[0] = row[0], at
+        for column, wanted in enumerate(other, 1):
+            before, row[column] = row[column], min(row[column] + 1, row[column - 1] + 1, before + (letter != wanted))
+    return row[-1]
