@@ -143,6 +143,25 @@ def test_nothing_is_looked_for_where_a_clone_may_hold_it(tree: Tree) -> None:
 
 
 @pytest.mark.parametrize(
+    ("needed", "looked"),
+    [
+        (("catkin_simple", "quad_catkin"), "quad_catkin"),  # catkin is the word of no family
+        (("ament_acme", "quad_ament"), "quad_ament"),
+        (("acme_drive", "acme_plan"), "acme_plan"),  # the clone is called like another of the family
+        (("acme_drive", "acme_drive"), ""),
+    ],
+)
+def test_a_clone_of_one_package_hides_no_other_of_the_owner(tree: Tree, needed: tuple[str, ...], looked: str) -> None:
+    page = (
+        f"ROS Noetic.\n\n    cd ~/catkin_ws/src\n    git clone https://github.com/other/{needed[0]}\n    catkin_make\n"
+    )
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", *needed) | {"README.md": page})
+    assert needed[0] in {source.name for source in decision.source if not source.holding}
+    assert _sought(decision) == ({f"{LAB}/{looked}": (looked,)} if looked else {})
+    assert not any("one of the cloned repositories may hold it" in each.message for each in decision.warnings)
+
+
+@pytest.mark.parametrize(
     ("clone", "looked"),
     [
         (f"{LAB}/quad2_stuff", True),  # the owner's

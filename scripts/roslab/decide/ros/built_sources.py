@@ -50,10 +50,19 @@ class Sources:
         One that the tree asks for by its name, or that only a table of this program names, holds what is named alike.
         """
         words = telling_words(wanted) | {plain(wanted)}
+        others = self._called_otherwise()
+        return any(name not in others or words & (telling_words(name) | {name}) for name in self._unknown())
+
+    def hardly_holds(self, wanted: str) -> bool:
+        """Tell whether a package can only be in clones that are most likely another package alone, called alike."""
+        others = self._called_otherwise() - {plain(wanted)}
+        return self.may_hold(wanted) and others.issuperset(self._unknown())
+
+    def _called_otherwise(self) -> frozenset[str]:
+        """Return the names of the clones that the tree asks for by name, or that only a table of this program names."""
         known = {address(url) for url in collections()}
         tabled = (each for each in self.sources if not each.listed and address(each.repo or "") in known)
-        others = self.asked | {plain(source.name) for source in tabled}
-        return any(name not in others or words & (telling_words(name) | {name}) for name in self._unknown())
+        return self.asked | {plain(source.name) for source in tabled}
 
     def _unknown(self) -> Iterator[str]:
         """Yield the names of the clones whose packages are not known."""

@@ -61,7 +61,8 @@ def with_sought(
 
     ``needed``: names that the build uses, ``known``: what the repository, rosdep and the distribution
     have, ``cloned``: what pages clone; ``before``: the day of which they are taken. None for the old formats, whose
-    images never had them; where a source whose packages are not known may hold them, only what pages clone. Nor what is
+    images never had them; where a source whose packages are not known may hold them, only what pages clone, and the
+    owner's repository of exactly a package's name where that source is most likely another package alone. Nor what is
     one slip away from a known name that the repository has elsewhere.
     """
     sources = choice.answer
@@ -80,6 +81,10 @@ def with_sought(
     reasons = []
     clones = _cloned(cloned, lacking, evidence)
     addresses = clones | {url: names for url, names in _addresses(nowhere, evidence, known) if url not in clones}
+    alike = {name: asked for name, asked in lacking.items() if sources.hardly_holds(name)}
+    for url, names in _addresses(alike, evidence, known):
+        if called := tuple(name for name in names if url.endswith(f"/{name}")):
+            addresses.setdefault(url, called)
     for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:_MOST]:
         name, asked = _folder(url, [*sources.sources, *found]), lacking[names[0]]
         place = Place(file=asked.file, line=asked.line)

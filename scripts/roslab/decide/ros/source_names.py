@@ -13,7 +13,9 @@ from roslab.values.pattern import pattern
 
 SHORTEST = 4
 """Fewest letters of a word that can identify a family of packages."""
-_COMMON = frozenset({"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2"})
+_COMMON = frozenset(
+    {"msgs", "driver", "drivers", "common", "robot", "core", "tools", "utils", "ros1", "ros2", "catkin", "ament"}
+)
 _SHORTEST_FIRST = 3
 _OF_ALL = frozenset({"ros", "lib", "the", "for", "sim"})
 """Short first words of the names of many families."""
