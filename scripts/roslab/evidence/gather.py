@@ -105,6 +105,7 @@ from roslab.evidence.ros import (
     controllers,
     distro_names,
     gazebo_plugins,
+    handed_lists,
     image_transports,
     launch,
     malformed,
@@ -166,8 +167,7 @@ def gather(repository: Repository) -> Evidence:
     )
     sources = (*sources, *links.read(repository, sources))
     lost = links.lost(repository, sources)
-    by_name_alone = links.listed(lost) if manifests else ()
-    sources = (*sources, *by_name_alone)
+    sources = (*sources, *(by_name_alone := links.listed(lost) if manifests else ()))
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
     lists = submodules.named(requirements.read(repository), own, prose.requirements)
     made = makefiles.read(own, prose.mentions)
@@ -224,7 +224,7 @@ def gather(repository: Repository) -> Evidence:
             *shared_objects.made_on(own),
             *cloned_heads.read(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
-            *((*on_machines.read(own), *own_setup.read(own)) if manifests else ()),
+            *((*on_machines.read(own), *own_setup.read(own), *handed_lists.read(own)) if manifests else ()),
             *print_statement.read(own),
             *from_root.read(own, prose.mentions),
             *at_top.read(own, prose.mentions),

@@ -1,4 +1,4 @@
-"""Lists of sister repositories: .repos, .rosinstall, vcs files under any name, .gitman.yml, .gitmodules.
+"""Lists of sister repositories: .repos, .rosinstall, vcs files of any name, .gitman.yml, .gitmodules.
 
 https://github.com/dirk-thomas/vcstool (``repositories:``), https://docs.ros.org/en/independent/api/rosinstall/html/
 https://gitman.readthedocs.io/ (``sources:``)
@@ -14,6 +14,7 @@ from functools import cache
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.fixtures import of_tests
+from roslab.evidence.ros import handed_lists
 from roslab.knowledge.compiled import public_hosts
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -34,7 +35,6 @@ _SWITCHED_OFF = pattern(r"^git://(?=(?:github|gitlab|bitbucket)\.(?:com|org)/)")
 _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 _GITMAN = frozenset({".gitman.yml", "gitman.yml"})
 """Its list, at the root: https://gitman.readthedocs.io/"""
-
 MAX_TOLD = 3
 SHORTEST = 2
 """Parts of an address at a public host: the owner and the name."""
@@ -162,14 +162,15 @@ def _files(repository: Repository) -> list[File]:
     found = {f.path: f for f in named if not places.vendored(f.path)}
     others = [f for f in files if f.path not in found and f.path.count("/") <= 2 and f.size <= 64 * 1024]
     others.sort(key=lambda file: (file.path.count("/"), file.path))
-    for file in others[:MAX_OTHERS]:
+    handed = [f for f in handed_lists.files(repository) if f.path not in found and 0 < f.size <= MAX_SIZE]
+    for file in (*others[:MAX_OTHERS], *handed):
         if not file.path.startswith(".github/") and not places.vendored(file.path) and _is_list(repository, file):
             found[file.path] = file
     return [found[path] for path in sorted(found)]
 
 
 def _is_list(repository: Repository, file: File) -> bool:
-    """Tell whether a YAML file of any name lists repositories."""
+    """Tell whether a file of any name lists repositories."""
     text = repository.read(file)
     named = _LOOKS.search(text) and _INLINE.search(text) and ("://" in text or "git@" in text)
     return bool(named) and any(word in text for word in ("version", "type", "local-name"))

@@ -1,0 +1,92 @@
+"""Lists of repositories that pages and scripts hand to wstool, rosinstall or vcs, whatever these files are called.
+
+https://docs.ros.org/en/independent/api/rosinstall/html/ and https://github.com/dirk-thomas/vcstool, 2026-11-27
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from typing import Literal
+
+from roslab.evidence import places
+from roslab.evidence.facts import Mention
+from roslab.evidence.lex.lines import matching_lines
+from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 128 * 1024
+MAX_READ = 200
+"""Most pages and scripts that are opened, those nearest to the root first."""
+_Source = Literal["readme", "dockerfile", "script"]
+_SOURCES: dict[str, _Source] = {
+    ".md": "readme",
+    ".markdown": "readme",
+    ".rst": "readme",
+    ".sh": "script",
+    ".bash": "script",
+    ".dockerfile": "dockerfile",
+}
+_HANDED = pattern(
+    r"(?P<before>[^\n]*?)(?<![\w-])(?:(?:wstool|rosws)\s+(?:init|merge)|rosinstall|vcs\s+import)\s(?P<rest>[^\n;&|#`]*)"
+)
+_WORD = pattern(r"(?:[^\s\"'<>=]*/)?(?P<name>\.?[\w][\w.+-]*)/?(?=[\s\"'<>)]|$)")
+_USUAL = (".repos", ".rosinstall")
+"""Lists of these names are known without a command."""
+
+
+def files(repository: Repository) -> tuple[File, ...]:
+    """Return the files of the tree to which such a command points: the path that it gives ends like theirs."""
+    return tuple(dict.fromkeys(file for file, _ in repository.once(_handed)))
+
+
+def read(repository: Repository) -> tuple[Mention, ...]:
+    """Return a mention for each command with a list of a name by which no list is known."""
+    return tuple(mention for file, mention in repository.once(_handed) if not file.name.lower().endswith(_USUAL))
+
+
+def _handed(repository: Repository) -> tuple[tuple[File, Mention], ...]:
+    return tuple(_found(repository))
+
+
+def _found(repository: Repository) -> Iterator[tuple[File, Mention]]:
+    found = (*repository.suffixed(*_SOURCES), *repository.named("Dockerfile"))
+    kept = (file for file in found if file.size <= MAX_SIZE and not places.vendored(file.path))
+    for file in nearest(kept)[:MAX_READ]:
+        yield from _named(repository, file, _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile"))
+
+
+def _named(repository: Repository, file: File, source: _Source) -> Iterator[tuple[File, Mention]]:
+    text = repository.read(file)
+    for match in matching_lines(_HANDED, text, "wstool", "rosws", "rosinstall", "vcs"):
+        if "#" in match["before"] and source != "readme":
+            continue
+        for word in _WORD.finditer(match["rest"]):
+            if listed := _in_tree(repository, file, word[0].rstrip("/"), word["name"]):
+                line = text.count("\n", 0, match.start("rest")) + 1
+                said = Mention(
+                    topic="vcs_file",
+                    value=listed.name.lower(),
+                    source=source,
+                    file=file.path,
+                    line=line,
+                    text=match[0].strip(),
+                )
+                yield listed, said
+
+
+def _in_tree(repository: Repository, file: File, path: str, name: str) -> File | None:
+    """Return the file of that name whose path has most of the given one's last folders, beside the page before others.
+
+    What stands before these is the folder of a workspace, a variable or an address.
+    """
+    parts = path.split("/")
+
+    def likeness(found: File) -> tuple[int, bool, int]:
+        own = found.path.split("/")
+        shared = 0
+        while shared < min(len(own), len(parts)) and own[-1 - shared] == parts[-1 - shared]:
+            shared += 1
+        return shared, found.folder == file.folder, -len(own)
+
+    return max(repository.named(name), key=likeness, default=None)
