@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from roslab.evidence.native import fetching
 from roslab.repository.checkout import Repository
 
@@ -47,6 +49,24 @@ def test_cmake_clones_with_git_and_copied_code_names_no_hosts(tmp_path: Path) ->
         ("git", "cmake/sophus.cmake", 2),
     ]
     assert found.hosts == ("code.example.org",)
+
+
+@pytest.mark.parametrize(
+    ("path", "cloned"),
+    [
+        ("test/CMakeLists.txt.in", True),
+        ("cmake/pybind11.CMakeLists.txt.in", True),
+        ("cmake/CMakeLists.gtest.in", True),
+        ("cmake/gtest.cmake.in", True),
+        ("cmake/gtest.md.in", False),
+        ("config.h.in", False),
+    ],
+)
+def test_a_template_of_cmake_clones_like_what_is_made_of_it(tmp_path: Path, path: str, cloned: bool) -> None:
+    found = _read(tmp_path, {path: CLONING})
+    assert [(each.name, each.file) for each in found.programs] == (
+        [("ca-certificates", path), ("git", path)] if cloned else []
+    )
 
 
 def test_nothing_is_cloned(tmp_path: Path) -> None:

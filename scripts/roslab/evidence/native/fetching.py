@@ -1,4 +1,4 @@
-"""What build files clone while they configure or make: files of CMake, and Makefiles of rosbuild."""
+"""What build files clone while they configure or make: those of CMake, its templates, and Makefiles of rosbuild."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ MAX_SIZE = 64 * 1024
 MAX_FILES = 300
 """Most files of each kind, those nearest to the root first."""
 _CLONES = pattern(r"[^#\n]*\b(?:GIT_REPOSITORY|GITHUB_REPOSITORY|CPMAddPackage|git\s+clone)\b")
+_TEMPLATE = pattern(r"(?:CMakeLists(?:\.\w+)*|\.cmake)\.in$")
+"""A recipe that CMake fills in and another call of it builds: https://google.github.io/googletest/quickstart-cmake.html"""
 _INCLUDED = pattern(r"include\s[^#\n]{0,80}\bmk\)?/(\w+)\.mk\b")
 _UNSAFE = pattern(r"[^#\n]*?\bgit://([\w.-]+)/")
 
@@ -45,6 +47,7 @@ def read(repository: Repository) -> Fetching:
 
 def _cmake(repository: Repository) -> Iterator[tuple[File, bool]]:
     files = [*repository.suffixed(".cmake"), *repository.named("CMakeLists.txt")]
+    files += [file for file in repository.suffixed(".in") if _TEMPLATE.search(file.name)]
     return ((file, False) for file in _nearest(files) if "/CMakeFiles/" not in file.path)
 
 
