@@ -33,6 +33,7 @@ from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.stops_without import decide_stops
+from roslab.decide.system.header_definitions import header_definitions_of
 from roslab.decide.system.left_out import folders_of
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.may_fail import may_fail
@@ -256,6 +257,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             *own_options(evidence, config, folder_name, of.build_tool.answer),
             *of.missing.answer.options,
             *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command, cuda=of.on_cuda),
+            *header_definitions_of(evidence, config, of.build_tool.answer),
         ),
         cuda_options=host_options(of.system.answer.apt_guessed, of.base.answer.ubuntu),
         own_packages=files.answer,
