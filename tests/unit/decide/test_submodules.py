@@ -66,7 +66,8 @@ def test_the_recorded_commit_is_cloned(tmp_path: Path) -> None:
     text = dockerfile(plan_repository(tmp_path).plan)
     folder = f"ws/src/{plan_repository(tmp_path).plan.name}/third_party/planner"
     assert f"git clone https://github.com/lab/planner.git /home/${{NB_USER}}/{folder}" in text
-    assert f"checkout {COMMIT}" in text
+    assert f"checkout-commit /home/${{NB_USER}}/{folder} {COMMIT}" in text
+    assert "COPY --from=scripts /checkout-commit " in text
     said = [w.message for w in plan_repository(tmp_path).plan.warnings if w.file == ".gitmodules"]
     assert [("planner" in message, "catkin_simple" in message) for message in said] == [(True, False), (False, True)]
     assert ["git submodule update" in message for message in said] == [True, False]

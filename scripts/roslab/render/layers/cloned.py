@@ -9,11 +9,14 @@ from roslab.render.layers import locks, secrets, shell
 from roslab.render.layers.called import with_called
 from roslab.render.layers.system import BRANCH, CONFIGURE, fetch, prepared
 from roslab.render.layers.workspace import HOLDING, WS, source_folder, words
+from roslab.values.pattern import pattern
 
 PLAIN = "install-plain-clones"
 """The script that compiles and installs clones in which catkin finds no package."""
 LISTED = "clone-listed"
 """The script that clones what a list or a page names, where its host lets anybody."""
+_RECORDED = pattern(r"[0-9a-f]{7,40}")
+"""A ref that is a commit."""
 
 
 def large_files(plan: Plan) -> str:
@@ -93,17 +96,30 @@ def plain_clones(plan: Plan) -> str:
 def submodules(plan: Plan) -> str:
     """Clone what lies in the tree and is not checked out into the folder that the source is copied to afterwards.
 
-    What is private or gone is told and left out, as where the workflows fetch submodules.
+    What is private or gone is told and left out, as where the workflows fetch submodules; of a commit that is gone,
+    what is there instead is told. A repository that is only tried is left out with its commit.
     """
     if not plan.workspace.submodules:
         return ""
     runs = []
     for source in plan.workspace.submodules:
         folder = quote.shell_with_user(f"{source_folder(plan)}/{source.name}")
-        commands = (f"mkdir --parents {folder}", _or_left_out(fetch(plan, source, folder), source, folder))
+        recorded = _RECORDED.fullmatch(source.ref or "") and not (source.zip or source.unasked)
+        fetched = _at_commit(source, folder) if recorded else fetch(plan, source, folder)
+        commands = (f"mkdir --parents {folder}", _or_left_out(fetched, source, folder))
         runs.append(shell.run(*commands, secrets=secrets.for_git(plan, "user")))
     head = "# What belongs in the tree and is not checked out: submodules at the commits that the repository records"
     return "\n".join([head, "USER ${NB_USER}", *runs, "USER root"])
+
+
+def _at_commit(source: Source, folder: str) -> list[str]:
+    """Return the commands that clone a submodule at its commit: what is not there tells of itself what it is."""
+    told = f"echo {quote.shell(f'roslab: left out: submodules of {source.name} cannot be cloned')}"
+    return [
+        f"git clone {quote.shell(source.repo or '')} {folder}",
+        f"{shell.COMMIT} {folder} {quote.shell(source.ref or '')}",
+        f"{{ git -C {folder} submodule update --init --recursive || {told}; }}",
+    ]
 
 
 def _fetched(plan: Plan, source: Source) -> list[str]:

@@ -20,6 +20,8 @@ installed stays, without its times: ``roslab lock`` reads it. The lists are in a
 SET_JOBS = f"jobs={JOBS}"
 CHECKOUT = "checkout-branch"
 """The script that checks out a branch which may be gone."""
+COMMIT = "checkout-commit"
+"""The script that checks out a recorded commit which may be gone."""
 AGAIN_TABLES = ("build-limits.txt", "build-programs.txt")
 """What the script that calls pip again knows."""
 _PRINTING = ("compile-jobs", "index-as-of", "pip-cache")
@@ -59,7 +61,7 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     if of_day or f"source {AGAIN}" in said:
         tables = ("released-together.txt", *AGAIN_TABLES) if of_day else AGAIN_TABLES
         scripts += copy_script(AGAIN) + copy_data(tables)
-    scripts += copy_script(CHECKOUT) if f"{CHECKOUT} " in said else ""
+    scripts += "".join(copy_script(name) for name in (CHECKOUT, COMMIT) if f"{name} " in said)
     return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 
 
