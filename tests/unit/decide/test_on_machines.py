@@ -109,3 +109,36 @@ def test_the_distribution_of_a_list_of_a_machine(tree: Tree, manifest: str, list
 def test_a_list_that_tells_of_no_machine(tree: Tree, listed: str) -> None:
     plain = {"package.xml": AMENT, "CMakeLists.txt": CMAKE[AMENT]}
     assert tree({**plain, "requirements.txt": listed}).ros_distro == "humble"
+
+
+@pytest.mark.parametrize(
+    ("page", "said", "distro"),
+    [
+        ("src/a/README.md", "Tested on Ubuntu 18.04 with ROS Melodic.", "noetic"),
+        ("src/a/README.md", "Install ROS Kinetic.", "noetic"),
+        ("README.md", "Tested on Ubuntu 18.04 with ROS Melodic.", "melodic"),
+    ],
+)
+def test_the_link_tells_more_than_pages_of_packages(tree: Tree, page: str, said: str, distro: str) -> None:
+    """Only the workspace's own page tells more than where the author ran catkin."""
+    link = TOPLEVEL.replace("indigo", "noetic")
+    files = {"src/a/package.xml": CATKIN, "src/a/CMakeLists.txt": CMAKE[CATKIN], "src/CMakeLists.txt": link}
+    assert tree({**files, page: f"# a\n\n{said}\n"}).ros_distro == distro
+
+
+def test_a_link_tells_more_than_what_a_build_wrote(tree: Tree) -> None:
+    files = {"src/a/package.xml": CATKIN, "src/a/CMakeLists.txt": CMAKE[CATKIN], "build/CMakeCache.txt": CACHE}
+    assert tree({**files, "src/CMakeLists.txt": TOPLEVEL.replace("indigo", "noetic")}).ros_distro == "noetic"
+
+
+BADGES = """# a
+Indigo Trusty [![Build Status](http://build.ros.org/job/Ibin_uT64__a__ubuntu_trusty_amd64__binary/badge/icon)](x)
+
+Melodic Bionic [![Build Status](http://build.ros.org/job/Mbin_uB64__a__ubuntu_bionic_amd64__binary/badge/icon)](x)
+"""
+
+
+@pytest.mark.parametrize(("page", "distro"), [("src/a/README.md", "noetic"), ("README.md", "melodic")])
+def test_badges_of_a_package_in_a_workspace_choose_nothing(tree: Tree, page: str, distro: str) -> None:
+    files = {"src/a/package.xml": CATKIN, "src/a/CMakeLists.txt": CMAKE[CATKIN], "src/README.md": "For Ubuntu 20.04.\n"}
+    assert tree({**files, page: BADGES}).ros_distro == distro

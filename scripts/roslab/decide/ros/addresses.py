@@ -1,4 +1,4 @@
-"""Distributions that stand only in the address of a page."""
+"""Distributions that stand only in the address of a page, or beside a badge of a release."""
 
 from __future__ import annotations
 
@@ -12,6 +12,16 @@ from roslab.values.pattern import pattern
 _READ_THERE = pattern(r"https?://[^\s<>()\[\]\"']*/(?:blob|tree|raw|api)/[^\s<>()\[\]\"']*", re.IGNORECASE)
 """The address of a page that is read: a file or folder of a branch, the documentation of a message."""
 _DOCUMENTATION = pattern(r"https?://docs\.ros\.org/[^\s<>()\[\]\"']*", re.IGNORECASE)
+_BADGE = pattern(r"https?://(?:[\w-]+\.)*(?:build\.ros2?\.org|travis-ci\.(?:org|com))/", re.IGNORECASE)
+"""A badge of ROS's build farm, or of a service that built the package for each distribution."""
+
+
+def released_for(page: str, sentence: str) -> bool:
+    """Tell whether a page below the root only has a badge of a release there: a package is released for many.
+
+    The badges of a package that lies in a workspace tell what its authors released, not what this workspace is for.
+    """
+    return "/" in page and bool(_BADGE.search(sentence))
 
 
 def only_read(sentence: str, name: str) -> bool:

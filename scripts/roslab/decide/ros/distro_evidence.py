@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
-from roslab.decide.ros.addresses import only_general, only_read
+from roslab.decide.ros.addresses import only_general, only_read, released_for
 from roslab.decide.ros.distro_dates import dated, later
 from roslab.decide.ros.lower_bounds import bounds, least
 from roslab.evidence import places
@@ -215,7 +215,8 @@ def _weighed(mention: Mention) -> tuple[str, int]:
         return f"a list is named {mention.text}", Weight.LIST - deeper
     if mention.source in Weight.PLACE:
         return f"{_WHAT.get(mention.source, 'a path:')} {mention.text[:120]}", Weight.PLACE[mention.source] - deeper
-    weight = max(_spoken(sentence, mention.value) for sentence in _sentences(mention.text, mention.value))
+    said = _sentences(mention.text, mention.value)
+    weight = max(Weight.EXAMPLE if released_for(mention.file, s) else _spoken(s, mention.value) for s in said)
     weight -= Weight.DOCUMENTATION if places.documentation(mention.file) else 0
     return f"“{_quoted(mention)}”", weight - Weight.DEEPER_PAGE * depth
 

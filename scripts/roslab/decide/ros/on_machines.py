@@ -9,6 +9,7 @@ from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.evidence.ros.on_machines import is_link
 from roslab.knowledge.distros import distros
 from roslab.knowledge.ros_versions import versions, with_version
 from roslab.values.origin import Place
@@ -17,6 +18,9 @@ from roslab.values.version import InvalidVersion, Version
 
 SETTINGS = 200
 """Weight of a path in settings or of a build: less than an Ubuntu that a page names, more than any date."""
+LINK = 395
+"""Weight of catkin's own link: the author ran catkin there. The root's page of what it was tested on tells more, what
+the pages of the packages below say tells less."""
 DOUBTED = 30
 """Weight of each where several differ: the code moved on, and the date of the last commit tells more."""
 FROZEN = 210
@@ -29,11 +33,13 @@ FEWEST = 2
 def on_machines(evidence: Evidence, ros: int) -> list[Reason]:
     """Return the distributions of a ROS version that files of the author's machine name."""
     said = [m for m in evidence.mentions if m.topic == "machine" and distros()[m.value].ros == ros]
+    links = [mention for mention in said if is_link(mention)]
+    said = links if len({mention.value for mention in links}) == 1 else said
     one = len({mention.value for mention in said}) == 1
     found = {}
     for mention in reversed(said):
         depth = mention.file.count("/") * (not mention.file.startswith("."))
-        weight = SETTINGS - DEEPER * min(depth, 10) if one else DOUBTED
+        weight = (LINK if is_link(mention) else SETTINGS) - DEEPER * min(depth, 10) if one else DOUBTED
         why = f"on a machine of the author's: {mention.text}"
         found[mention.value] = because("ros_distro", mention.value, why, mention, weight=weight)
     return [*found.values(), *_frozen(evidence, ros)]

@@ -37,6 +37,11 @@ def read(repository: Repository) -> Iterator[Mention]:
     yield from _links(repository)
 
 
+def is_link(mention: Mention) -> bool:
+    """Tell whether catkin's link into its distribution says so: somebody made a workspace of it there."""
+    return mention.topic == "machine" and posixpath.basename(mention.file) == TOPLEVEL
+
+
 def _links(repository: Repository) -> Iterator[Mention]:
     """Yield the distribution that each such link leads to; git writes it as a file where there can be no links."""
     links = [path for path in repository.listing.outside if posixpath.basename(path) == TOPLEVEL]
