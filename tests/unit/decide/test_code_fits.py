@@ -40,6 +40,11 @@ def ros1(cmake: str = "", code: str = "", page: str = "Tested with ROS Kinetic")
         ("", "#ifdef OLD\nint f = CV_LOAD_IMAGE_COLOR;\n#endif\n", "Tested with ROS Noetic", "noetic"),
         ("", "#ifndef A_H\n#define A_H\n#include <opencv/cv.h>\n#endif\n", "Tested with ROS Noetic", "melodic"),
         ("", "#ifdef OLD\n#endif\n#include <opencv/cv.h>\n", "Tested with ROS Noetic", "melodic"),
+        ("", "#include <string_view>\n", "Tested with ROS Kinetic", "melodic"),
+        ("", "#if __cplusplus > 201402L\n#include <string_view>\n#endif\n", "Tested with ROS Kinetic", "kinetic"),
+        ("", "#if _MSVC_LANG > 201402L\n#include <string_view>\n#endif\n", "Tested with ROS Kinetic", "kinetic"),
+        ("", "#if __has_include(<any>)\n#include <any>\n#endif\n", "Tested with ROS Kinetic", "kinetic"),
+        ("", "#ifdef __cplusplus\n#include <string_view>\n#endif\n", "Tested with ROS Kinetic", "melodic"),
         ("", "void f() { now = this->world_->GetSimTime(); }\n", "ROS Kinetic or Melodic", "kinetic"),
         ("", "gazebo::math::Pose p = q;\n", "ROS Kinetic or Melodic", "kinetic"),
         ("", "void f() { p = model->GetWorldPose(); }\n", "ROS Kinetic or Melodic", "kinetic"),
@@ -161,6 +166,23 @@ def test_versions() -> None:
 def test_a_header_that_nothing_includes_is_not_compiled(tree: Tree, more: str, distro: str) -> None:
     header = {"include/toolkit/types/wrapped.hpp": "#include <opencv/cv.h>\n"}
     assert tree({**ros1(code=more, page="Tested with ROS Noetic"), **header}).ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("listed", "distro"),
+    [("src/a.cpp", "noetic"), ("src/a.cpp src/b.cpp", "melodic"), ("${SOURCES}", "melodic")],
+)
+def test_a_header_that_no_compiled_source_reaches_requires_nothing(tree: Tree, listed: str, distro: str) -> None:
+    code = {"src/b.cpp": "#include <outer.hpp>\n", "include/outer.hpp": "#include <inner.hpp>\n"}
+    inner = {"include/inner.hpp": "#include <opencv/cv.h>\n"}
+    cmake = f"add_library(demo {listed})\n"
+    assert tree({**ros1(cmake, page="Tested with ROS Noetic"), **code, **inner}).ros_distro == distro
+
+
+def test_headers_alone_are_for_who_includes_them(tree: Tree) -> None:
+    files = {k: v for k, v in ros1(page="Tested with ROS Noetic").items() if k != "src/a.cpp"}
+    more = {"include/outer.hpp": "#include <inner.hpp>\n", "include/inner.hpp": "#include <opencv/cv.h>\n"}
+    assert tree({**files, **more}).ros_distro == "melodic"
 
 
 @pytest.mark.parametrize(

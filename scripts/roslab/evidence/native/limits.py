@@ -75,6 +75,8 @@ class Signs:
     """The last parts of the headers that files of CUDA include."""
     newer: list[tuple[Limit, str, int]] = field(default_factory=list)
     """The headers that newer libraries refuse to C++11, each with its place."""
+    reached: frozenset[str] | None = None
+    """The last parts of the headers that a compiled source reaches, once somebody asked."""
     guarded: set[str] = field(default_factory=set)
     """The libraries for whose version a file of the tree asks: their names tell nothing."""
 
@@ -182,8 +184,20 @@ class Signs:
 
     def _compiled(self, file: str, unlisted: Unlisted) -> bool:
         name = file.rpartition("/")[2]
-        included = name in self.included or name in self.by_cuda
-        return included if name.endswith(HEADERS) else included or not unlisted.has(file)
+        if name.endswith(HEADERS):
+            return name in self._reached(unlisted)
+        return name in self.included or name in self.by_cuda or not unlisted.has(file)
+
+    def _reached(self, unlisted: Unlisted) -> frozenset[str]:
+        """Return the last parts of the headers that a compiled source includes, itself or by other headers.
+
+        A library of headers alone has no source: what another one of them includes is for whoever compiles with it.
+        """
+        if self.reached is None:
+            sources = [path for path in self.includes if not path.endswith(HEADERS)]
+            new = {path for path in sources if not unlisted.has(path)} if sources else set(self.includes)
+            self.reached = frozenset(reached(new, self.includes))
+        return self.reached
 
     def _add(self, sign: Limit, file: str, line: int, name: str = "") -> None:
         found = CodeLimit(
@@ -192,6 +206,20 @@ class Signs:
         known = self.found.setdefault((sign.library, sign.what), [])
         if all((name, file) != (other, limit.file) for other, limit in known[-1:]) and len(known) < MAX_PLACES:
             known.append((name, found))
+
+
+def reached(paths: AbstractSet[str], includes: Mapping[str, AbstractSet[str]]) -> set[str]:
+    """Return the last parts of the headers that files include, themselves or by headers of that name in the tree."""
+    named: dict[str, list[str]] = {}
+    for path in includes:
+        named.setdefault(path.rpartition("/")[2], []).append(path)
+    found: set[str] = set()
+    new = set(paths)
+    while new:
+        names = {name.rpartition("/")[2] for path in new for name in includes[path]} - found
+        found |= names
+        new = {path for name in names for path in named.get(name, ())}
+    return found
 
 
 def _guarded(text: str) -> Iterator[str]:
@@ -207,7 +235,10 @@ def _directed(text: str, word: str) -> bool:
 
 
 def conditional(text: str, position: int) -> bool:
-    """Tell whether a place is compiled under a condition only, other than the guard of the header itself."""
+    """Tell whether a place is compiled under a condition only, other than the guard of the header itself.
+
+    ``#ifdef __cplusplus`` is none either; a comparison of it asks for a standard that the compiler need not have.
+    """
     open_: list[bool] = []
     for match in _DIRECTIVE.finditer(text, 0, position):
         kind, name = match[1], match[2]
@@ -217,7 +248,7 @@ def conditional(text: str, position: int) -> bool:
             del open_[-1:]
         elif kind.startswith("if"):
             guard = kind == "ifndef" and text[match.end() :].lstrip().startswith(f"#define {name}")
-            open_.append(not guard and name != "__cplusplus")
+            open_.append(not guard and (name != "__cplusplus" or kind == "if"))
     return any(open_)
 
 
