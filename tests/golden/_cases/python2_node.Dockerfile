@@ -39,6 +39,18 @@ COPY --chmod=755 <<'EOF' /pip-cache
 @@ _constant/pip-cache @@
 EOF
 
+COPY --chmod=755 <<'EOF' /ask-pip-again
+@@ _constant/ask-pip-again @@
+EOF
+
+COPY <<'EOF' /build-limits.txt
+@@ _constant/build-limits.txt @@
+EOF
+
+COPY <<'EOF' /build-programs.txt
+@@ _constant/build-programs.txt @@
+EOF
+
 COPY --chmod=755 <<'EOF' /install-wheel-libraries
 @@ _constant/install-wheel-libraries @@
 EOF
@@ -126,6 +138,8 @@ RUN --mount=type=cache,id=apt-lists-python2_node-${TARGETARCH},target=/var/lib/a
 # Imported or named in a page, declared nowhere else: none of them stops the build
 COPY --from=scripts /install-optional-pip /usr/local/bin/
 COPY --from=scripts /pip-cache /usr/local/bin/
+COPY --from=scripts /ask-pip-again /usr/local/bin/
+COPY --from=scripts /build-limits.txt /build-programs.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=pip-python2_node-${TARGETARCH},target=/root/.cache/pip,sharing=locked \
     export SOURCE_DATE_EPOCH=315532800 PYTHONHASHSEED=0 \
  && install-optional-pip python2 "$(pip-cache)" -- pyserial

@@ -92,6 +92,11 @@ def test_what_comes_with_what_comes_with_another(tree: Tree) -> None:
     assert (part.package, part.guessed) == ("mujoco-py", True)
 
 
+@pytest.mark.parametrize("files", [{"requirements.txt": "robomimic==0.2.0\n"}, {"train.py": "import robomimic\n"}])
+def test_what_it_brings_is_built_with_a_cmake_that_still_takes_it(tree: Tree, files: dict[str, str]) -> None:
+    assert "cmake<4" in {each.written for each in tree({"README.md": "# Lab\n", **files}).python.first}
+
+
 @pytest.mark.parametrize(
     ("lines", "brings"),
     [

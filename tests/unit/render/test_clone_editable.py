@@ -72,7 +72,7 @@ def _install(tmp_path: Path, python: Path, *packages: str, options: tuple[str, .
     programs, share = tmp_path / "bin", tmp_path / "share"
     for folder in (programs, share):
         folder.mkdir(exist_ok=True)
-    for name in ("clone-editable", "install-optional-pip"):
+    for name in ("ask-pip-again", "clone-editable", "install-optional-pip"):
         text = (SCRIPTS / f"{name}.sh").read_text().replace("/opt/cloned", f"{tmp_path}/src")
         (programs / name).write_text(text.replace("/usr/local/share/roslab", str(share)))
         (programs / name).chmod(0o755)

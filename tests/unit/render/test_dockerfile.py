@@ -153,6 +153,7 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
         "install-rosdep-keys",
         "install-optional-pip",
         "pip-cache",
+        "ask-pip-again",
         "install-wheel-libraries",
     ]
     assert carried.findall(text) == [*names, "roslab-entrypoint", "reuse-build", "headers-first"]

@@ -17,6 +17,10 @@ case "$*" in
   *)
     if [ "${{5:-}}" = --constraint ]; then cp "${{6}}" {folder}/kept; fi
     echo "$*" | sed 's|--constraint [^ ]*|--constraint KEPT|; s/^-m pip install //' >>{folder}/calls
+    if [ "${{@: -1}}" = egl_probe ] && ! grep --quiet 'dir cmake<4$' {folder}/calls; then
+      echo "2026-11-27T10:00:00,000   RuntimeError: CMake must be installed." >"${{PIP_LOG}}"
+      exit 1
+    fi
     ! grep --quiet --line-regexp --fixed-strings -- "${{@: -1}}" {folder}/refused ;;
 esac
 """
@@ -28,10 +32,13 @@ def _run(folder: Path, *packages: str, installed: str = "", refused: str = "") -
     (folder / "refused").write_text(refused)
     (folder / "python3").write_text(STAND_IN.format(folder=folder))
     (folder / "python3").chmod(0o755)
+    again = (SCRIPT.parent / "ask-pip-again.sh").read_text().replace("/usr/local/share/roslab", str(folder))
+    (folder / "ask-pip-again").write_text(again.replace("/dev/shm", str(folder)))
+    (folder / "ask-pip-again").chmod(0o755)
     script = SCRIPT.read_text().replace("/usr/local/share/roslab/left-out.txt", f"{folder}/left-out.txt")
     subprocess.run(
         ["bash", "-c", script, "install-optional-pip", f"{folder}/python3", "--no-cache-dir", "--", *packages],
-        env={**os.environ, "TMPDIR": str(folder)},
+        env={**os.environ, "TMPDIR": str(folder), "PATH": f"{folder}:{os.environ['PATH']}"},
         capture_output=True,
         check=True,
     )
@@ -90,3 +97,13 @@ def test_of_a_version_whose_releases_have_more_numbers_one_of_them_is_taken(tmp_
     assert calls[2:3] == ["--no-cache-dir carla==0.9.10.*"]
     assert calls[3:6] == ["--no-cache-dir torch==1.7.1+cu110", "--no-cache-dir --no-build-isolation torch==1.7.1+cu110",
                           "--no-cache-dir torch"]  # fmt: skip
+
+
+def test_a_program_that_a_build_lacks_comes_first(tmp_path: Path) -> None:
+    (tmp_path / "build-programs.txt").write_text("cmake<4 CMake must be installed\n")
+    calls = _run(tmp_path, "egl_probe")
+    assert calls[1:] == [
+        "--no-cache-dir --constraint KEPT egl_probe",
+        "--no-cache-dir cmake<4",
+        "--no-cache-dir --constraint KEPT egl_probe",
+    ]

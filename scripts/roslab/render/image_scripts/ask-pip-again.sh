@@ -18,7 +18,17 @@ roslab_pip() {
     return
   fi
   if roslab_call "$@"; then return; fi
-  # Without the times of the log's lines
+  roslab_show
+}
+# For packages that need not be had: what pip takes stays as it is, and only what builds it may change
+roslab_try() { # CALL...
+  local log="${notes}.log"
+  until rm -f "${log}" && PIP_LOG="${log}" command "$@"; do
+    if roslab_older_builder "$1" || roslab_program "$1"; then continue; fi
+    roslab_show || return 1
+  done
+}
+roslab_show() { # without the times of the log's lines
   grep -m 1 -B 60 -E 'ERROR: .*(exited with|errored out)' "${log}" 2>/dev/null | sed 's/^[0-9T:,-]* //' >&2 || true
   return 1
 }

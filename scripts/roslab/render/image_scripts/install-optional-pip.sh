@@ -4,11 +4,13 @@
 # others nothing is replaced that pip has installed by then. Of one that has not the exact version which a page names,
 # one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot be built by itself is built beside what
 # is there (torch); `--no-build-isolation=PACKAGE` is built so first. `--editable=git+URL` is cloned and installed from
-# its folder, which stays; where that fails, as any other. The others are named and left out.
+# its folder, which stays; where that fails, as any other. The others are named and left out. A program that a build lacks,
+# or an older release of what builds, comes first (ask-pip-again).
 set -euo pipefail
 
+source "$(command -v ask-pip-again)"
 python="$1"
-pip=("${python}" -m pip install)
+pip=(roslab_try "${python}" -m pip install)
 shift
 while [ "$1" != -- ]; do
   pip+=("$1")
@@ -26,8 +28,8 @@ kept="$(mktemp)"
 trap 'rm -f "${kept}"' EXIT # no layer keeps its name, which is another one each time
 keep() {
   local folder
-  folder="$("${python}" -c 'import site; print(site.getsitepackages()[0])')"
-  "${python}" -m pip list --format=freeze --path "${folder}" \
+  folder="$(command "${python}" -c 'import site; print(site.getsitepackages()[0])')"
+  command "${python}" -m pip list --format=freeze --path "${folder}" \
     | grep --extended-regexp '^[A-Za-z0-9._-]+==[0-9]+([.][0-9]+)*((a|b|rc|[.]post|[.]dev)[0-9]+)*([+][a-z0-9.]+)?$' >"${kept}" || true
 }
 for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[@]}"}; do

@@ -26,6 +26,8 @@ AGAIN_TABLES = ("build-limits.txt", "build-programs.txt")
 """What the script that calls pip again knows."""
 _PRINTING = ("compile-jobs", "index-as-of", "pip-cache")
 """Scripts that print what a command says with it."""
+_ASKING_AGAIN = ("install-cloned-files", "install-optional-pip", "install-python-clones")
+"""Scripts that read the one which calls pip again, or call one that does."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -58,7 +60,7 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     said = "\n".join((*secrets.commands, *around.first, *commands))
     scripts = "".join(copy_script(name) for name in _PRINTING if f'"$({name}' in said)
     of_day = "--or-today" in said
-    if of_day or f"source {AGAIN}" in said:
+    if of_day or f"source {AGAIN}" in said or any(f"{name} " in said for name in _ASKING_AGAIN):
         tables = ("released-together.txt", *AGAIN_TABLES) if of_day else AGAIN_TABLES
         scripts += copy_script(AGAIN) + copy_data(tables)
     scripts += "".join(copy_script(name) for name in (CHECKOUT, COMMIT) if f"{name} " in said)
