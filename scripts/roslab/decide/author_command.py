@@ -7,7 +7,7 @@ import re
 import shlex
 from typing import Literal
 
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import Candidate, is_python, program_of
 from roslab.evidence.facts import AuthorDockerfile
 from roslab.knowledge.distros import codename_of
 from roslab.values.pattern import pattern
@@ -41,6 +41,11 @@ def left_to_base(authored: AuthorDockerfile) -> bool:
     return not own and codename_of(base) is None and not base.startswith(_START_SHELLS)
 
 
+def of_system(base: str) -> bool:
+    """Tell whether a base is a system, or one with tools for everybody: it has no program of the repository."""
+    return base.startswith(_START_SHELLS) or ("/" not in base and codename_of(base) is not None)
+
+
 def composed(authored: AuthorDockerfile) -> tuple[str, ...]:
     """Return what a container is given where Docker Compose starts another command, or sets variables; else ``()``."""
     service, argv = authored.service, started(authored)
@@ -59,15 +64,23 @@ def _command(authored: AuthorDockerfile) -> tuple[str, ...]:
 def startable(candidate: Candidate, authored: AuthorDockerfile) -> bool:
     """Tell whether a container that only starts a shell can be given a command.
 
-    A program of ROS is found by its package, a compiled one by its name; a file of the tree only where containers start
-    in the folder that the tree was copied to. What a node of ROS is given may lie in any folder.
+    A program of ROS is found by its package, a compiled one by its name; a file of the tree only where the folder that
+    the tree was copied to is known.
     """
     if entry_point(authored.entrypoint) == "program" or started(authored):
         return False
     in_tree = candidate.argv[0].startswith("python") or candidate.argv[0] in _SHELLS
     in_tree = in_tree or not {*candidate.files}.isdisjoint(candidate.argv[len(program_of(candidate.argv)) :])
-    found = authored.starts_in_source or (candidate.argv[0] in _OF_ROS and authored.source)
-    return not in_tree or bool(found and not authored.context)
+    return not in_tree or bool((authored.starts_in_source or authored.source) and not authored.context)
+
+
+def folder_of(candidate: Candidate, authored: AuthorDockerfile) -> str:
+    """Return the folder to go to for a script of the tree, ``""`` where a container starts in it."""
+    script = candidate.argv[0] in _SHELLS or is_python(candidate)
+    if not script or authored.context or not (authored.source or authored.starts_in_source):
+        return candidate.inside
+    folder = posixpath.normpath(posixpath.join(authored.source or ".", candidate.inside))
+    return "" if folder == "." else folder
 
 
 def given(candidate: Candidate, authored: AuthorDockerfile) -> tuple[str, ...]:

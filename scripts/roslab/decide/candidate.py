@@ -52,15 +52,16 @@ class Candidate:
     """It is a shell script that starts a program of Python."""
 
 
-def there(candidate: Candidate) -> str:
+def there(candidate: Candidate, within: str | None = None) -> str:
     """Return the command line that goes to the folder in which the program has to be started, and starts it.
 
-    Before that, it makes the folders that the page makes.
+    Before that, it makes the folders that the page makes. ``within``: the path to that folder, if another one.
     """
     folder = candidate.inside or "."
     ours = {*candidate.files, *(word for word in candidate.argv if word.endswith(".py"))}
     words = (posixpath.relpath(word, folder) if word in ours else word for word in candidate.argv)
-    before = f"cd {shlex.quote(folder)} && " if candidate.inside else ""
+    goes = candidate.inside if within is None else within
+    before = f"cd {shlex.quote(goes)} && " if goes else ""
     before += f"mkdir -p {shlex.join(candidate.makes)} && " if candidate.makes else ""
     return f"{before}exec {shlex.join(words)}"
 

@@ -6,7 +6,7 @@ import posixpath
 import shlex
 
 from roslab.config.model import Config, Kind
-from roslab.decide.author_command import composed, entry_point, given, left_to_base, startable, started
+from roslab.decide.author_command import composed, entry_point, folder_of, given, left_to_base, startable, started
 from roslab.decide.brought_launches import brought
 from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
@@ -23,6 +23,7 @@ from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
 from roslab.decide.sections import about_running
+from roslab.decide.unbuilt_packages import starts_one, unbuilt
 from roslab.decide.windows import opens_windows
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence.facts import AuthorDockerfile, Evidence
@@ -76,8 +77,10 @@ def decide_command(
     """
     authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
     by_argv: dict[tuple[str, ...], Candidate] = {}
+    lacking = unbuilt(evidence, authored) if authored else frozenset()
     for candidate in (_started_by(python, each, kind) for each in candidates_of(evidence, kind)):
-        by_argv.setdefault(candidate.argv, candidate)
+        if not starts_one(candidate, lacking):
+            by_argv.setdefault(candidate.argv, candidate)
     found = list(by_argv.values())
     candidates = tuple(by_argv)[:MAX_CANDIDATES]
     if config.command is not None:
@@ -94,8 +97,13 @@ def decide_command(
     ports = ports or (_ports(page, evidence) if page and not dockerfile else ()) or ports_in(command, evidence)
     whole = launched(inside or page, evidence) if page else None
     command = whole.argv if whole else command
+    within = folder_of(page, authored) if page and authored and not started(authored) else None
     chosen = Command(
-        command=there(whole or inside) if inside else command, candidates=candidates, gui=gui, ports=ports, page=page
+        command=there(whole or inside or page, within) if page and (inside or within) else command,
+        candidates=candidates,
+        gui=gui,
+        ports=ports,
+        page=page,
     )
     if (authored and composed(authored)) or (not (authored and started(authored)) and command != ("bash",)):
         chosen = _given(chosen, dockerfile, authored)

@@ -169,6 +169,7 @@ class AuthorDockerfile:
         Mention, ...
     ] = ()  # ``NAME=VALUE`` of it and of its service, for ROS and for what the tree reads
     hides: bool = False  # its steps may install more than its lines say
+    built: tuple[str, ...] | None = None  # names and folders of packages that it builds, ``None`` for maybe any
     service: Service | None = None  # the service of Docker Compose that a page at the root starts from it
 
 

@@ -93,10 +93,14 @@ def test_what_an_image_starts_by_itself_is_not_given(tree: Tree, end: str, comma
     [
         ("WORKDIR /app\nCOPY . .\n", ("python", "demo.py")),
         ("COPY . /app\nWORKDIR /app/\n", ("python", "demo.py")),
-        ("COPY . /app\nWORKDIR /\n", ("bash",)),
+        ("COPY . /app\nWORKDIR /\n", "cd app && exec python demo.py"),
+        ("COPY . /app\nWORKDIR /app/sub\n", "cd .. && exec python demo.py"),
+        ("COPY . $SOMEWHERE\n", ("bash",)),
     ],
 )
-def test_a_file_is_run_where_containers_start_beside_it(tree: Tree, folders: str, command: tuple[str, ...]) -> None:
+def test_a_file_is_run_in_the_image_s_folder_of_the_tree(
+    tree: Tree, folders: str, command: tuple[str, ...] | str
+) -> None:
     page = RUN.format("python demo.py")
     decision = tree({"demo.py": "print(1)\n", "README.md": page, "Dockerfile": f"FROM python:3.9\n{folders}"})
     assert (decision.dockerfile, decision.command) == ("Dockerfile", command)

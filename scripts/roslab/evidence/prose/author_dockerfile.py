@@ -202,6 +202,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.lex.dockerfile import instructions  # noqa: PLC0415 - as above
     from roslab.evidence.prose.author_variables import set_for_ros  # noqa: PLC0415 - as above
     from roslab.evidence.prose.build_context import build_context  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.built_packages import built  # noqa: PLC0415 - as above
     from roslab.evidence.prose.composed import services  # noqa: PLC0415 - as above
     from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import started_by  # noqa: PLC0415 - as above
@@ -233,7 +234,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         missing = missing or f"it copies the packages into {start.source} and builds none of them"
     if other_dockerfiles.named_otherwise(file):
         missing = missing or "it has a name of its own: it tells what the image needs, and none is made with it"
-    service = services(repository).get(file.path)
+    service, taken_there = services(repository).get(file.path), taken(written, known)
     itself = any(_itself(repository, clone) for clone in collector.sources)
     return AuthorDockerfile(
         file=file.path,
@@ -262,9 +263,10 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         recipe=recipe(text),
         updates_rosdep=reading.updates_rosdep,
         copied=paths_of(context or "", reading.copied),
-        taken=taken(written, known),
+        taken=taken_there,
         enters=entered(written, repository.once(vcs.missing)),
         hides=hides(written),
+        built=None if taken_there else built(repository, written),
     )
 
 
