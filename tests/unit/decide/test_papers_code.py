@@ -411,7 +411,8 @@ def test_a_module_of_a_folder_that_a_page_goes_to(tmp_path: Path) -> None:
 def test_a_folder_of_folders_named_like_a_package_is_not_that_package(tmp_path: Path) -> None:
     files = {"examples/gym/envs/__init__.py": "import gym\n", "main.py": MAIN.replace("torch", "gym, envs")}
     assert lines(decided(tmp_path, files).pip) == ("gym",)
-    assert lines(decided(tmp_path, {**files, "examples/gym/__init__.py": ""}).pip) == ()
+    assert lines(decided(tmp_path, {**files, "examples/gym/__init__.py": ""}).pip) == ("gym",)
+    assert lines(decided(tmp_path, {**files, "gym/__init__.py": ""}).pip) == ()
 
 
 def test_names_of_which_the_index_has_no_release(tmp_path: Path) -> None:
