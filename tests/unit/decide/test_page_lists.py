@@ -26,6 +26,12 @@ Tree = Callable[[dict[str, str]], Decision]
             "## Setup\n- Known dependencies: Python (3.5.4), OpenAI gym (0.10.5), tensorflow (1.8.0), numpy (1.14.5)\n",
             ["gym==0.10.5", "tensorflow==1.8.0", "numpy==1.14.5"],
         ),
+        (
+            "## Python dependencies\n- commonroad-io>=2022.1\n- some_package==3\n- `numpy >=1, <2`\n- python>=3.8\n",
+            ["commonroad-io>=2022.1", "some_package==3", "numpy>=1,<2"],
+        ),
+        ("Required Python packages:\n\n* some-package>=2\n\nRequired tools:\n\n* gcc>=7\n", ["some-package>=2"]),
+        ("## Requirements\n- cmake>=3.16\n- some-package>=2\n- numpy>=1\n", ["numpy>=1"]),
         ("Requirements: a robot with numpy 1.14\n", []),
         ("## Features\n- Known limits: numpy 1.14\n", []),
         ("It is tested with pytorch-1.0.\n", ["torch==1.0.*"]),

@@ -21,7 +21,7 @@ _TITLE = pattern(
 _HEADING = pattern(r"^\s{0,3}#{1,6}\s+(.*?)\s*#*$")
 _UNDERLINE = pattern(r"^\s{0,3}([=~^\"'`+#*-])\1{3,}\s*$")
 _ITEM = pattern(r"^\s{0,8}(?:[-*+]|\d{1,2}[.)])\s+(.*)$")
-_MARKUP = pattern(r"[*_`]{1,3}|\[([^\[\]\n]{1,80})\]\([^()\s]{0,300}\)")
+_MARKUP = pattern(r"[*`]{1,3}|(?<!\w)_{1,3}|_{1,3}(?!\w)|\[([^\[\]\n]{1,80})\]\([^()\s]{0,300}\)")
 _NAMED = pattern(
     r"^\W{0,8}(?:\w+\s+){0,2}(?:requirements?|dependenc(?:y|ies)|prerequisites?)\s{0,3}:\s+(\S.*)$", re.IGNORECASE
 )
@@ -49,6 +49,10 @@ _BY_PIP = pattern(
 _LINE = pattern(
     r"^(['\"]?)[A-Za-z][\w.-]*(?:\[[\w,-]+\])?(?:\s?(?:[<>=!~]=|[<>])\s?[\d.*]+(?:,\s?(?:[<>=!~]=|[<>])\s?[\d.*]+)*)?\1$"
 )
+_EXACT = pattern(
+    r"^([A-Za-z][\w.-]*(?:\[[\w,-]+\])?)(\s?(?:[<>=!~]=|[<>])\s?\d[\d.*]*(?:,\s?(?:[<>=!~]=|[<>])\s?\d[\d.*]*)*)$"
+)
+_PYTHON = pattern(r"\b(?:python|pip)\b", re.IGNORECASE)
 _BOUNDED = pattern(r"`([A-Za-z][\w.-]*\s?(?:<=|==|~=|<)\s?\d+(?:\.\d+)*)`")
 """A requirement that is all there is between backticks."""
 _TO_USE = pattern(
@@ -114,11 +118,13 @@ def _block(lines: list[str], number: int) -> Iterator[tuple[int, str]]:
 def said(text: str, file: str) -> Iterator[Requirement]:
     """Yield each package that a list below a title such as "Requirements" names, and each framework with a version.
 
-    Only names that the tables know count: a list may name compilers and devices as well.
+    Only names that the tables know count: a list may name compilers and devices as well. One below a title that says
+    that it is for Python has no others where they are written as pip is given them, with a version.
     """
-    for number, line, item in _lines(text):
+    for number, line, item, of_python in _lines(text):
         if item is not None:
-            yield from _listed(item[:MAX_LINE], file, number)
+            written = list(_written(item, file, number, of_python=of_python))
+            yield from written or _listed(item[:MAX_LINE], file, number)
             continue
         if listed := _NAMED.match(_plain(line)[:MAX_LINE]):
             yield from _listed(listed[1], file, number)
@@ -131,15 +137,23 @@ def said(text: str, file: str) -> Iterator[Requirement]:
 
 def items(text: str) -> Iterator[tuple[int, str]]:
     """Yield the items of lists below a title such as "Requirements", with their lines."""
-    return ((number, item[:MAX_LINE]) for number, _, item in _lines(text) if item is not None)
+    return ((number, item[:MAX_LINE]) for number, _, item, _ in _lines(text) if item is not None)
 
 
-def _lines(text: str) -> Iterator[tuple[int, str, str | None]]:
+def _written(item: str, file: str, line: int, *, of_python: bool) -> Iterator[Requirement]:
+    """Yield the package of an item that is a requirement with a version and nothing else: ``commonroad-io>=2022.1``."""
+    if (match := _EXACT.match(item.strip())) and match[1].lower() != "python":
+        package = package_of(match[1]) or (match[1] if of_python else None)
+        if package:
+            yield stated(f"{package}{match[2]}".replace(" ", ""), "prose", file, line, role="listed")
+
+
+def _lines(text: str) -> Iterator[tuple[int, str, str | None, bool]]:
     """Yield the lines of a page outside of its blocks, each with its number, and with the item of a list that it is.
 
-    Only lists below a title such as "Requirements" have items here.
+    Only lists below a title such as "Requirements" have items here; the last value tells whether it names Python.
     """
-    titled = fenced = False
+    titled = fenced = of_python = False
     lines = text.split("\n")
     for number, line in enumerate(lines, start=1):
         if _fence(line):
@@ -149,10 +163,11 @@ def _lines(text: str) -> Iterator[tuple[int, str, str | None]]:
         below = lines[number] if number < len(lines) else ""
         item = _ITEM.match(line)
         if (heading := _HEADING.match(line)) or _UNDERLINE.match(below):
-            titled = bool(_TITLE.search(heading[1] if heading else line))
-        elif item is None and not line.startswith((" ", "\t")):
-            titled = titled if not line.rstrip().endswith(":") else bool(_TITLE.search(line))
-        yield number, line, _plain(item[1][:MAX_LINE]) if item and titled else None
+            title = heading[1] if heading else line
+            titled, of_python = bool(_TITLE.search(title)), bool(_PYTHON.search(title))
+        elif item is None and not line.startswith((" ", "\t")) and line.rstrip().endswith(":"):
+            titled, of_python = bool(_TITLE.search(line)), bool(_PYTHON.search(line))
+        yield number, line, _plain(item[1][:MAX_LINE]) if item and titled else None, of_python
 
 
 def _fence(line: str) -> bool:
