@@ -28,6 +28,10 @@ def guessed(tree: Tree, code: str, **files: str) -> set[str]:
         ("from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=True)\n", "rich"),
         ("from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=True)\n", "tqdm"),
         ("import torch\nfrom torch.utils.tensorboard import SummaryWriter\n", "tensorboard"),
+        ("import torch\nfrom torch.utils.cpp_extension import load as compiled\n", "ninja"),
+        ("import torch\nfrom torch.utils.cpp_extension import (\n    CUDA_HOME,\n    load_inline,\n)\n", "ninja"),
+        ("import torch.utils.cpp_extension\ntorch.utils.cpp_extension.load('a', ['a.cpp'])\n", "ninja"),
+        ("from torch.utils import cpp_extension as cpp\ncpp.load_inline('a', 'int a;')\n", "ninja"),
         (LANDER, "gymnasium[box2d]"),
         (LANDER.replace("env =", '# gym.make("LunarLander-v3")\nenv ='), "gymnasium[box2d]"),
         (LANDER.replace("env =", "colour = '#fff'; env ="), "gymnasium[box2d]"),
@@ -51,10 +55,29 @@ def test_a_used_function_brings_it(tree: Tree, code: str, needs: str) -> None:
         "from stable_baselines3 import PPO\nPPO().learn(9, progress_bar=False)\n",
         "import gymnasium as gym\nenv = gym.make('CartPole-v1')\n",
         "import gymnasium as gym\nname = 'LunarLander'\n",
+        "import torch\nfrom torch.utils.cpp_extension import BuildExtension\ndef load():\n    return 1\n",
+        "import torch\nfrom torch.utils import cpp_extension as cpp\nother.load('a')\n",
     ],
 )
 def test_what_does_not_use_it_brings_none(tree: Tree, code: str) -> None:
-    assert not guessed(tree, code) & {"torch-cluster", "tensorboard", "rich", "tqdm", "gymnasium[box2d]", "pygame"}
+    assert not guessed(tree, code) & {
+        "torch-cluster",
+        "tensorboard",
+        "rich",
+        "tqdm",
+        "gymnasium[box2d]",
+        "pygame",
+        "ninja",
+    }
+
+
+def test_what_compiles_while_it_runs_has_a_compiler(tree: Tree) -> None:
+    code = "import torch\nfrom torch.utils.cpp_extension import load\nload('a', ['a.cpp'])\n"
+    files = {"train.py": code, "README.md": "# Net\nRun `python train.py`.\n", "requirements.txt": "torch==2.1.0\n"}
+    decision = tree(files)
+    assert {each.written for each in decision.python.pip_guessed} == {"ninja"}
+    assert decision.compiling.compiler
+    assert not tree({**files, "train.py": "import torch\n"}).compiling.compiler
 
 
 def test_beside_a_list_of_packages(tree: Tree) -> None:
