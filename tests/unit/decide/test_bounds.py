@@ -36,6 +36,8 @@ def bounds(tmp_path: Path, code: str) -> dict[str, int]:
         ("from sklearn.externals import joblib", "scikit-learn<0.23"),
         ("cfg = yaml.load(open('a.yaml'))", "PyYAML<6"),
         ("df = df.append({'a': 1}, ignore_index=True)", "pandas<2"),
+        ("from diffusers.optimization import (\n    SchedulerType, Union,\n    Optimizer)", "diffusers<0.37"),
+        ("from diffusers.optimization import Optional, get_scheduler", "diffusers<0.37"),
     ],
 )
 def test_a_removed_name_gives_a_bound(tmp_path: Path, code: str, bound: str) -> None:
@@ -50,6 +52,7 @@ def test_a_removed_name_gives_a_bound(tmp_path: Path, code: str, bound: str) -> 
         "cfg = yaml.load(stream, Loader=yaml.SafeLoader)",
         "rows.append(row)",
         "limit = np.inf",
+        "from diffusers.optimization import (\n    get_scheduler)\nfrom typing import Union",
     ],
 )
 def test_todays_names_give_none(tmp_path: Path, code: str) -> None:
