@@ -6,6 +6,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.assembled import Choices, decision_of
 from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.authored import as_authored
+from roslab.decide.authors_clones import authors_clones
 from roslab.decide.base import decide_base
 from roslab.decide.beside_cmake import without_packages_beside
 from roslab.decide.build_tool import decide_build_tool
@@ -113,7 +114,6 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         required_by_command(evidence, command.answer.command, kind.answer), base.answer.ubuntu, distro
     )
     build_tool = decide_build_tool(evidence, config, kind.answer, python.answer)
-
     packages = of_one_ros(packages_of(evidence), evidence, kind.answer)
     layout = decide_layout(evidence, kind.answer, packages)
     target = Target(
@@ -264,7 +264,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             command=command,
             test=decide_test(config),
             platforms=platforms,
-            sources=sources,
+            sources=authors_clones(sources, evidence, dockerfile),
             system=system,
             inside=inside,
             repositories=repositories,

@@ -156,7 +156,8 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             of.test,
             of.platforms,
         ),
-        *((replace(choice, warnings=()) if of.own.answer else choice) for choice in (of.sources, system, of.inside)),
+        of.sources,
+        *((replace(choice, warnings=()) if of.own.answer else choice) for choice in (system, of.inside)),
         *(
             ()
             if of.own.answer

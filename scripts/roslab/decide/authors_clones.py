@@ -1,0 +1,67 @@
+"""What the author's Dockerfile, where that is built, clones: its steps alone say what comes from source."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.config.model import Source
+from roslab.decide.chains import local_bases
+from roslab.decide.decision import Choice, Warning_
+from roslab.decide.reasons import because, warn
+from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.source_names import address, drifts, fixed
+from roslab.evidence.dependency import GitSource
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.days import long_ago
+from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
+
+WEIGHT = 60
+MOST = 8
+"""Most clones that are told."""
+_LINE = pattern(r"v?\d+(?:\.\d+)*\.x")
+"""A branch of releases by its name: ``4.x``."""
+
+
+def authors_clones(sources: Choice[Sources], evidence: Evidence, dockerfile: str | None) -> Choice[Sources]:
+    """Return the sources as they are, or those that a ``dockerfile`` clones, as it says.
+
+    Old code is told of each clone at a head: the build takes the newest commit.
+    """
+    if dockerfile is None:
+        return sources
+    told: dict[str, GitSource] = {}
+    for git in _clones(evidence, dockerfile):
+        if "$" not in git.url and not git.removed:
+            told.setdefault(address(git.url), git)
+    found = tuple(Source(name=git.name, repo=git.url, ref=fixed(git.ref)) for git in told.values())
+    reasons = tuple(
+        because("source", g.url, "the author's Dockerfile clones it", g, weight=WEIGHT) for g in told.values()
+    )
+    warnings = tuple(_at_heads(evidence, told.values()))[:MOST]
+    return Choice(answer=replace(sources.answer, sources=found, libraries=()), reasons=reasons, warnings=warnings)
+
+
+def _clones(evidence: Evidence, dockerfile: str) -> Iterator[GitSource]:
+    """Yield what it clones, first what the Dockerfile of its base does, if that is of the tree."""
+    base = local_bases(evidence).get(dockerfile)
+    files = (*((base.dockerfile.file,) if base and base.dockerfile else ()), dockerfile)
+    for file in files:
+        yield from (git for each in evidence.dockerfiles if each.file == file for git in each.clones)
+
+
+def _at_heads(evidence: Evidence, clones: Iterable[GitSource]) -> Iterator[Warning_]:
+    last = dated(evidence)
+    if last is None or last.value >= long_ago():
+        return
+    for git in clones:
+        ref = git.ref or ""
+        if not ref or drifts(ref) or _LINE.fullmatch(ref):
+            at = f"at its branch {ref}" if ref else "without a tag or a commit"
+            message = (
+                f"{git.url} is cloned {at}: the author's Dockerfile takes its newest commit of the day of the build"
+            )
+            yield warn(
+                f"{message}, not one of {last.value}, the day of the last commit here; name one in this line", git
+            )
