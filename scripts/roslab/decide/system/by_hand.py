@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal
 
 from roslab.config.model import Config, Kind, Source
+from roslab.decide.linked_projects import linked_projects
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, drifts, fixed, moves, plain
 from roslab.decide.ros.workspace import Packages
@@ -95,6 +96,8 @@ def by_hand(
     day = "" if date is None else date.value
     offered = _offered(evidence, kind)
     taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
+    if kind in {"cpp", "cuda"}:
+        taken |= {plain(name) for project, _ in linked_projects(evidence) for name in project.made}  # the tree's own
     free = {name: git for name, git in offered.items() if not {name, plain(git.name)} & taken}
     found: dict[GitSource, Dependency] = {}
     for name, asked in _asked(evidence, packages, target, free):

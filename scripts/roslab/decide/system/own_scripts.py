@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide.beside_cpp import of_cpp
 from roslab.decide.decision import Choice, OwnScript
+from roslab.decide.linked_projects import linked_projects
 from roslab.decide.programs import beside_top, found_by, names_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.own_configs import required_of_tree
@@ -90,6 +91,9 @@ def decide_scripts(
         _part(project, found=bool(names_of(project) & wanted)) for project in beside_top(evidence) if kind == "cpp"
     ]
     parts = [part for part in parts if part.folder not in compiled]
+    done = compiled | {part.folder for part in parts} | {script.folder for script, _ in chosen}
+    linked = [(_first(_part(p, found=True)), a) for p, a in linked_projects(evidence) if kind in {"cpp", "cuda"}]
+    linked = [(part, asked) for part, asked in linked if part.folder not in done]
     of_pages = compiled_beside(evidence, target) if kind == "python" or (kind == "cuda" and listed) else ()
     itself = kind == "cuda" and of_cpp(evidence)  # CMake compiles the one at the root
     said_so = [
@@ -99,10 +103,17 @@ def decide_scripts(
     built = list(_by_install(evidence, projects))
     why, other = "the README runs it to compile", "a CMake project beside the one that is compiled"
     return Choice(
-        answer=(*built, *(script for script, _ in chosen), *parts, *(part for part, _ in beside)),
+        answer=(
+            *built,
+            *(script for script, _ in chosen),
+            *(part for part, _ in linked),
+            *parts,
+            *(part for part, _ in beside),
+        ),
         reasons=(
             *(because("source", s.path, _INSTALL, Place(file=s.path, line=1), weight=WEIGHT) for s in built),
             *(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
+            *(because("source", p.folder, f"what is built links {a.name}", a, weight=WEIGHT) for p, a in linked),
             *(because("source", part.folder, other, Place(file=part.path, line=1), weight=WEIGHT) for part in parts),
             *(because("source", part.folder, "the page has CMake compile it", m, weight=WEIGHT) for part, m in beside),
         ),
@@ -112,6 +123,11 @@ def decide_scripts(
             if lacks
         ),
     )
+
+
+def _first(script: OwnScript) -> OwnScript:
+    """Return how a library of the tree is installed for what links it, which cannot be built without it."""
+    return replace(script, command=f"{script.command} && ldconfig", required=True)
 
 
 def _of_packages(evidence: Evidence, target: Target) -> Choice[tuple[OwnScript, ...]]:
@@ -125,9 +141,7 @@ def _of_packages(evidence: Evidence, target: Target) -> Choice[tuple[OwnScript, 
     ]
     why = "{} requires {}, which it installs"
     return Choice(
-        answer=tuple(
-            replace(script, command=f"{script.command} && ldconfig", required=asked.required) for script, asked in found
-        ),
+        answer=tuple(replace(_first(script), required=asked.required) for script, asked in found),
         reasons=tuple(
             because("source", s.folder or ".", why.format(asked.file, asked.name), asked, weight=WEIGHT)
             for s, asked in found
