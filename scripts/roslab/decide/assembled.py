@@ -242,9 +242,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             ros_distro=distro,
         ),
         left_out=of.left_out,
-        ignored=marked(of.build_tool.answer, of.left_out, of.packages, evidence)
-        if of.kind.answer in _ROS and not of.own.answer
-        else (),
+        ignored=marked(of.build_tool.answer, of.left_out, of.packages, evidence) if ros and not of.own.answer else (),
         ended=of.missing.answer.ended,
         not_there=() if of.own.answer else not_there.answer,
         lacking=() if of.own.answer else of.missing.answer.lacking,
