@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable
 
 from roslab.evidence import places
 from roslab.evidence.author_path import AuthorPath
+from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -23,7 +23,6 @@ _PATH = pattern(
     r"(?:(?<=file://)|(?<![\w.}$)~/\\*-]))/(?:[\w.+@-]+/){2,30}[\w.+@-]*|\b[A-Z]:\\{1,2}Users\\{1,2}[\w.\\-]+"
 )
 _HOME = pattern(r"/(?:home|Users)/[A-Za-z][\w.-]*/.|/root/.|[A-Z]:\\")
-_COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
 _BUILT = pattern(r"(/.+)/(install|devel)/(?:[\w-]+/)?(?:share|lib)/([\w-]+)/.+")
 _MADE = pattern(r"(?:^|/)(?:build|devel|install|log)/")
 _SYSTEM = frozenset(
@@ -48,7 +47,7 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
         if not any(hint in text for hint in _HINTS):
             continue
         if file.path.endswith(_XML):
-            text = _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
+            text = without_xml_comments(text)
         here = 0
         for match in _PATH.finditer(text):
             path = match[0].rstrip(".")

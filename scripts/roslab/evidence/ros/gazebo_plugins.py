@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
-
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matches_at
+from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -16,7 +15,6 @@ MAX_FILES = 800
 _LIBRARY = pattern(r"lib[\w-]{1,80}\.so\b(?!\.)")
 _BARE = pattern(r"filename\s{0,9}=\s{0,9}[\"']([\w-]{1,80})[\"']")
 """As today's Gazebo finds it: ``gz_ros2_control-system`` is libgz_ros2_control-system.so."""
-_COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
@@ -28,7 +26,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
         loads = ".so" in text or "filename" in text
-        text = _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text) if loads else ""
+        text = without_xml_comments(text) if loads else ""
         named = [(match.start(), match[0]) for match in matches_at(_LIBRARY, text, "lib")]
         named += [(match.start(), f"lib{match[1]}.so") for match in matches_at(_BARE, text, "filename")]
         for start, library in sorted(named):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
+from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.evidence.ros import better_launch
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -12,7 +13,6 @@ from roslab.values.pattern import pattern
 _INCLUDE = pattern(
     r"<include\s[^<>]{0,300}?\bfile\s{0,9}=\s{0,9}[\"']\$\(\s*find(?:-pkg-share)?\s+([\w-]{1,60})\s*\)/([\w./-]{1,200})[\"']"
 )
-_COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
 _LAUNCH = pattern(r".*(?:\.launch|_launch)(?:\.(?:py|xml|ya?ml))?|.*\.xml")
 _MADE = ("", ".in", ".em", ".erb", ".xacro", ".j2")
 """What a file of the tree from which a build makes another has behind its name."""
@@ -43,6 +43,6 @@ def _includes(
         found = (each for each in better_launch.named(text) if each[0][0].startswith(".include"))
         yield from found
     elif "<include" in text:
-        bare = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+        bare = without_xml_comments(text, spaced=True)
         for match in _INCLUDE.finditer(bare):
             yield match, conditional(bare, match.start() + 1, match.end())

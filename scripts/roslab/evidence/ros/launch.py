@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import Literal, TypedDict
+from typing import TypedDict
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import matches_at, matching_lines
+from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
 from roslab.evidence.ros.included_launches import included
 from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES, conditional, kept_by, started
@@ -68,7 +69,7 @@ _NAMES = pattern(r"\b(?:pkg|package|type|exec|executable|plugin|cmd)\s?=\s?\[?\s
 """What stands before the name of a viewer that is started."""
 _OF_LAUNCH = pattern(r"[\w.-]{0,60}(?:\.|_)launch\b")
 """What follows it in the name of a launch file."""
-_COMMENT = {"xml": pattern(r"<!--.*?-->", re.DOTALL), "hash": pattern(r"\n[ \t]*#[^\n]*")}
+_REMARK = pattern(r"\n[ \t]*#[^\n]*")
 """That of a hash begins with the end of the line before, which is found many times faster than its own beginning."""
 _NAME = pattern(r"<name>\s*([\w-]+)\s*</name>")
 _STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
@@ -91,7 +92,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
         python, xml = file.name.endswith(".py"), _XML.search(file.name) or file.name.endswith(".xml")
         if not (better_launch.is_launch_file(file.name, text) if python else not xml or "<launch" in text):
             continue
-        text = _uncommented(text, "xml" if xml else "hash")
+        text = without_xml_comments(text) if xml else _REMARK.sub("\n", f"\n{text}")[1:]
         old = bool(xml) and not _new(text) and not file.name.endswith(".launch.xml")
         package = _owner(file.folder, packages)
         found.append(
@@ -227,10 +228,6 @@ def _candidates(repository: Repository) -> list[File]:
 
 def _nearest(files: Iterable[File]) -> list[File]:
     return nearest(files)[:MAX_FILES]
-
-
-def _uncommented(text: str, kind: Literal["xml", "hash"]) -> str:
-    return _COMMENT[kind].sub(lambda match: "\n" * match[0].count("\n"), f"\n{text}")[1:]
 
 
 def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.always_run import always_run
+from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.evidence.ros import author_paths
 from roslab.evidence.ros.given_arguments import Given, filled, given_to
 from roslab.evidence.ros.gone import included_elsewhere
@@ -34,7 +35,6 @@ _LOOKED_UP = pattern(
     re.MULTILINE,
 )
 """A package that a program of Python looks for, from the beginning of its line."""
-_COMMENT = pattern(r"<!--.*?-->", re.DOTALL)
 _ASIDE = pattern(r"<(/?)xacro:(?:if|unless|macro)\b")
 """Where a part of a robot description that is not always read begins or ends."""
 _ELSEWHERE = pattern(
@@ -151,7 +151,7 @@ class _Follow:
             return (), ()
         text = self.repository.read(file)
         if path in self.launch:
-            xml = filled(_without(_COMMENT, text), given)
+            xml = filled(without_xml_comments(text), given)
             loads = (
                 ((each, ()) for each in self._quoted(text, self.launch[path].package))
                 if path.endswith(".py")
@@ -160,7 +160,7 @@ class _Follow:
             named = self.launch[path].dependencies
             return tuple(loads), tuple(d for d in named if d.namespace == "ros" and d.strength != "optional")
         if path.endswith(_DESCRIPTIONS):
-            text = _always(_without(_COMMENT, text))
+            text = _always(without_xml_comments(text))
             return tuple((each, ()) for each, _ in self._files(text)), tuple(
                 _asked(m[1], m, text, file) for m in _FOUND.finditer(text)
             )
@@ -199,10 +199,6 @@ class _Follow:
                 there = tuple(each for each in there if each.path.startswith(own))
             if len(there) == 1 and not self.conditional(text, match.start(), match.end()):
                 yield there[0].path
-
-
-def _without(found: re.Pattern[str], text: str) -> str:
-    return found.sub(lambda match: "\n" * match[0].count("\n"), text)
 
 
 def _always(text: str) -> str:
