@@ -133,3 +133,65 @@ def test_what_pip_is_compiled_against_is_fetched_once(tree: Tree) -> None:
     decision = tree({"demo.py": code, "requirements.txt": "mujoco-py==2.1.2.14\n", "README.md": page})
     assert [part.folder for part in decision.python.native_parts] == [".mujoco/mujoco210"]
     assert decision.downloads == ()
+
+
+PLACE = "~/.acme/acme-3.2.7/lib"
+LISTED = "$LD_LIBRARY_PATH:$HOME/.acme/acme-3.2.7/lib"
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        (f"echo 'export LD_LIBRARY_PATH={LISTED}' >> ~/.bashrc", PLACE),
+        (f'echo "export LD_LIBRARY_PATH={LISTED}" >> ~/.bashrc', PLACE),
+        (f'echo "export LD_LIBRARY_PATH=\\{LISTED}" >> ~/.bashrc', PLACE),
+        (f'echo "export LD_LIBRARY_PATH=\\"{LISTED}\\"" >> ~/.bashrc', PLACE),
+        (f"echo export LD_LIBRARY_PATH={LISTED}>>~/.bashrc", PLACE),
+        (f'export LD_LIBRARY_PATH="{LISTED}" && ls', PLACE),
+        (f"export LD_LIBRARY_PATH={LISTED} python demo.py", PLACE),
+        (f"export LD_LIBRARY_PATH={LISTED}\t# the libraries", PLACE),
+        (f"export LD_LIBRARY_PATH={LISTED}\u00a0", PLACE),
+        ("export LD_LIBRARY_PATH=~/.acme/<the release>/lib", None),
+        (f"export LD_LIBRARY_PATH={LISTED}\x1b[0m", None),
+        (f"export LD_LIBRARY_PATH={LISTED}\u202e", None),
+        (f'export LD_LIBRARY_PATH="{LISTED}\t"', None),
+        (f'export LD_LIBRARY_PATH={LISTED}\\"a', None),
+        (f'export LD_LIBRARY_PATH="{LISTED}"64', None),
+    ],
+)
+def test_a_value_ends_where_the_shell_s_word_does(tree: Tree, line: str, found: str | None) -> None:
+    decision = of(tree, f"{FETCH}\n{line}")
+    assert decision.downloads == (THERE,)
+    assert dict(decision.variables).get("LD_LIBRARY_PATH") == found
+    dockerfile(make_plan(decision, Config(), folder_name="demo"))
+
+
+@pytest.mark.parametrize("strip", ["9" * 5000, "100", "-1", "one", "\u0661"])
+def test_no_path_has_as_many_folders(tree: Tree, strip: str) -> None:
+    assert of(tree, f"{FETCH} --strip-components={strip}").downloads == ()
+
+
+@pytest.mark.parametrize(
+    ("line", "there"),
+    [
+        ("tar -xf {} -C ~bob/.acme", False),
+        ("cd ~/.acme\ntar -xf {} -C ~bob", False),
+        ("cd ~/other\ntar -xf {} -C ~/.acme", True),
+        ("cd ~ && tar -xf {} -C .acme", True),
+    ],
+)
+def test_the_home_is_the_reader_s_own(tree: Tree, line: str, there: bool) -> None:
+    decision = of(tree, f"wget {URL}\n{line.format(NAME)}")
+    assert decision.downloads == ((THERE,) if there else ())
+
+
+def test_what_every_program_starts_with_stays_and_folders_of_the_home_are_written_out(tree: Tree) -> None:
+    names = ("HOME", "PATH", "LIBRARY_PATH", "ACME_DIR")
+    lines = "".join(f"\nexport {name}=$HOME/.acme/acme-3.2.7" for name in names)
+    decision = of(tree, FETCH + lines)
+    assert {*dict(decision.variables)} & {*names} == {"LIBRARY_PATH", "ACME_DIR"}
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
+    place = "/home/${NB_USER}/.acme/acme-3.2.7"
+    assert f'LIBRARY_PATH="{place}${{LIBRARY_PATH:+:${{LIBRARY_PATH}}}}"' in text
+    assert f'ACME_DIR="{place}"' in text
+    assert '="~' not in text

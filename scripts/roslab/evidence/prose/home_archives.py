@@ -27,6 +27,8 @@ _FETCHES = pattern(r"\b(?:wget|curl)\b")
 _UNPACKS = pattern(r"\b(?:tar|unzip)\b")
 _OF_HOME = pattern(r"~|\bHOME\b|/home/|/root\b")
 _HOME = pattern(r"^(?:~|/root|/home/[\w.-]+)(?=/|$)")
+_BELOW_HOME = pattern(r"~(?:/|$)")
+"""The reader's own home, and not that of ``~somebody``."""
 _SPAN = pattern(r"`{1,3}([^`\n]+)`{1,3}")
 _LEADS = pattern(r"^[\s>*\d.)$%#-]*(?:run:\s*)?")
 """What stands before a command: the marks of a list or a quotation, a prompt, a key of CI."""
@@ -40,7 +42,15 @@ _OTHER = pattern(r"mac[_-]?os|osx|darwin|windows|win(?:32|64)|aarch64|arm64|(?<!
 """Of another system or processor than most images have."""
 _WORKED_IN = pattern(r"(?:^|/)(?:src|\w*_?ws|Downloads|Desktop|tmp|\.cache)(?:/|$)")
 """Folders in which the reader works, and no place that a program looks in."""
-_EXPORTED = pattern(r"\bexport[ \t]+([A-Z][A-Z0-9_]{2,40})=([^\n`;&|]{1,300})")
+_EXPORTED = pattern(
+    r"""\bexport[ \t]+([A-Z][A-Z0-9_]{2,40})="""
+    r"""(?:\\?"([^"'\\\n]{1,300})\\?"(?=[\s"'`;&|)]|$)|'([^"'\n]{1,300})'(?=[\s"`;&|)]|$)|([^\s"'`;&|()]{1,300}))"""
+)
+"""A variable with its value: one word of the shell, in quotes or up to the end of a text that ``echo`` writes."""
+_PLACE = pattern(r"~/[\w./+@ -]+")
+"""A place that is written out, in the characters that such a path has."""
+_SET_BY_IMAGE = frozenset({"HOME", "PATH"})
+"""Variables with which every program of the image starts: a folder of an archive takes the place of neither."""
 _SEARCHED = frozenset({"LD_LIBRARY_PATH", "CMAKE_PREFIX_PATH"})
 """Lists of folders that the linker and CMake read themselves."""
 _INTO = {"wget": ("-O", "--output-document"), "curl": ("-o", "--output")}
@@ -51,6 +61,8 @@ _BELOW = {
     "tar": ("-C", "--directory"),
 }
 _STRIP = "--strip-components"
+_FEW = pattern(r"[0-9]{1,2}")
+"""As many folders as a path has."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -85,7 +97,8 @@ class _Reader:
             self._unpack(program, command)
 
     def _at(self, path: str) -> str:
-        return posixpath.normpath(posixpath.join(self.folder, _HOME.sub("~", path)))
+        path = _HOME.sub("~", path)
+        return posixpath.normpath(path if path.startswith("~") else posixpath.join(self.folder, path))
 
     def _fetch(self, program: str, words: tuple[str, ...]) -> None:
         url = next((word for word in words[1:] if _URL.match(word)), "")
@@ -99,11 +112,10 @@ class _Reader:
         url = self.fetched.get(posixpath.basename(archive), "") if archive else self.piped
         into = option(command.words, _BELOW[program])
         folder = self._at(into) if into else self.folder
-        if url and _ARCHIVE.search(url.partition("?")[0]) and folder.startswith("~") and UNKNOWN not in folder:
+        if url and _ARCHIVE.search(url.partition("?")[0]) and _BELOW_HOME.match(folder) and UNKNOWN not in folder:
             below = folder[2:] or "."
-            strip = option(command.words, (_STRIP,)) if program == "tar" else ""
-            strip = strip if strip.isdecimal() else "0"
-            if not _WORKED_IN.search(below):
+            strip = (option(command.words, (_STRIP,)) if program == "tar" else "") or "0"
+            if not _WORKED_IN.search(below) and _FEW.fullmatch(strip):
                 self.found.append(_Unpacked(url=url, folder=below, line=command.line, strip=strip))
 
 
@@ -218,11 +230,11 @@ def _exported(
     """Yield the variables that a text exports with a place below what is unpacked, each with what reads it."""
     below = [each.folder if each.folder != "." else name_of(each.url) for each in offered]
     for match in _EXPORTED.finditer(text):
-        parts = [part.strip("\"' ") for part in match[2].split("#")[0].split(":")]
-        parts = [_HOME.sub("~", re.sub(r"^\$\{?HOME\}?", "~", part)).rstrip("/") for part in parts]
-        inside = [p for p in parts if any(f"{p}/".startswith(f"~/{each}/") for each in below) and "$" not in p]
+        parts = [part.lstrip("\\") for part in (match[2] or match[3] or match[4].partition(">>")[0]).split(":")]
+        parts = [_HOME.sub("~", re.sub(r"^\$(?:HOME\b|\{HOME\})", "~", part)).rstrip("/") for part in parts]
+        inside = [p for p in parts if any(f"{p}/".startswith(f"~/{each}/") for each in below) and _PLACE.fullmatch(p)]
         searched = match[1] in _SEARCHED
-        if inside and (searched or len(parts) == 1):
+        if inside and match[1] not in _SET_BY_IMAGE and (searched or len(parts) == 1):
             by = "" if searched else readers.reading(match[1])
             value = f"{match[1]}={':'.join(inside)}"
             line = text.count("\n", 0, match.start(1)) + 1

@@ -65,14 +65,15 @@ def _value(name: str, value: str, plan: Plan) -> str:
     Those of PATH come before the others, and those of the linker and of CMake before what the base image tells them.
     """
     parts = value.split(":")
+    at_home = all(part.startswith("~/") for part in parts)
+    if at_home:
+        value = ":".join(f"/home/{quote.USER}/{part[2:]}" for part in parts)
     if name == "PATH":
         return f'"{quote.docker_path(value)}:${{PATH}}"'
-    if name == "LIBRARY_PATH":
-        return f'"{quote.docker_path(value)}${{LIBRARY_PATH:+:${{LIBRARY_PATH}}}}"'
-    if all(part.startswith("~/") for part in parts):
-        placed = ":".join(f"/home/{quote.USER}/{part[2:]}" for part in parts)
-        after = f"${{{name}:+:${{{name}}}}}" if name in _LISTS else ""
-        return f'"{quote.docker_path(placed)}{after}"'
+    if name == "LIBRARY_PATH" or (at_home and name in _LISTS):
+        return f'"{quote.docker_path(value)}${{{name}:+:${{{name}}}}}"'
+    if at_home:
+        return f'"{quote.docker_path(value)}"'
     if not all(part.startswith("./") for part in parts):
         return quote.docker(value)
     placed = ":".join(f"/home/{quote.USER}/{plan.workspace.folder}/{part[2:]}".rstrip("/") for part in parts)
