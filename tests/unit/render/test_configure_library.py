@@ -83,7 +83,19 @@ CMake Error at CMakeLists.txt:9 (find_package):
   By not providing "FindVISP.cmake" in CMAKE_MODULE_PATH this project has
 CMake Error at FindPackageHandleStandardArgs.cmake:148 (message):
   Could NOT find GSL (missing: GSL_INCLUDE_DIR)
---   No package 'libfoo' found"""
+-- Checking for module 'libmaybe'
+--   No package 'libmaybe' found
+-- Checking for module 'libfoo'
+--   No package 'libfoo' found
+CMake Error at FindPkgConfig.cmake:607 (message):
+  A required package was not found
+-- Checking for module 'libbar'
+--   Package 'libbar', required by 'virtual:world', not found
+CMake Error at FindPkgConfig.cmake:607 (message):
+  The following required packages were not found:
+-- Could NOT find Doxygen (missing: DOXYGEN_EXECUTABLE)
+CMake Error at CMakeLists.txt:30 (message):
+  too old"""
 
 
 def test_what_cmake_did_not_find_is_told_in_a_line(tmp_path: Path) -> None:
@@ -96,7 +108,13 @@ def test_what_cmake_did_not_find_is_told_in_a_line(tmp_path: Path) -> None:
     command = ["bash", str(SCRIPT), "../"]
     done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 1
-    assert done.stdout.splitlines()[-1].split() == ["roslab:", "CMake", "stops", "without:", "GSL", "VISP", "libfoo"]
+    assert done.stdout.splitlines()[-1].split() == [
+        "roslab:",
+        "CMake",
+        "stops",
+        "without:",
+        *"GSL VISP libbar libfoo".split(),
+    ]
 
 
 @pytest.mark.parametrize(("packages", "prefix"), [("ros-noetic-visp\n", "/opt/ros/noetic"), ("libeigen3-dev\n", "")])

@@ -77,6 +77,14 @@ def test_files_that_it_adds_are_read_as_its_options_have_it(
     assert required(tmp_path, files, *options) == names
 
 
+def test_a_folder_that_adds_itself_is_read_once(tmp_path: Path) -> None:
+    files = {
+        "CMakeLists.txt": "add_subdirectory(src)\n",
+        "src/CMakeLists.txt": "find_package(Deep REQUIRED)\n" + "add_subdirectory(src)\n" * 8,
+    }
+    assert required(tmp_path, files) == ["Deep"]
+
+
 class Stage:
     """A stand-in of the stage in which a library is built: its apt knows these packages, and installs them all."""
 

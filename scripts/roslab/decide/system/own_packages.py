@@ -16,6 +16,7 @@ from roslab.values.pattern import pattern
 
 _PLAIN = pattern(r"[\w./+~-]+")
 """A path that a mount of a Dockerfile, whose options commas part, can name."""
+_WORD = pattern(r"[A-Za-z]+")
 _NUMBER = pattern(r"ubuntu-?(\d\d)\.?(\d\d)(?!\d)")
 
 
@@ -45,7 +46,9 @@ def _ubuntu_of(file: str) -> str:
     """Return the codename of the Ubuntu that the name of a file says, by its number or by itself, ``""`` for none."""
     by_number = _NUMBER.search(file)
     number = f"{by_number[1]}.{by_number[2]}" if by_number else ""
-    return ubuntus().get(number, "") or next((name for name in ubuntus().values() if name in file), "")
+    version = file.partition("_")[2] or file
+    words = {match[0] for match in _WORD.finditer(version)}
+    return ubuntus().get(number, "") or next((name for name in ubuntus().values() if name in words), "")
 
 
 def for_x86_alone(evidence: Evidence) -> X86Only | None:

@@ -51,7 +51,9 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
         here = 0
         for match in _PATH.finditer(text):
             path = match[0].rstrip(".")
-            if (file.path, path) in found or here >= MOST or _commented(file.path, text, match.start()):
+            if (file.path, path) in found or here >= MOST or path.startswith(_KEPT):
+                continue
+            if _commented(file.path, text, match.start()):
                 continue
             prefix, folder, made, there = tree.meant(path) or ("", "", False, False)
             if prefix or _HOME.match(path):
@@ -144,4 +146,5 @@ class _Tree:
 def _short(folder: str) -> str:
     """Return a folder that is too near to the top for a link to take its place: somebody's home, the root."""
     depth = folder.strip("/").count("/") + 1 if folder.strip("/") else 0
-    return folder if depth < (3 if f"{folder}/".startswith(("/home/", "/media/", "/mnt/")) else 1) else ""
+    least = 3 if f"{folder}/".startswith(("/home/", "/media/", "/mnt/")) else 2 if folder in {"/opt", "/srv"} else 1
+    return folder if depth < least else ""

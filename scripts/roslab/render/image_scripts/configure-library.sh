@@ -18,8 +18,15 @@ ended() {
       -e 's/.*By not providing "Find([^"]+)\.cmake".*/\1/p' \
       -e 's/.*Could NOT find ([A-Za-z0-9_]+) .*/\1/p' \
       -e "s/.*No package '([^']+)' found.*/\1/p" \
+      -e "s/.*Package '([^']+)', required by '[^']*', not found.*/\1/p" \
       -e 's/.*Could not find ([A-Za-z0-9_]+) using the following (names|files):.*/\1/p' \
-      <(awk '/^CMake .*Warning/ { error = 0 } /^CMake Error|No package/ { error = 1 } error' "${log}") | LC_ALL=C sort --unique
+      <(awk '
+        /^-- |^CMake .*Warning/ { error = 0 }
+        /Checking for (one of the )?modules?/ { module = "" }
+        /No package |, required by / { module = $0 }
+        /^CMake Error/ { error = 1 }
+        error
+        error && /required packages? w(as|ere) not found/ { print module }' "${log}") | LC_ALL=C sort --unique
   )"
   rm -f "${log}"
   if [ "${code}" -ne 0 ] && [ -n "${lacking}" ]; then echo "roslab: CMake stops without: $(tr '\n' ' ' <<<"${lacking}")"; fi

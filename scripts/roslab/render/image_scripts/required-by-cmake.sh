@@ -15,15 +15,21 @@ commands() {
 }
 # The same, with the commands of a file that is added or included below that command: FILE ITS_FOLDER LEVEL
 with_added() {
-  local line path found
+  local line path found places
   commands "$1" | while IFS='' read -r line || [ -n "${line}" ]; do
     printf '%s\n' "${line}"
     if [[ ! "${line,,}" =~ ^(add_subdirectory|include)\ \( ]] || [ "$3" -gt 5 ]; then continue; fi
     read -r path _ <<<"$(tr '()' '  ' <<<"${line#*(}")"
     path="${path#\$\{*SOURCE_DIR\}/}"
     if [[ ! "${path}" =~ ^[A-Za-z0-9_./+-]+$ ]]; then continue; fi
-    for found in "$2/${path}/CMakeLists.txt" "${top}/${path}/CMakeLists.txt" {"$2/","${top}/","${top}/cmake/"}"${path}"{,.cmake}; do
+    if [[ "${line,,}" = add_subdirectory* ]]; then places=({"$2","${top}"}"/${path}/CMakeLists.txt"); else
+      places=({"$2/","${top}/","${top}/cmake/"}"${path}"{,.cmake})
+    fi
+    for found in "${places[@]}"; do
       if [ ! -f "${found}" ]; then continue; fi
+      # One that is added again tells nothing new
+      if grep --quiet --line-regexp --fixed-strings "$(realpath "${found}")" "${seen}"; then break; fi
+      realpath "${found}" >>"${seen}"
       if [[ "${line,,}" = include* ]]; then with_added "${found}" "$2" "$(($3 + 1))"; else
         with_added "${found}" "${found%/*}" "$(($3 + 1))"
       fi
@@ -120,7 +126,8 @@ required() {
 }
 
 if [ "$1" = --library ]; then
-  top="$2"
+  top="$2" seen="$(mktemp)"
+  trap 'rm -f "${seen}"' EXIT
   given="$(printf '%s\n' "${@:3}" | sed --quiet --regexp-extended 's/^-D([A-Za-z0-9_]+(:[A-Z]+)?=[A-Za-z0-9]+)$/\1/p' | tr '\n' ' ')"
   with_added "${top}/CMakeLists.txt" "${top}" 0 | required 1 "${given}"
 else
