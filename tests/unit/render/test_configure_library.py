@@ -113,7 +113,7 @@ def test_what_cmake_did_not_find_is_told_in_a_line(tmp_path: Path) -> None:
         "CMake",
         "stops",
         "without:",
-        *"GSL VISP libbar libfoo".split(),
+        *["GSL", "VISP", "libbar", "libfoo"],
     ]
 
 
