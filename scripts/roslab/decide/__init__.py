@@ -8,7 +8,6 @@ from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.authored import as_authored
 from roslab.decide.authors_clones import authors_clones
 from roslab.decide.base import decide_base
-from roslab.decide.beside_cmake import without_packages_beside
 from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
 from roslab.decide.clones_day import decide_clones_day
@@ -41,11 +40,12 @@ from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.layout import decide_layout
+from roslab.decide.ros.not_built import of_what_is_built
 from roslab.decide.ros.sought import linked, tried
 from roslab.decide.ros.sources import decide_sources
 from roslab.decide.ros.used import asked
 from roslab.decide.ros.with_recipes import with_recipes
-from roslab.decide.ros.workspace import of_one_ros, of_what_is_built, packages_of
+from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.decide.steps import decide_steps
 from roslab.decide.switched_off import without_what_is_lacking
 from roslab.decide.system.apt_sources import decide_apt_sources
@@ -296,5 +296,5 @@ def _where_unnamed(cuda: Choice[Cuda], evidence: Evidence, config: Config, kind:
 
 def _of_kind(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
     """Return the evidence of what a repository of a kind builds, with the signs of what it brings and compiles."""
-    brought = with_what_is_brought(without_packages_beside(evidence, kind), kind, folder_name)
-    return of_what_is_built(with_compiled_signs(brought, kind), kind)
+    brought = with_what_is_brought(of_what_is_built(evidence, kind), kind, folder_name)
+    return with_compiled_signs(brought, kind)

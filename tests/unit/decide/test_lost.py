@@ -119,7 +119,8 @@ def test_a_module_that_is_compiled_from_its_repository_comes_after_torch(tree: T
     assert asked.vcs
     assert asked.url.endswith("#subdirectory=pointnet2_ops_lib")
     assert "-devel-" in found.base_image
-    assert [each.key for each in found.python.first] == ["torch"]
+    assert found.python.requirements == ("requirements.txt",)  # brings torch, before what is guessed
+    assert "torch" not in {each.key for each in (*found.python.first, *found.python.pip_guessed)}
 
 
 SCAN = {

@@ -123,8 +123,12 @@ def test_a_word_or_markup_may_stand_before_the_number(tree: Tree, said: str, ver
 def test_a_list_gives_versions_and_what_nothing_imports(tree: Tree) -> None:
     page = "# Planner\n\n## Requirements\n\n- PyTorch 1.8\n- mujoco-py\n"
     decision = tree({"main.py": "import torch\n", "README.md": page})
-    asked = {each.written: each.line for each in (*decision.python.pip, *decision.python.pip_guessed)}
+    everything = (*decision.python.pip, *decision.python.pip_guessed)
+    asked = {each.written: each.line for each in everything if each.file == "README.md"}
     assert asked == {"torch==1.8.*": 5, "mujoco-py": 6}
+    needed = [each.written for each in everything if not each.file]  # what mujoco-py must find, ahead of it
+    assert "Cython<3" in needed
+    assert [each.written for each in decision.python.pip_guessed][: len(needed)] == needed
     assert decision.python.version in {"3.8", "3.9"}
 
 

@@ -243,15 +243,26 @@ def test_what_must_be_there_first(tmp_path: Path) -> None:
 def test_what_one_manifest_pins_binds_what_another_one_installs_before_it(tmp_path: Path) -> None:
     asked = "torch==2.2.0", "torchvision==0.17.0", "einops"
     files = {
-        "robot/requirements_robot.txt": "torchvision\ntorch\nh5py\n",
+        "robot/requirements_robot.txt": "torchvision\ntorch\nh5py\nflash-attn\n",
         "pyproject.toml": f"[project]\nname = 'a'\ndependencies = {list(asked)}\n",
-        "README.md": "```\npip install -e .\npip install flash-attn\npip install -r requirements_robot.txt\n```\n",
+        "README.md": "```\npip install -e .\npip install -r requirements_robot.txt\n```\n",
     }
     found = decide(tmp_path, files, "cuda")
     assert found.first[0] == "torch==2.2.0"
     assert found.bounds == ("torch==2.2.0", "torchvision==0.17.0", "numpy<2")
     files["robot/requirements_robot.txt"] = "torch==1.9.0\ntorchvision\n"
     assert decide(tmp_path, files, "cuda").bounds == ("numpy<2",)
+
+
+def test_what_a_guess_needs_first_is_as_optional_as_the_guess(tmp_path: Path) -> None:
+    page = {"README.md": "```\npip install detectron2\n```\n", "a.py": "import torchvision\n"}
+    found = decide(tmp_path, page, "cuda")
+    assert found.first == ()
+    assert [line.partition(" ")[0] for line in found.pip_guessed] == ["torch", "torchvision", "detectron2"]
+    (tmp_path / "requirements.txt").write_text("torch==2.1.0\n")
+    found = decide(tmp_path, {}, "cuda")
+    assert found.first == ()
+    assert [line.partition(" ")[0] for line in found.pip_guessed] == ["torchvision", "detectron2"]
 
 
 def test_what_stops_without_another_package_gets_that_first(tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ from roslab.decide.python.contradicting import contradicting
 from roslab.decide.python.extension_code import decide_defines
 from roslab.decide.python.extras import beside_lists
 from roslab.decide.python.fetched import cloned_files, unseen
-from roslab.decide.python.first import first
+from roslab.decide.python.first import first_and_guesses
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.gone_lists import gone_lists
 from roslab.decide.python.gpu_projects import left_to_gpus
@@ -146,7 +146,9 @@ def decide_python(
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
     older = setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ())
     in_conda = limits_of(evidence, conda)
-    compiled_first = first((*everything, *native.answer.brought), chosen.projects, cmake=manager != "system")
+    compiled_first, guessed = first_and_guesses(
+        (*declared, *manifests, *native.answer.brought), chosen, interpreter, cmake=manager != "system"
+    )
     by_name = bool(compiled_first or declared or chosen.guessed or chosen.projects)
     options = fitting_pages(
         (*indexes, *build.answer[1], *file_options(evidence, chosen, repaired, by_name=by_name), *chosen.options),
@@ -159,7 +161,7 @@ def decide_python(
         interpreter=interpreter,
         pip=tuple(dict.fromkeys(declared)),
         pip_tried=repaired.tried,
-        pip_guessed=tuple(dict.fromkeys(one_build(right(chosen.guessed), cuda))),
+        pip_guessed=tuple(dict.fromkeys(one_build(right(guessed), cuda))),
         requirements=tuple(file.file for file in whole),
         beside_files=beside_lists(right(chosen.guessed), whole),
         cloned_files=cloned_files(evidence, chosen.files),

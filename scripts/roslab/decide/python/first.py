@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.decide.python.bounds import excluded
+from roslab.decide.python.packages import Chosen
 from roslab.decide.system.cmake_version import BRINGS_CMAKE, NEW
 from roslab.evidence.facts import PythonProject
 from roslab.knowledge.compiled import prebuilt
 from roslab.knowledge.frameworks import build_needs, imports
+from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
@@ -41,6 +43,23 @@ def first(
         while_building = [name for line in asking for name in build_needs().get(line.key, ())]
         needs += [*asking, *map(stated, while_building)]
     return tuple({need.key: _as_asked(need, by_name.get(need.key)) for need in needs}.values())
+
+
+def first_and_guesses(
+    asked: Iterable[Requirement], chosen: Chosen, interpreter: Interpreter, *, cmake: bool
+) -> tuple[tuple[Requirement, ...], tuple[Requirement, ...]]:
+    """Return what must be installed before what is required, and the guesses, ahead of them what these must find.
+
+    What only a guess needs is as optional as the guess, and stops no build; a guess may tell the version of the first.
+    """
+    required = tuple(filter(interpreter.may, asked))
+    guessed = tuple(filter(interpreter.may, chosen.guessed))
+    needed = {each.key for each in first(required, chosen.projects, cmake=cmake)}
+    whole = first((*guessed, *required), chosen.projects, cmake=cmake) if needed else ()
+    ahead = tuple(each for each in whole if each.key in needed)
+    there = {each.key for each in (*required, *ahead)}
+    optional = {each.key: each for each in first(guessed, ()) if each.key not in there}
+    return ahead, (*optional.values(), *(each for each in guessed if each.key not in optional))
 
 
 def _as_asked(need: Requirement, author: Requirement | None) -> Requirement:

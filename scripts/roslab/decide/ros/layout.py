@@ -8,6 +8,7 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.programs import beside_top, compiled, folders_of, top_of
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.not_built import warn_of_the_other_ros
 from roslab.decide.ros.other_workspaces import warn_of_others
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
@@ -56,7 +57,7 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
     if not packages.built:
         return Choice(answer=Layout())
     first = Place(file=packages.built[0].file, line=1)
-    others = warn_of_others(evidence, packages.built, packages.doubles)
+    others = (*warn_of_others(evidence, packages.built, packages.doubles), *warn_of_the_other_ros(evidence, kind))
     refused = kind == "ros1" and any(project.file == "CMakeLists.txt" for project in evidence.cmake)
     in_src = all(manifest.file.startswith("src/") and manifest.file.count("/") > 1 for manifest in packages.built)
     if in_src and not refused:

@@ -17,6 +17,8 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 RosVersion = Literal[1, 2]
+_CALLED = {"ros1": "catkin", "ros2": "ament"}
+"""The family of CMake's macros that packages of a kind call."""
 _ASSET = pattern(r"(?:^|/)(?:assets?|data|resources?|urdfs?|meshes|models)(?:/|$)", re.IGNORECASE)
 """Folders of robot descriptions: programs read a package there, it is not built."""
 _MADE = pattern(r"(?:^|/)(?:build|devel|install)/")
@@ -54,19 +56,6 @@ def packages_of(evidence: Evidence) -> Packages:
         tuple(p.folder for p in evidence.python),
         tuple(p.file for p in evidence.cmake if p.always),
         page_launches(evidence),
-    )
-
-
-def of_what_is_built(evidence: Evidence, kind: Kind) -> Evidence:
-    """Return the evidence without launch files and tests of workspaces and copies that no tool of ROS looks into."""
-    doubles = packages_of(evidence).doubles if kind in {"ros1", "ros2"} else ()
-    aside = tuple(f"{folder}/" for folder in doubles)
-    if not aside:
-        return evidence
-    return replace(
-        evidence,
-        launch=tuple(each for each in evidence.launch if not each.file.startswith(aside)),
-        tests=tuple(each for each in evidence.tests if not each.file.startswith(aside)),
     )
 
 
@@ -208,14 +197,8 @@ def ros_versions(manifest: PackageManifest, macros: tuple[str, ...] = ()) -> fro
 
 def of_one_ros(packages: Packages, evidence: Evidence, kind: Kind) -> Packages:
     """Return the packages without those that are made for the other ROS alone, whose folders no tool looks into."""
-    macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
-    own = {"ros1": "catkin", "ros2": "ament"}.get(kind)  # whatever a manifest says, CMake uses these
-    others = []
-    for manifest in packages.built if own else ():
-        called = macros.get(manifest.file.rpartition("/")[0], ())
-        made_for = {f"ros{version}" for version in ros_versions(manifest, called)}
-        if made_for and kind not in made_for and own not in called and not of_rosbuild(manifest):
-            others.append(manifest)
+    made = made_for(packages.built if kind in _CALLED else (), evidence)
+    others = [manifest for manifest, versions in made if versions and kind not in versions]
     if not others or len(others) == len(packages.built):
         return packages
     folders = {manifest.file.rpartition("/")[0] for manifest in others}
@@ -225,6 +208,25 @@ def of_one_ros(packages: Packages, evidence: Evidence, kind: Kind) -> Packages:
         left_out=(*packages.left_out, *others),
         doubles=tuple(sorted({*packages.doubles, *folders} - {""})),
     )
+
+
+def made_for(
+    manifests: Iterable[PackageManifest], evidence: Evidence
+) -> tuple[tuple[PackageManifest, frozenset[str]], ...]:
+    """Return each package with the kinds of image that it is made for; none for plain CMake and rosbuild.
+
+    Whatever a manifest says, a package is also for the ROS whose macros its CMakeLists.txt calls.
+    """
+    macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
+
+    def kinds(manifest: PackageManifest) -> frozenset[str]:
+        called = macros.get(manifest.file.rpartition("/")[0], ())
+        found = {f"ros{version}" for version in ros_versions(manifest, called)}
+        if not found or of_rosbuild(manifest):
+            return frozenset()
+        return frozenset(found | {kind for kind, family in _CALLED.items() if family in called})
+
+    return tuple((manifest, kinds(manifest)) for manifest in manifests)
 
 
 def _for_catkin(manifest: PackageManifest, macros: tuple[str, ...]) -> bool:
