@@ -11,7 +11,9 @@ from roslab.values.name import canonicalize_name
 _USUAL = ("requirements", "requirement")
 _ENDS = (".txt", ".in", ".pip")
 _MOST = 2
-"""Most letters that a name differs in."""
+"""Most letters that a name is longer or shorter by."""
+_NEAR = 0.83
+"""How alike it is to a usual one: two letters of twelve are others."""
 
 
 def named(repository: Repository) -> frozenset[str]:
@@ -43,14 +45,8 @@ def _close(name: str) -> bool:
     stem = next((lowered.removesuffix(end) for end in _ENDS if lowered.endswith(end)), lowered)
     if not stem.startswith("r") or "." in stem:
         return False
-    return any(abs(len(stem) - len(usual)) <= _MOST and _distance(stem, usual) <= _MOST for usual in _USUAL)
+    if not any(abs(len(stem) - len(usual)) <= _MOST for usual in _USUAL):
+        return False
+    from difflib import get_close_matches  # noqa: PLC0415 - few trees have such a name
 
-
-def _distance(one: str, other: str) -> int:
-    """Return how many letters have to be put in, left out or replaced to make one word of the other."""
-    row = list(range(len(other) + 1))
-    for at, letter in enumerate(one, 1):
-        before, row[0] = row[0], at
-        for column, wanted in enumerate(other, 1):
-            before, row[column] = row[column], min(row[column] + 1, row[column - 1] + 1, before + (letter != wanted))
-    return row[-1]
+    return bool(get_close_matches(stem, _USUAL, n=1, cutoff=_NEAR))
