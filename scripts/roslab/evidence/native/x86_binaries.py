@@ -111,9 +111,10 @@ def _opened(repository: Repository, libraries: Sequence[File], only: set[str]) -
     """Yield the library of the tree that code of C or C++ opens by its name, if all of that name are for x86-64."""
     code = [file for file in repository.suffixed(*_CODE)[:MAX_CODE] if not places.vendored(file.path)]
     texts = {file.path: repository.read(file) for file in code}
-    opens = any(_OPENS.search(text) for text in texts.values())
+    if not any("open" in text and _OPENS.search(text) for text in texts.values()):
+        return
     for path, text in texts.items():
-        if not opens or _CHOOSES_IN_CODE.search(text):
+        if '.so"' not in text or _CHOOSES_IN_CODE.search(text):
             continue
         for named in _NAMED.finditer(text):
             if named[1] in only:
