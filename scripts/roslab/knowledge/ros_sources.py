@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
+from roslab.knowledge.distros import distros
 from roslab.knowledge.record import record
 from roslab.knowledge.released import released
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
+
+_COMMIT = re.compile(r"[0-9a-f]{40}")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -44,6 +48,19 @@ def ros_sources(package: str, ros: int, distro: str = "") -> tuple[RosSource, ..
     first = {found.package: found for needed in row["after"].split() for found in ros_sources(needed, ros, distro)}
     own = record(RosSource, row, ref=row["ref"].format(distro=distro or "rolling"))
     return (*first.values(), own)
+
+
+def day_of(source: RosSource, distro: str, day: str) -> str:
+    """Return the day of which the table's commit is taken, ``""`` for the commit itself.
+
+    A commit of 2025 may lack what a repository of 2023 includes, so its own day is taken: where the distribution was a
+    year old by then, so that others had come to work on it. What is prepared or configured was tried at its commit.
+    """
+    known = distros().get(distro)
+    if not (known and day and _COMMIT.fullmatch(source.ref)) or source.prepare or source.options:
+        return ""
+    year_before = f"{int(day[:4]) - 1}{day[4:]}"
+    return day if year_before >= known.released else ""
 
 
 @cache

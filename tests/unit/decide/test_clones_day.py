@@ -80,3 +80,24 @@ def test_a_clone_is_of_the_day_whether_or_not_its_folder_is_named(tmp_path: Path
     subprocess.run(["bash", "-c", step], check=True, env=environment, cwd=here)
     said = ["git", "-C", str(here / ("into" if named else "matrix")), "log", "-1", "--format=%s"]
     assert subprocess.run(said, check=True, capture_output=True, text=True).stdout.strip() == "2018-01-01"
+
+
+@pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="a step of a build has /dev/shm")
+def test_a_clone_of_the_day_is_what_its_branch_was_then(tmp_path: Path) -> None:
+    """What was committed elsewhere before the day, and merged after it, was not there yet."""
+    origin, here = tmp_path / "origin", tmp_path / "here"
+    origin.mkdir()
+    here.mkdir()
+    git(origin, "init", "--quiet", "--initial-branch=main")
+    git(origin, "commit", "--quiet", "--allow-empty", "--message", "there", day="2018-01-01")
+    git(origin, "checkout", "--quiet", "-b", "aside")
+    git(origin, "commit", "--quiet", "--allow-empty", "--message", "aside", day="2019-01-01")
+    git(origin, "checkout", "--quiet", "main")
+    git(origin, "merge", "--quiet", "--no-ff", "--message", "merged", "aside", day="2020-01-01")
+    shutil.copy(SCRIPT, here / "git-as-of")
+    (here / "git-as-of").chmod(0o755)
+    environment = {**os.environ, "PATH": f"{here}:{os.environ['PATH']}"}
+    step = f'eval "$(git-as-of 2019-03-01)" && git clone --quiet {origin} into'
+    subprocess.run(["bash", "-c", step], check=True, env=environment, cwd=here)
+    said = ["git", "-C", str(here / "into"), "log", "-1", "--format=%s"]
+    assert subprocess.run(said, check=True, capture_output=True, text=True).stdout.strip() == "there"

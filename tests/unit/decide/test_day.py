@@ -107,6 +107,27 @@ def test_what_a_list_alone_imports_is_of_the_time_of_its_commit(tmp_path: Path) 
     assert (source.ref, source.before) == ("master", "2020-07-09")
 
 
+@pytest.mark.parametrize(
+    ("distro", "needed", "before"),
+    [
+        ("Melodic", "mrs_lib", "2020-07-09"),
+        ("Noetic", "mrs_lib", ""),  # nobody had worked on it for a year
+        ("Melodic", "livox_ros_driver", ""),  # a release, which stays what it is
+    ],
+)
+def test_what_the_table_clones_is_not_newer_than_the_repository(
+    tmp_path: Path, distro: str, needed: str, before: str
+) -> None:
+    needs = f"<buildtool_depend>catkin</buildtool_depend><depend>{needed}</depend>"
+    (tmp_path / "package.xml").write_text(f"<package><name>demo</name>{needs}</package>")
+    (tmp_path / "CMakeLists.txt").write_text(f"find_package(catkin REQUIRED COMPONENTS {needed})\n")
+    (tmp_path / "README.md").write_text(f"For ROS {distro}.\n")
+    commit(tmp_path)
+    found = plan(tmp_path, {}, "").workspace.sources
+    assert found
+    assert {source.before for source in found} == {before}
+
+
 def test_the_day_of_the_paper(tmp_path: Path) -> None:
     found = plan(tmp_path, ROS1, "date: paper\n")
     assert found.as_of is None

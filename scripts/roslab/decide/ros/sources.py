@@ -40,7 +40,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.recipes import recipe_at
 from roslab.knowledge.released import released, rosdep_keys
-from roslab.knowledge.ros_sources import RosSource, ros_sources
+from roslab.knowledge.ros_sources import RosSource, day_of, ros_sources
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.origin import Place
 from roslab.values.secret import SSH
@@ -188,8 +188,7 @@ class _Chosen:
         if new and self.build_tool.startswith("catkin") and asked.role != "exec" and called_like(git, asked):
             name = next(reversed(self.sources))
             self.sources[name] = replace(self.sources[name], unread=True)  # it may be plain CMake
-        tabled = ros_sources(asked.name, self.ros)[-1:]
-        self.others |= {address(found.repo) for found in tabled} - {address(git.url)}
+        self.others |= {address(tabled.repo) for tabled in ros_sources(asked.name, self.ros)[-1:]} - {address(git.url)}
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
             more = "rosdep has a package of the same name, which may be another one: the clone is used"
@@ -254,7 +253,8 @@ class _Chosen:
         if found.library:
             self.libraries.setdefault(found.library, asked)
         options = source.cmake_options or found.options.format(distro=distro)
-        self.sources[name] = replace(source, prepare=found.prepare, cmake_options=options)
+        day = day_of(found, distro, self.before) if source.ref == found.ref else source.before
+        self.sources[name] = replace(source, prepare=found.prepare, cmake_options=options, before=day)
 
     def linked(self, evidence: Evidence, needed: Iterable[Dependency], known: frozenset[str], itself: set[str]) -> None:
         """Add what pages link to for packages that are needed and that nothing brings so far."""

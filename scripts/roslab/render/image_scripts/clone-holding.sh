@@ -39,7 +39,7 @@ git clone "${url}" "${folder}" || leave_out "it cannot be cloned"
 if [ -n "${ref}" ]; then
   git -C "${folder}" -c advice.detachedHead=false checkout "${ref}" || leave_out "it has no ${ref}"
 elif [ -n "${day}" ]; then
-  commit="$(git -C "${folder}" rev-list --max-count=1 --before="${day}T23:59:59Z" HEAD)"
+  commit="$(git -C "${folder}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" HEAD)"
   git -C "${folder}" -c advice.detachedHead=false checkout "${commit:-HEAD}"
 fi
 look() { mapfile -t kept < <(workspace-packages needed "${folder}" "${lacking[@]}" | cut --fields=1); }

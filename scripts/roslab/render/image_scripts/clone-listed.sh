@@ -60,7 +60,7 @@ of_day() { # BRANCH
     echo "$1"
     return
   fi
-  commit="$(git -C "${folder}" rev-list --max-count=1 --before="${day}T23:59:59Z" "$1")"
+  commit="$(git -C "${folder}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" "$1")"
   echo "${commit:-$1}"
 }
 if [ -n "${day}" ]; then take "$(of_day HEAD)"; fi

@@ -26,7 +26,7 @@ if [ ! -e "${folder}/.git" ]; then  # git names it by the address
   folder="${folder%.git}"
 fi
 if [ ! -e "${folder}/.git" ]; then exit 0; fi
-commit="$(git -C "${folder}" rev-list -1 --before="${GIT_AS_OF}T23:59:59Z" HEAD)"
+commit="$(git -C "${folder}" rev-list -1 --first-parent --before="${GIT_AS_OF}T23:59:59Z" HEAD)"
 if [ -n "${commit}" ]; then
   git -C "${folder}" reset --quiet --hard "${commit}"
 else

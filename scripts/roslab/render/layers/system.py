@@ -274,7 +274,7 @@ def clone(source: Source, folder: str) -> list[str]:
         commands.append(f"git -C {folder} -c advice.detachedHead=false checkout {quote.shell(source.ref)}")
     if source.before:
         until = quote.shell(f"{source.before}T23:59:59Z")
-        found = f'commit="$(git -C {folder} rev-list --max-count=1 --before={until} HEAD)"'
+        found = f'commit="$(git -C {folder} rev-list --max-count=1 --first-parent --before={until} HEAD)"'
         commands += [found, f'git -C {folder} -c advice.detachedHead=false checkout "${{commit:-HEAD}}"']
     return [*commands, f"git -C {folder} submodule update --init --recursive"]
 
