@@ -33,6 +33,8 @@ UNSAID = "nothing says which ROS distribution"
         (CATKIN, {"ws/build/CMakeCache.txt": CACHE}, "indigo"),
         (CATKIN, {"devel/_setup_util.py": "CMAKE_PREFIX_PATH = '/opt/ros/kinetic'.split(';')\n"}, "kinetic"),
         (AMENT, {".vscode/settings.json": SETTINGS, "README.md": "Tested on ROS 2 Jazzy.\n"}, "jazzy"),
+        (CATKIN, {"scripts/run.sh": "#!/bin/bash\nsource /opt/ros/kinetic/setup.bash\n"}, "kinetic"),
+        (AMENT, {"robot.service": "[Service]\nExecStart=bash -c '. /opt/ros/iron/setup.sh; ros2 run a b'\n"}, "iron"),
     ],
 )
 def test_the_distribution_of_a_machine(tree: Tree, manifest: str, files: dict[str, str], distro: str) -> None:
@@ -47,6 +49,9 @@ def test_the_distribution_of_a_machine(tree: Tree, manifest: str, files: dict[st
         {".vscode/settings.json": '{\n  // "ros.distro": "iron"\n}\n'},
         {"third_party/b/.vscode/settings.json": SETTINGS},
         {".vscode/settings.json": SETTINGS.replace("iron", "noetic")},
+        {"run.sh": "# source /opt/ros/iron/setup.bash\n"},
+        {"run.sh": "source /opt/ros/iron/setup.bash || source /opt/ros/foxy/setup.bash\n"},
+        {"third_party/run.sh": "source /opt/ros/iron/setup.bash\n"},
     ],
 )
 def test_what_tells_of_no_machine(tree: Tree, files: dict[str, str]) -> None:

@@ -1,4 +1,4 @@
-"""The distribution of the author's machine: an editor's settings, what a build wrote, the list of a ``pip freeze``."""
+"""The distribution of the author's machine: settings, what a build wrote, scripts, the list of a ``pip freeze``."""
 
 from __future__ import annotations
 

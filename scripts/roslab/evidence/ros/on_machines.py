@@ -1,4 +1,4 @@
-"""Distributions in what an editor, a build or catkin wrote on the author's machine, and that was committed."""
+"""Distributions in what an editor, a build or catkin wrote on the author's machine, and in scripts that work on it."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from roslab.values.pattern import pattern
 EDITOR = ".vscode"
 SETUPS = ("CMakeCache.txt", "setup.sh", "setup.bash", "_setup_util.py")
 """What CMake, catkin and colcon write into a build, devel or install folder, with the underlay's path."""
+SCRIPTS = (".sh", ".bash", ".zsh", ".service", ".desktop", ".tmux")
 MOST = 40
 """Files that are read: a build folder has one for each package."""
 TOPLEVEL = "CMakeLists.txt"
@@ -23,17 +24,27 @@ TOPLEVEL = "CMakeLists.txt"
 LONGEST = 200
 """Most bytes of a link that was committed as a file."""
 _NAMED = r"/opt/ros/([a-z]+)\b(?!\.)"
+_EACH = pattern(_NAMED)
 _BUILT = pattern(rf"[^\n]{{0,400}}?{_NAMED}")
 _LINK = pattern(r"/opt/ros/([a-z]+)/share/catkin/cmake/toplevel\.cmake\s*$")
+_SOURCED = pattern(rf"(?![ \t]*#)[^#\n]{{0,400}}?{_NAMED}")
 _SET = pattern(rf"(?![ \t]*//)[^\n]{{0,400}}?(?:{_NAMED}|\"ros\.distro\"[ \t]*:[ \t]*\"([a-z]+)\")")
 
 
 def read(repository: Repository) -> Iterator[Mention]:
-    """Yield each distribution that such a file names, at its first place in it, the nearest files first."""
+    """Yield each distribution that such a file names, at its first place in it, the nearest files first.
+
+    A script that names several chooses among them, or is for several machines: it tells nothing.
+    """
     found = [file for file in repository.suffixed(".json") if posixpath.basename(file.folder) == EDITOR]
     found += repository.named(*SETUPS)
     for file in nearest(file for file in found if not places.aside(file.path))[:MOST]:
         yield from _named(file, repository.read(file))
+    scripts = (*repository.suffixed(*SCRIPTS), *repository.named("Makefile", ".bashrc", "bashrc"))
+    for file in nearest(f for f in scripts if not (places.aside(f.path) or f.name.lower() in SETUPS))[:MOST]:
+        text = repository.read(file)
+        if len(set(_EACH.findall(text)) & distros().keys()) == 1:
+            yield from _named(file, text)
     yield from _links(repository)
 
 
@@ -55,7 +66,8 @@ def _links(repository: Repository) -> Iterator[Mention]:
 
 
 def _named(file: File, text: str) -> Iterator[Mention]:
-    lines, word = (_SET, "ros") if file.suffix == ".json" else (_BUILT, "/opt/ros/")
+    built = _SOURCED if file.suffix in SCRIPTS and file.name not in SETUPS else _BUILT
+    lines, word = (_SET, "ros") if file.suffix == ".json" else (built, "/opt/ros/")
     told: set[str] = set()
     for match in matching_lines(lines, text, word) if word in text else ():
         name = next(filter(None, match.groups()))
