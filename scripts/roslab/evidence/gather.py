@@ -90,6 +90,7 @@ from roslab.evidence.python import (
     own_history,
     pixi,
     print_statement,
+    programs,
     project,
     removed,
     requirements,
@@ -153,12 +154,12 @@ def gather(repository: Repository) -> Evidence:
     python_projects = project.read(repository)
     stopped = stopped_setup.chosen(python_projects, prose.requirements)
     by_pip = [each for each in python_projects if not places.vendored(each.file)]
-    programs = {name for each in by_pip for name, _ in each.scripts}
-    programs |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
+    names = {name for each in by_pip for name, _ in each.scripts}
+    names |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
     files = {posixpath.basename(file): file for each in by_pip for file in each.script_files}
-    started = imports.programs(repository)
+    started = programs.read(repository)
     below = {name: each.folder for each in by_pip for name, _ in each.scripts}
-    by_name = readme.named(own, dict.fromkeys(programs, "") | files, below)
+    by_name = readme.named(own, dict.fromkeys(names, "") | files, below)
     sources = (
         *(source for manifest in manifests if not manifest.ignored for source in manifest.sources),
         *vcs.read(repository),

@@ -22,7 +22,8 @@ class NotOnIndex:
 
     instead: str
     releases: str
-    """``same`` where that has the same versions, so that what is said of them holds for it, too."""
+    """``same`` where that has the same versions, so that what is said of them holds for it, too; of a repository how it
+    calls the tag of a version: ``v{}``."""
     why: str
     conda: tuple[str, ...]
     """conda's channels that have it."""

@@ -21,6 +21,7 @@ from roslab.evidence.prose import author_dockerfile as dockerfile
 from roslab.evidence.prose import ci, readme
 from roslab.evidence.python import conda, imports, requirements
 from roslab.evidence.python import project as python_project
+from roslab.evidence.python.programs import read as programs
 from roslab.plan.python import PythonPlan, python_plan
 from roslab.repository.checkout import Repository
 
@@ -38,7 +39,7 @@ def evidence_of(tmp_path: Path, files: dict[str, str]) -> Evidence:
         conda=conda.read(repository),
         dockerfiles=dockerfile.read(repository),
         code=imports.read(repository),
-        programs=imports.programs(repository),
+        programs=programs(repository),
         prose=prose.dependencies,
         prose_pip=prose.requirements,
         sources=prose.sources,

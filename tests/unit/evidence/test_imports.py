@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslab.evidence.python import imports
+from roslab.evidence.python.programs import read as programs
 from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
 
@@ -134,7 +135,7 @@ def test_programs(tmp_path: Path) -> None:
             "setup.py": guard,
         },
     )
-    found = [(s.file, s.line, s.kind) for s in imports.programs(repository)]
+    found = [(s.file, s.line, s.kind) for s in programs(repository)]
     assert found == [("node.py", 2, "node"), ("pkg/__main__.py", 1, "main"), ("train.py", 2, "main")]
 
 
@@ -164,3 +165,28 @@ def test_what_a_newer_python_dropped_is_pythons_own_whichever_python_makes_the_p
         assert [each.name for each in imports.read(Repository.open(tmp_path))] == ["scipy"]
     finally:
         imports._standard.cache_clear()
+
+
+EXTENSION = "from setuptools import setup\nsetup(ext_modules=[CUDAExtension('fast_ops', sources=['a.cu'])])\n"
+PYBIND = "project(ground CXX)\npybind11_add_module({} a.cpp)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "outside"),
+    [
+        ({"setup.py": EXTENSION}, []),
+        ({"setup.py": EXTENSION.replace("'fast_ops'", "name='fast_ops._C'")}, []),
+        ({"CMakeLists.txt": PYBIND.format("fast_ops")}, []),
+        ({"CMakeLists.txt": PYBIND.format("${PROJECT_NAME}").replace("ground", "fast_ops")}, []),
+        ({"CMakeLists.txt": PYBIND.format("other")}, ["fast_ops"]),
+        ({"setup.py": "setup()\n"}, ["fast_ops"]),
+    ],
+)
+def test_what_the_tree_compiles_is_its_own(tmp_path: Path, files: dict[str, str], outside: list[str]) -> None:
+    repository = tree(tmp_path, {"main.py": "import fast_ops\n", **files})
+    assert [d.name for d in imports.read(repository) if d.file == "main.py"] == outside
+
+
+def test_copied_code_of_a_known_package_may_not_be_compiled(tmp_path: Path) -> None:
+    files = {"main.py": "import open3d\n", "third_party/a/CMakeLists.txt": PYBIND.format("open3d")}
+    assert [d.name for d in imports.read(tree(tmp_path, files))] == ["open3d"]

@@ -91,12 +91,18 @@ def right(requirements: Iterable[Requirement], of_pages: Mapping[str, Requiremen
         elif row is None:
             yield asked
         elif row.instead:
-            line = row.instead + (_releases(asked) if row.releases else "")
+            line = row.instead + (_releases(asked, row.releases) if row.releases else "")
             yield replace(stated(line, asked.origin, asked.file, asked.line), marker=asked.marker, role=asked.role)
 
 
-def _releases(asked: Requirement) -> str:
-    """Return what is said of its releases; a pin as one of its major release, as the other may lack this very one."""
+def _releases(asked: Requirement, releases: str) -> str:
+    """Return what is said of its releases; a pin as one of its major release, as the other may lack this very one.
+
+    Of a repository it is the tag of a pin, and nothing where no version is pinned.
+    """
+    if "{}" in releases:
+        pins = [each.version for each in asked.specifier if each.operator == "==" and _PLAIN.fullmatch(each.version)]
+        return f"@{releases.format(pins[0])}" if pins else ""
     said: list[str] = []
     for each in asked.specifier:
         if each.operator == "==" and _PLAIN.fullmatch(each.version):

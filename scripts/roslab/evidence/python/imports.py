@@ -1,4 +1,4 @@
-"""Python imports, and the Python programs that can be started."""
+"""Python imports."""
 
 from __future__ import annotations
 
@@ -9,14 +9,12 @@ from functools import cache
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.lex.lines import first_line
-from roslab.evidence.program import Program
 from roslab.evidence.python import notebooks
+from roslab.evidence.python.compiled_modules import compiled_modules
 from roslab.evidence.python.modules import MAX_READ, Module, modules
 from roslab.evidence.python.namesakes import Namesakes, namesakes
 from roslab.evidence.python.of_python3 import of_python3
-from roslab.evidence.python.own_folder import own_folder
-from roslab.evidence.python.own_tests import only_tests
+from roslab.evidence.python.programs import read as programs
 from roslab.evidence.python.rendered import rendered
 from roslab.evidence.python.shown_by_imports import names, shown_by_imports
 from roslab.knowledge.frameworks import imports as known_imports
@@ -36,8 +34,6 @@ _IMPORT = pattern(
 _TYPELIB = pattern(r"\brequire_version\(\s*[\"'](\w+)[\"']\s*,\s*[\"']([\d.]+)[\"']")
 _PLAIN_PYTHON = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
 """A first line that starts `python`, which Ubuntu 20.04 and newer install only on demand."""
-_MAIN = pattern(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
-_NODE = pattern(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
 _OF_NODES = frozenset({"torch", "tensorflow", "jax", "keras"})
 """Frameworks, which are too large to be installed for a helper script beside the nodes."""
 _ROS = pattern(r"^(?:import|from) r(?:os|cl)py\b", re.MULTILINE)
@@ -218,34 +214,6 @@ def _standard(module: str) -> bool:
     return own and module not in known_imports()
 
 
-def programs(repository: Repository) -> tuple[Program, ...]:
-    """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
-    return repository.once(_programs)
-
-
-def _programs(repository: Repository) -> tuple[Program, ...]:
-    found = []
-    for module in modules(repository):
-        file, text = module.file, module.text
-        if places.test(file.path) or file.name in {"setup.py", "conftest.py"}:
-            continue
-        if file.name == "__main__.py":
-            found.append(Program(file=file.path, line=1, kind="main"))
-        elif "__main__" in module.words and (match := first_line(_MAIN, text, "__main__")):
-            if only_tests(text[match.end() :]):
-                continue
-            node = module.names_ros and bool(_NODE.search(text))
-            found.append(
-                Program(
-                    file=file.path,
-                    line=text.count("\n", 0, match.start()) + 1,
-                    kind="node" if node else "main",
-                    inside=own_folder(repository, module),
-                )
-            )
-    return tuple(sorted(found, key=lambda script: script.file))
-
-
 def _foreign(match: re.Match[str], top: str, like: Namesakes, file: File) -> bool:
     """Tell whether a statement imports a known package and not the tree's folder of that name."""
     return top in like.found and any(
@@ -254,7 +222,7 @@ def _foreign(match: re.Match[str], top: str, like: Namesakes, file: File) -> boo
 
 
 def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str], Namesakes]:
-    """Return every name that could be a module of the tree: its Python files and their folders.
+    """Return every name that could be a module of the tree: its Python files, their folders and what it compiles.
 
     A folder that only holds others and is called like a known package (``gym``) sorts what is for that package. What
     is in it may be imported all the same: these modules are returned apart, whole (``datasets.indoor.loader``). So is a
@@ -279,7 +247,11 @@ def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str], Name
     of_ros = {file.folder.rpartition("/")[2] for file in repository.named("package.xml")}
     like = names & known_imports().keys() - of_ros
     started = (program.file for program in programs(repository))
-    return frozenset(names | of_ros), frozenset(sorted_in), namesakes(repository, like, started)
+    return (
+        frozenset(names | of_ros | compiled_modules(repository)),
+        frozenset(sorted_in),
+        namesakes(repository, like, started),
+    )
 
 
 def _imported_beside(repository: Repository, names: set[str]) -> set[str]:

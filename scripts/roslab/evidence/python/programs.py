@@ -1,0 +1,45 @@
+"""The Python programs that can be started."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.evidence import places
+from roslab.evidence.lex.lines import first_line
+from roslab.evidence.program import Program
+from roslab.evidence.python.modules import modules
+from roslab.evidence.python.own_folder import own_folder
+from roslab.evidence.python.own_tests import only_tests
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_MAIN = pattern(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
+_NODE = pattern(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
+
+
+def read(repository: Repository) -> tuple[Program, ...]:
+    """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
+    return repository.once(_programs)
+
+
+def _programs(repository: Repository) -> tuple[Program, ...]:
+    found = []
+    for module in modules(repository):
+        file, text = module.file, module.text
+        if places.test(file.path) or file.name in {"setup.py", "conftest.py"}:
+            continue
+        if file.name == "__main__.py":
+            found.append(Program(file=file.path, line=1, kind="main"))
+        elif "__main__" in module.words and (match := first_line(_MAIN, text, "__main__")):
+            if only_tests(text[match.end() :]):
+                continue
+            node = module.names_ros and bool(_NODE.search(text))
+            found.append(
+                Program(
+                    file=file.path,
+                    line=text.count("\n", 0, match.start()) + 1,
+                    kind="node" if node else "main",
+                    inside=own_folder(repository, module),
+                )
+            )
+    return tuple(sorted(found, key=lambda script: script.file))
