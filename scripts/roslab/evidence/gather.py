@@ -122,6 +122,12 @@ from roslab.evidence.ros import (
 )
 from roslab.repository.checkout import Repository
 
+MENTIONED = (
+    *(branch_tables.read, cloned_heads.read, companions.read, conflicts.read, environments.read, for_reference.read),
+    *(named_ports.read, opened.read, own_history.read, print_statement.read, shared_objects.made_on),
+    version_file.read,
+)
+"""What pages, code and files of a project tell by themselves."""
 LOADED = (gazebo_plugins.read, controllers.read, image_transports.read, started_by_scripts.read)
 """What robots, worlds, launch files and parameters load and shell scripts start, which few package.xml name."""
 PROSE = (
@@ -215,37 +221,26 @@ def gather(repository: Repository) -> Evidence:
         apt_sources=apt_sources.read(own),
         mentions=(
             *distro_names.read(repository, ci.of_others(repository)),
-            *branch_tables.read(own),
             *with_notebooks(fetched_here.without(prose.mentions, own), said),
             *linked.read(own, prose.mentions, ros=bool(manifests)),
             *by_name,
             *said,
             *container_starts.read(own, dockerfiles),
-            *for_reference.read(own),
-            *shared_objects.made_on(own),
-            *cloned_heads.read(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
             *((*on_machines.read(own), *own_setup.read(own), *handed_lists.read(own)) if manifests else ()),
-            *print_statement.read(own),
             *from_root.read(own, prose.mentions),
             *at_top.read(own, prose.mentions),
             *listens.read(own, prose.mentions, started),
             *siblings.read(own, python_projects),
             *stopped_setup.folders(stopped),
-            *conflicts.read(own),
-            *environments.read(own),
-            *companions.read(own),
-            *own_history.read(own),
-            *opened.read(own),
             *(() if manifests else opens_above.read(own, cmake_projects)),
-            *version_file.read(own),
             *options.read(own, (*prose.mentions, *by_name)),
             *options.of_programs(own, started, (*prose.mentions, *by_name)),
             *script_parameters.read(own, prose.mentions),
             *tried.read(own, (*prose.mentions, *by_name)),
-            *named_ports.read(own),
             *named_weights.read(own, (*prose.mentions, *by_name)),
             *launchers.read(own, prose.mentions),
+            *(mention for reader in MENTIONED for mention in reader(own)),
             *otherwise,
             *stops_without.read(own, cmake_projects),
             *(asked_variables.read(own, cmake_projects) if manifests or cmake_projects else ()),

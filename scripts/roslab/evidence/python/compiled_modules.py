@@ -6,9 +6,8 @@ import re
 from collections.abc import Iterator
 
 from roslab.evidence import places
-from roslab.evidence.native.x86 import cmake_files
 from roslab.knowledge.frameworks import imports as known_imports
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 _EXTENSION = pattern(r"\b\w*Extension\s*\(\s*(?:name\s*=\s*)?[\"']([A-Za-z_][\w.]*)[\"']")
@@ -22,6 +21,9 @@ _TARGET = pattern(
 """https://pybind11.readthedocs.io/en/stable/compiling.html, https://nanobind.readthedocs.io/en/latest/api_cmake.html,
 https://cmake.org/cmake/help/latest/module/FindPython.html, read 2026-11-27."""
 _PROJECT = pattern(r"\bproject\s*\(\s*([A-Za-z_]\w*)", re.IGNORECASE)
+
+MOST = 300
+"""Files of CMake that are read, the nearest to the root first."""
 
 
 def compiled_modules(repository: Repository) -> frozenset[str]:
@@ -41,7 +43,7 @@ def _of_setup(repository: Repository) -> Iterator[tuple[str, str]]:
 
 
 def _of_cmake(repository: Repository) -> Iterator[tuple[str, str]]:
-    for file in cmake_files(repository):
+    for file in nearest(repository.named("CMakeLists.txt"))[:MOST]:
         text = repository.read(file)
         for match in _TARGET.finditer(text) if "_add_" in text and not places.test(file.path) else ():
             project = _PROJECT.search(text)
