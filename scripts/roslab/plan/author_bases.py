@@ -58,5 +58,5 @@ def _installers(codename: str | None) -> tuple[str, ...]:
     bounded = [line for line in tools if "<" in line.partition(";")[0]]
     return (
         *(f'{pin}; python_version < "3"' for pin in python2),
-        *(f'{line} and python_version >= "3"' for line in bounded),
+        *(f'{line}{" and" if ";" in line else ";"} python_version >= "3"' for line in bounded),
     )

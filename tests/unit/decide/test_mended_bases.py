@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
 
 from roslab.pipeline import plan_repository
 from roslab.plan.author_bases import Base
@@ -70,6 +71,17 @@ def test_every_stage_is_read_and_each_base_replaced_once(tmp_path: Path) -> None
     assert 'pip<21; python_version < "3"' in kinetic.installers
     assert bionic.sources
     assert (bionic.sources.ros, bionic.sources.ended, bionic.rosdistro_tag) == (None, True, None)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["ros:kinetic", "ubuntu:18.04", "nvidia/cuda:10.0-devel-ubuntu18.04", "nvidia/cuda:12.0.0-devel-ubuntu22.04"],
+)
+def test_pip_can_read_every_bound_of_a_replaced_base(tmp_path: Path, name: str) -> None:
+    (base,) = bases(tmp_path, f"FROM {name}\nCOPY . /source\n")
+    bounds = [Requirement(line) for line in base.installers]  # it raises what pip would stop with
+    assert bounds
+    assert all(bound.marker and bound.specifier for bound in bounds)
 
 
 def test_each_step_from_a_deleted_cuda_to_the_nearest_is_told(tmp_path: Path) -> None:
