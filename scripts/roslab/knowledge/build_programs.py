@@ -1,4 +1,4 @@
-"""What a build of a Python package prints where it lacks a program, and the package of pip that brings that program."""
+"""What a build of a Python package prints where it lacks a program or a module, and what brings that by pip."""
 
 from __future__ import annotations
 

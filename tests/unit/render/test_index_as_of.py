@@ -19,6 +19,7 @@ from functools import cache
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
+import pip
 import pytest
 
 from roslab.knowledge.build_limits import build_limits
@@ -53,6 +54,7 @@ FILES = {
     "shared": {f"shared-{number}-{EVERY}.whl": OLD for number in ("1.0", "2.0")},
     "left": {f"left-1.0-{EVERY}.whl": OLD},
     "right": {f"right-1.0-{EVERY}.whl": OLD},
+    "scripted": {"scripted-1.0.tar.gz": OLD},
     "gone": {f"gone-{number}-{EVERY}.whl": OLD for number in ("2.1.3", "2.1.25", "2.1.30", "2.2.0")},
     "front": {f"front-{number}-{EVERY}.whl": day for number, day in (("1.0", OLD), ("2.1", NEW), ("3.0", NEW))},
     "later": {f"later-1.0-{EVERY}.whl": NEW, f"later-2.0-{EVERY}.whl": "2023-06-01"},
@@ -100,10 +102,22 @@ def build_wheel(folder, config_settings=None, metadata_directory=None):
 """
 
 
+SCRIPTED = """\
+import shutil
+
+def build_wheel(folder, config_settings=None, metadata_directory=None):
+    import outside
+    shutil.copy("made.whl", folder + "/scripted-1.0-py3-none-any.whl")
+    return "scripted-1.0-py3-none-any.whl"
+"""
+BACKENDS = {"needs": (BACKEND, '"cython"'), "wrapped": (WRAPPED, ""), "scripted": (SCRIPTED, "")}
+
+
 def source(file: str) -> bytes:
-    """Return the source of a package: one that no Cython from 3.0 on compiles, or one that calls a program."""
+    """Return the source of a package: one that no Cython from 3.0 on compiles, that calls a program or imports one."""
     made = io.BytesIO()
-    name, backend, needs = ("needs", BACKEND, '"cython"') if file.startswith("needs") else ("wrapped", WRAPPED, "")
+    name = file.partition("-")[0]
+    backend, needs = BACKENDS[name]
     own = f'[build-system]\nrequires = [{needs}]\nbuild-backend = "backend"\nbackend-path = ["."]\n'
     whole = wheel(f"{name}-1.0-{EVERY}.whl")
     parts = {"pyproject.toml": own.encode(), "backend.py": backend.encode(), "made.whl": whole}
@@ -118,7 +132,7 @@ def source(file: str) -> bytes:
 @cache
 def content(file: str) -> bytes:
     """Return what the index has under a name."""
-    return source(file) if file.startswith(("needs", "wrapped")) else wheel(file)
+    return source(file) if file.startswith(tuple(BACKENDS)) else wheel(file)
 
 
 class Index(BaseHTTPRequestHandler):
@@ -330,6 +344,78 @@ def test_a_program_that_a_build_lacks_comes_from_pip(
     assert "failed" not in output.split(), said
     assert (tmp_path / "made/wrapped-1.0.dist-info").exists()
     assert said.count("calls a program that is not there: pip installs swig") == 1
+
+
+def own_python(folder: Path) -> tuple[str, Path]:
+    """Make a virtual environment with this one's pip; return the line that puts it first, and its packages' folder."""
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", folder], check=True)
+    packages = next(folder.glob("lib/python*/site-packages"))
+    there = Path(pip.__file__).parent.parent
+    for each in (*there.glob("pip"), *there.glob("pip-*.dist-info")):
+        (packages / each.name).symlink_to(each)
+    for name in ("setuptools", "wheel"):  # which a step before installs in an image
+        (packages / f"{name}-60.0.dist-info").mkdir()
+        (packages / f"{name}-60.0.dist-info/METADATA").write_text(
+            f"Metadata-Version: 2.1\nName: {name}\nVersion: 60.0\n"
+        )
+    return f"export PATH={folder}/bin:$PATH", packages
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_what_a_setup_script_imports_is_what_is_installed(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, *, there: bool
+) -> None:
+    first, packages = own_python(tmp_path / "own")
+    (packages / ("outside.py" if there else "other.py")).touch()
+    install = f"{first}\npython3 -m pip install --quiet --no-cache-dir scripted || echo failed"
+    output = ran(step, tmp_path, f"{index}/simple/", install, start=TODAY)
+    assert ("failed" not in output.split()) is there
+    assert (packages / "scripted-1.0.dist-info").exists() is there
+    assert (tmp_path / "said").read_text().count("imports outside and does not ask for it") == there
+
+
+NEW_PIP = """\
+import os, pathlib, sys
+older = pathlib.Path(__file__).with_name("older")
+if "pip<24.1" in sys.argv:
+    older.touch()
+elif not older.exists():
+    said = "Please use pip<24.1 if you need to use this version."
+    lost = "ERROR: No matching distribution found for a"
+    pathlib.Path(os.environ["PIP_LOG"]).write_text(f"2026-11-27T10:00:00,000 {said}\\n{lost}")
+    sys.exit(1)
+"""
+
+
+@pytest.mark.parametrize("said", ["pip<24.1", "another pip"])
+def test_a_package_that_a_new_pip_refuses_gets_the_pip_that_it_names(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, said: str
+) -> None:
+    """With the words of pip 24.2; with that pip itself it was tried by hand (gym 0.18.0)."""
+    first, packages = own_python(tmp_path / "own")
+    (packages / "pip").unlink()
+    (packages / "pip").mkdir()
+    (packages / "pip/__main__.py").write_text(NEW_PIP.replace("use pip<24.1 if", f"use {said} if"))
+    install = f"{first}\npython3 -m pip install a || echo failed"
+    output = ran(step, tmp_path, f"{index}/simple/", install, start=TODAY)
+    assert ("failed" in output.split()) == (said != "pip<24.1")
+    assert (packages / "pip/older").exists() == (said == "pip<24.1")
+
+
+def test_what_another_installer_put_there_is_covered(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    """As in an image of Ubuntu, where apt's packages lie behind those of pip."""
+    first, packages = own_python(tmp_path / "own")
+    behind = tmp_path / "own/behind"
+    behind.mkdir()
+    (packages / "behind.pth").write_text(f"{behind}\n")
+    (behind / "shared-0.5.egg-info").write_text("Metadata-Version: 1.1\nName: shared\nVersion: 0.5\n")
+    install = f"{first}\npython3 -m pip install --quiet --no-cache-dir left"
+    ran(step, tmp_path, f"{index}/simple/", install, start=TODAY)
+    assert (packages / "shared-1.0.dist-info").exists()
+    assert (packages / "left-1.0.dist-info").exists()
+    assert "pip cannot remove shared of another installer: it stays, and 1.0" in (tmp_path / "said").read_text()
 
 
 @either

@@ -4,9 +4,12 @@
 # contradict each other, the first that names a package decides, as in pip before 20.3: many lists were never resolved as a
 # whole. Where a package cannot be built with a new Cython or setuptools, as its messages say (build-limits.txt), an older one
 # builds it: where packages are built apart, by a constraint; where that did not help, pip installs it beside them. A program
-# that a package is built with and does not ask pip for (build-programs.txt) is installed by pip. An exact version that is
-# gone from the index becomes the next one with the same first two numbers, if there is one. Where index-as-of serves the
-# index of a day (--or-today) and a lower bound is newer than it, that package's newer versions are there the next time.
+# or module that a package is built with and does not ask pip for (build-programs.txt) is installed by pip. Where its setup
+# script imports what is installed and pip hides from it, it is built beside what is installed. What apt installed and pip
+# cannot remove stays, and pip's own comes before it. Where pip says that an older pip takes a package, it gets that pip. An
+# exact version that is gone from the index becomes the next one with the same first two numbers, if there is one. Where
+# index-as-of serves the index of a day (--or-today) and a lower bound is newer than it, that package's newer versions are
+# there the next time.
 # What a package prints while it is built is shown at the end: a pip that writes a log has it there alone.
 set -eo pipefail # as the steps that read it have
 notes="${INDEX_AS_OF:-$(mktemp -u /dev/shm/ask-pip-again.XXXXXX)}" # with what each is after this name
@@ -22,9 +25,9 @@ roslab_pip() {
 }
 # For packages that need not be had: what pip takes stays as it is, and only what builds it may change
 roslab_try() { # CALL...
-  local log="${notes}.log"
-  until rm -f "${log}" && PIP_LOG="${log}" command "$@"; do
-    if roslab_older_builder "$1" || roslab_program "$1"; then continue; fi
+  local log="${notes}.log" call=("$@")
+  until rm -f "${log}" && PIP_LOG="${log}" command "${call[@]}"; do
+    if roslab_builder "$1"; then continue; fi
     roslab_show || return 1
   done
 }
@@ -42,7 +45,7 @@ roslab_call() {
       call+=("${first}")
       continue
     fi
-    if roslab_older_builder "${call[0]}" || roslab_program "${call[0]}"; then continue; fi
+    if roslab_builder "${call[0]}" || roslab_older_pip "${call[0]}" || roslab_covered "${call[0]}"; then continue; fi
     name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
     if [ -z "${name}" ]; then return 1; fi
     if [ -z "${INDEX_AS_OF:-}" ] || grep -q -x -F "${name}" "${INDEX_AS_OF}" 2>/dev/null; then
@@ -52,6 +55,10 @@ roslab_call() {
     echo "${name}" >>"${INDEX_AS_OF}"
     echo "roslab: no version of ${name} that was there on the day fits what is asked for: newer ones are taken" >&2
   done
+}
+# Changes what builds a package, or where it is built, so that the call is worth another try
+roslab_builder() { # PYTHON
+  roslab_older_builder "$1" || roslab_program "$1" || roslab_beside "$1"
 }
 # Takes an older release of what builds packages, where the output says that a package does not suit it
 roslab_older_builder() { # PYTHON
@@ -101,6 +108,40 @@ roslab_program() { # PYTHON
     fi
   done <"${programs}"
   return 1
+}
+# Has packages built beside what is installed, where a setup script imports of that what pip hides from it
+roslab_beside() { # PYTHON
+  local module
+  module="$(sed -n "s/.*ModuleNotFoundError: No module named '\([A-Za-z0-9_]*\).*/\1/p" "${log}" 2>/dev/null | tail -n 1)"
+  case " ${call[*]} " in
+    *" --no-build-isolation "*) return 1 ;;
+  esac
+  if [ -z "${module}" ] || ! command "$1" -c "import ${module}" >/dev/null 2>&1; then return 1; fi
+  echo "roslab: what is built here imports ${module} and does not ask for it: it is built beside what is installed" >&2
+  command "$1" -m pip install --no-cache-dir setuptools wheel </dev/null || return 1
+  call+=(--no-build-isolation)
+}
+# Takes the pip that reads a package's metadata, which newer ones refuse
+roslab_older_pip() { # PYTHON
+  local older
+  older="$(sed -n 's/.*Please use \(pip<[0-9.]*[0-9]\) if you need to use this version.*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
+  if [ -z "${older}" ] || grep -q -x -F "${older}" "${notes}.pip" 2>/dev/null; then return 1; fi
+  echo "${older}" >>"${notes}.pip"
+  echo "roslab: the metadata of a package are refused by this pip: ${older} is taken" >&2
+  command "$1" -m pip install --no-cache-dir "${older}" </dev/null
+}
+# Installs before what apt installed the version of it that pip wants, each once: pip cannot remove apt's
+roslab_covered() { # PYTHON
+  local name like version
+  name="$(sed -n "s/.*[Cc]annot uninstall '\{0,1\}\([A-Za-z0-9_.-]*[A-Za-z0-9]\)['., ].*/\1/p" "${log}" 2>/dev/null | tail -n 1)"
+  if [ -z "${name}" ] || grep -q -x -F "${name}" "${notes}.covered" 2>/dev/null; then return 1; fi
+  echo "${name}" >>"${notes}.covered"
+  like="$(sed 's/[-_.]\{1,\}/[-_.]/g' <<<"${name}")"
+  version="$(grep -o -i -E "(Downloading|Using cached) [^ ]*\b${like}-[0-9][A-Za-z0-9.!+]*(-|[.]tar|[.]zip)" "${log}" | tail -n 1 \
+    | sed "s/.*-\([0-9][A-Za-z0-9.!+]*\)-\{0,1\}\$/\1/; s/[.]\(tar\|zip\)\$//")"
+  if [ -z "${version}" ]; then return 1; fi
+  echo "roslab: pip cannot remove ${name} of another installer: it stays, and ${version} is installed before it" >&2
+  command "$1" -m pip install --no-cache-dir --ignore-installed --no-deps "${name}==${version}" </dev/null
 }
 # Replaces an exact version that the index no longer has, in the call and in its requirement files
 roslab_next_version() {
