@@ -70,6 +70,7 @@ from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.named_notebooks import with_notebooks
 from roslab.evidence.python import (
     at_top,
+    binaries,
     called,
     clones,
     commented,
@@ -125,7 +126,7 @@ from roslab.repository.checkout import Repository
 MENTIONED = (
     *(branch_tables.read, cloned_heads.read, companions.read, conflicts.read, environments.read, for_reference.read),
     *(named_ports.read, opened.read, own_history.read, print_statement.read, shared_objects.made_on),
-    version_file.read,
+    *(binaries.read, version_file.read),
 )
 """What pages, code and files of a project tell by themselves."""
 LOADED = (gazebo_plugins.read, controllers.read, image_transports.read, started_by_scripts.read)

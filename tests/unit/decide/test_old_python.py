@@ -74,3 +74,20 @@ def test_a_program_beside_nodes_runs_with_their_python(tree: Tree, distro: str, 
         "README.md": f"ROS {distro}\n```\npython scripts/run.py --go\n```\n",
     }
     assert tree(files).command == (python, "scripts/run.py", "--go")
+
+
+MODULE = "lib/arm.cpython-38-x86_64-linux-gnu.so"
+
+
+@pytest.mark.parametrize(
+    ("files", "python"),
+    [
+        ({MODULE: ""}, "3.8"),
+        ({MODULE: "", MODULE.replace("38", "39"): ""}, "3.10"),  # of each its own
+        ({MODULE.replace("-linux-gnu", "").replace("x86_64", "darwin"): ""}, "3.10"),
+        ({f"third_party/{MODULE}": ""}, "3.10"),
+        ({MODULE: "", "setup.py": "from setuptools import setup\nsetup(name='a', python_requires='>=3.9')\n"}, "3.10"),
+    ],
+)
+def test_what_is_compiled_for_one_python(tree: Tree, files: dict[str, str], python: str) -> None:
+    assert tree({"a.py": "import arm\n", "requirements.txt": "numpy\n", **files}).python.version == python

@@ -112,6 +112,9 @@ def _named(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Reason]:
         number = version_of(mention.value) if mention.topic == "python" else None
         if number and number >= _OLDEST and not only_oldest(evidence, mention):
             yield from _mentioned(mention, three=three)
+        elif mention.topic == "compiled_for":
+            why = f"{mention.text}, which the tree has, is compiled for it"
+            yield because("python", mention.value, why, mention, weight=Weight.WHEEL)
     yield from _of_images(evidence)
     for pin in pins:
         if pin.trust and pin.requirement.wheel and (python := pin.requirement.wheel.python):
