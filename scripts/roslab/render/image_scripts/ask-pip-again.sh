@@ -136,7 +136,7 @@ roslab_covered() { # PYTHON
   name="$(sed -n "s/.*[Cc]annot uninstall '\{0,1\}\([A-Za-z0-9_.-]*[A-Za-z0-9]\)['., ].*/\1/p" "${log}" 2>/dev/null | tail -n 1)"
   if [ -z "${name}" ] || grep -q -x -F "${name}" "${notes}.covered" 2>/dev/null; then return 1; fi
   echo "${name}" >>"${notes}.covered"
-  like="$(sed 's/[-_.]\{1,\}/[-_.]/g' <<<"${name}")"
+  like="${name//[-_.]/[-_.]}"
   version="$(grep -o -i -E "(Downloading|Using cached) [^ ]*\b${like}-[0-9][A-Za-z0-9.!+]*(-|[.]tar|[.]zip)" "${log}" | tail -n 1 \
     | sed "s/.*-\([0-9][A-Za-z0-9.!+]*\)-\{0,1\}\$/\1/; s/[.]\(tar\|zip\)\$//")"
   if [ -z "${version}" ]; then return 1; fi
