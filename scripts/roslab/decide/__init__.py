@@ -12,14 +12,12 @@ from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
 from roslab.decide.clones_day import decide_clones_day
 from roslab.decide.command import decide_command
-from roslab.decide.cuda.for_extensions import for_extensions
-from roslab.decide.cuda.for_ubuntu import with_an_image_for
-from roslab.decide.cuda.for_wheels import for_wheels
 from roslab.decide.cuda.source_packages import with_too_old_sources
 from roslab.decide.cuda.toolkit import by_script, decide_toolkit
-from roslab.decide.cuda.version import NO_CUDA, Cuda, decide_cuda
+from roslab.decide.cuda.unnamed import where_unnamed
+from roslab.decide.cuda.version import NO_CUDA, decide_cuda
 from roslab.decide.day import decide_days
-from roslab.decide.decision import Choice, Decision
+from roslab.decide.decision import Decision
 from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
 from roslab.decide.launch_needs import packages_lacking
@@ -34,7 +32,7 @@ from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
 from roslab.decide.python.other_environments import of_one_environment
-from roslab.decide.python.own import OwnPython, decide_version
+from roslab.decide.python.own import decide_version
 from roslab.decide.python.pins import pins
 from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
@@ -46,6 +44,7 @@ from roslab.decide.ros.sources import decide_sources
 from roslab.decide.ros.used import asked
 from roslab.decide.ros.with_recipes import with_recipes
 from roslab.decide.ros.workspace import of_one_ros, packages_of
+from roslab.decide.sought_launches import with_found_by_launches
 from roslab.decide.steps import decide_steps
 from roslab.decide.switched_off import without_what_is_lacking
 from roslab.decide.system.apt_sources import decide_apt_sources
@@ -82,7 +81,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence = with_refs(one_way(evidence, cuda.answer.version), distro)
     mentioned = pins(evidence)
     version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.answer.version)
-    cuda = _where_unnamed(cuda, evidence, config, kind.answer, version.answer)
+    cuda = where_unnamed(cuda, evidence, config, kind.answer, version.answer)
     base = decide_base(
         evidence,
         config,
@@ -123,16 +122,23 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         modules=evidence.cmake_modules,
         unfound=evidence.by_variables,
     )
-    sources = decide_sources(
+    sources = with_found_by_launches(
+        decide_sources(
+            evidence,
+            config,
+            kind.answer,
+            ros_distro=distro,
+            build_tool=build_tool.answer,
+            needed=asked(evidence, packages, target, kind.answer),
+            own=packages.names,
+            folder_name=folder_name,
+            launched=packages_lacking(evidence, config, command.answer.command, distro),
+        ),
         evidence,
         config,
-        kind.answer,
+        command.answer.command,
         ros_distro=distro,
         build_tool=build_tool.answer,
-        needed=asked(evidence, packages, target, kind.answer),
-        own=packages.names,
-        folder_name=folder_name,
-        launched=packages_lacking(evidence, config, command.answer.command, distro),
     )
     system = decide_system(
         evidence,
@@ -286,12 +292,6 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         config,
         folder_name=folder_name,
     )
-
-
-def _where_unnamed(cuda: Choice[Cuda], evidence: Evidence, config: Config, kind: Kind, own: OwnPython) -> Choice[Cuda]:
-    """Return the CUDA, also where nothing names one: of a named Ubuntu, of extensions of torch, of its wheel."""
-    with_image = with_an_image_for(cuda, evidence, config, kind, own.version)
-    return for_wheels(for_extensions(with_image, evidence, config, kind, own), evidence, config, kind, own)
 
 
 def _of_kind(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:

@@ -134,10 +134,11 @@ def packages_lacking(
     return tuple(replace(asked, strength="declared") for asked in found)
 
 
-def _of_others(evidence: Evidence, launch: LaunchFile | None, sources: Sources, ros_distro: str) -> Iterator[Warning_]:
-    """Yield a warning for what launch files other than the default command's need, and that no clone may bring."""
+def lacking_elsewhere(
+    evidence: Evidence, launch: LaunchFile | None, sources: Sources, ros_distro: str
+) -> dict[str, Dependency]:
+    """Return what launch files other than the default command's need, and that no clone may bring, by its name."""
     names = sources.names | {plain(source.name) for source in sources.submodules}
-    where = tried(sources.sought)
     found = lacks(evidence, lambda name: bool(names & {name, plain(name)}) or sources.may_hold(name), ros_distro)
     told = {asked.name for asked in found.get(launch.file, ())} if launch else set()
     needed: dict[str, Dependency] = {}
@@ -146,12 +147,28 @@ def _of_others(evidence: Evidence, launch: LaunchFile | None, sources: Sources, 
     meant = {each.file for each in evidence.launch if each.ros == generation and each.package in built}
     for file, lacking in found.items():
         for asked in lacking if file in meant and not places.aside(file) else ():
-            if asked.name not in where and asked.name not in told:
+            if asked.name not in told:
                 needed.setdefault(asked.name, asked)
-    if needed:
-        listed = ", ".join([*needed][:MOST]) + (", …" if len(needed) > MOST else "")
-        message = f"launch files need packages that nothing is known to bring, and stop without them: {listed}"
-        yield warn(f"{message}; give their repositories under `source` in roslab.yaml", next(iter(needed.values())))
+    return needed
+
+
+def _of_others(evidence: Evidence, launch: LaunchFile | None, sources: Sources, ros_distro: str) -> Iterator[Warning_]:
+    """Yield a warning for what other launch files need, one for what nothing looks for and one for the rest."""
+    where = tried(sources.sought)
+    needed = lacking_elsewhere(evidence, launch, sources, ros_distro)
+    here = "give their repositories under `source` in roslab.yaml"
+    if unknown := [asked for name, asked in needed.items() if name not in where]:
+        message = "launch files need packages that nothing is known to bring, and stop without them"
+        yield warn(f"{message}: {_listed(each.name for each in unknown)}; {here}", unknown[0])
+    if looked := [asked for name, asked in needed.items() if name in where]:
+        message = "launch files need packages that nothing is known to bring; the build looks for"
+        said = _listed(f"{each.name} in {where[each.name]}" for each in looked)
+        yield warn(f"{message} {said}; where one is not there, they stop: {here}", looked[0])
+
+
+def _listed(names: Iterable[str]) -> str:
+    names = [*names]
+    return ", ".join(names[:MOST]) + (", …" if len(names) > MOST else "")
 
 
 def _packages(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_distro: str | None) -> Iterator[Warning_]:

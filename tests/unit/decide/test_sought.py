@@ -143,6 +143,55 @@ def test_nothing_is_looked_for_where_a_clone_may_hold_it(tree: Tree) -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "text", "found"),
+    [
+        ("b.launch", '<launch>{}<include file="$(find acme_arm)/a.launch"/></launch>', True),
+        ("b.launch", '<launch>{}<param name="a" value="$(find acme_arm)/cfg/"/></launch>', True),
+        ("b.launch", '<launch>{}<node pkg="acme_arm" type="a" name="a"/></launch>', True),
+        ("b.launch", '<launch>{}<node pkg="acme_arm" type="a" name="a" if="$(arg real)"/></launch>', False),
+        ("b.launch", '<launch>{}<!-- <node pkg="acme_arm" type="a" name="a"/> --></launch>', False),
+        ("b.launch", '<launch>{}<node pkg="gazebo_ros" type="a" name="a"/></launch>', False),
+        ("b.launch", '<launch>{}<node pkg="robo_arm" type="a" name="a"/></launch>', False),  # itself
+        ("b.launch", '<launch>{}<node pkg="mpcc_nav" type="a" name="a"/></launch>', False),  # a slip of its own
+    ],
+)
+def test_what_only_another_launch_file_needs_is_looked_for_by_its_name(
+    tree: Tree, name: str, text: str, found: bool
+) -> None:
+    files = _git(f"{LAB}/robo_arm") | _package("mpc_nav", "roscpp")
+    node = '<node pkg="mpc_nav" type="mpc" name="mpc"/>'
+    files["mpc_nav/launch/mpc.launch"] = f"<launch>{node}</launch>\n"
+    files[f"mpc_nav/launch/{name}"] = text.format(node)
+    page = "ROS Noetic.\nUsed with https://github.com/other/control.\n\n    roslaunch mpc_nav mpc.launch\n"
+    decision = tree(files | {"README.md": page})
+    assert decision.command == ("roslaunch", "mpc_nav", "mpc.launch")
+    assert _sought(decision) == ({f"{LAB}/acme_arm": ("acme_arm",)} if found else {})
+    said = f"the build looks for acme_arm in {LAB}/acme_arm; where one is not there, they stop"
+    assert any(said in each.message for each in decision.warnings) == found
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "FindPackageShare('acme_arm')",
+        "get_package_share_directory('acme_arm')",
+        "Node(package='acme_arm', executable='a')",
+    ],
+)
+def test_so_is_what_a_launch_file_of_ros2_finds(tree: Tree, asked: str) -> None:
+    files = _git(f"{LAB}/robo") | {"README.md": "ROS 2 humble\n"}
+    files["package.xml"] = (
+        '<package format="3"><name>robo</name><buildtool_depend>ament_cmake</buildtool_depend>'
+        "<export><build_type>ament_cmake</build_type></export></package>"
+    )
+    files["CMakeLists.txt"] = "project(robo)\nfind_package(ament_cmake REQUIRED)\n"
+    begin = "from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription(["
+    for name, node in (("a", "Node(package='robo', executable='a')"), ("b", asked)):
+        files[f"launch/{name}.launch.py"] = f"{begin}{node}])\n"
+    assert _sought(tree(files)) == {f"{LAB}/acme_arm": ("acme_arm",)}
+
+
+@pytest.mark.parametrize(
     ("needed", "looked"),
     [
         (("catkin_simple", "quad_catkin"), "quad_catkin"),  # catkin is the word of no family
@@ -366,7 +415,6 @@ def test_what_the_default_launch_file_needs_is_looked_for(tree: Tree, started: s
     files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp")
     node = '<node pkg="mpc" type="mpc" name="mpc"/>'
     files["mpc/launch/mpc.launch"] = f"<launch>{node}{started}</launch>\n"
-    files["mpc/launch/other.launch"] = f'<launch>{node}<include file="$(find acme_arm)/a.launch"/></launch>\n'
     decision = tree(files | {"README.md": "ROS Noetic.\n\n    roslaunch mpc mpc.launch\n"})
     assert decision.command == ("roslaunch", "mpc", "mpc.launch")
     assert [*_sought(decision)] == found

@@ -34,13 +34,13 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 _OWNER = pattern(r"(https://([\w.-]+)/[\w.-]+)/[\w.-]+?/?$")
-_PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
+PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 """A name that a package of ROS may have (REP 144), and no package of a system is likely to."""
 _OF_SYSTEM = pattern(r"[^a-z0-9-]|^(?:lib|python|ros-)|-(?:dev|pip)$")
 """In a name with a dash that is none of a package of ROS."""
 _PARTS = ("_msgs", "_srvs", "_interfaces", "_lib")
 """Ends of the names of packages that often lie beside others, in a repository called without them."""
-_MOST = 12
+MOST = 12
 """Most repositories that a build tries."""
 _MOST_LISTED = 4
 """Most of them that a page lists among what is needed."""
@@ -85,22 +85,22 @@ def with_sought(
     for url, names in _addresses(alike, evidence, known):
         if called := tuple(name for name in names if url.endswith(f"/{name}")):
             addresses.setdefault(url, called)
-    for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:_MOST]:
-        name, asked = _folder(url, [*sources.sources, *found]), lacking[names[0]]
+    for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:MOST]:
+        name, asked = folder_for(url, [*sources.sources, *found]), lacking[names[0]]
         place = Place(file=asked.file, line=asked.line)
         found.append(Source(name=name, repo=f"{url}.git", build=build, before=before, holding=names, place=place))
         why = f"nothing known brings {', '.join(names)}: it may be there, and is left out where it is not"
         reasons.append(because("source", name, why, asked, weight=Weight.SOUGHT))
     for git, parts in _parts(evidence, sources, known):
         url, ref, place = https(git.url), fixed(git.ref), Place(file=git.file, line=git.line)
-        name = _folder(url, [*sources.sources, *found])
+        name = folder_for(url, [*sources.sources, *found])
         found.append(Source(name=name, repo=url, ref=ref, build=build, before=before, holding=parts, place=place))
         why = f"{git.file} takes {', '.join(parts)} out of it"
         reasons.append(because("source", name, why, git, weight=Weight.SOUGHT))
     return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))
 
 
-def _folder(url: str, others: Iterable[Source]) -> str:
+def folder_for(url: str, others: Iterable[Source]) -> str:
     """Return the name of a repository's folder in the workspace, with its owner's where another has that name."""
     owner, _, name = url.removesuffix(".git").rpartition("/")
     return name if all(other.name != name for other in others) else f"{plain(owner)}_{name}"
@@ -115,7 +115,7 @@ def _parts(
     """
     files = {source.place.file for source in sources.sources if source.place}
     for git in taken_apart(evidence):
-        parts = tuple(part for part in git.parts if part not in known | sources.names and _PACKAGE.fullmatch(part))
+        parts = tuple(part for part in git.parts if part not in known | sources.names and PACKAGE.fullmatch(part))
         if parts and git.file in files:
             yield git, parts
 
@@ -169,7 +169,7 @@ def _lacking(needed: Iterable[Dependency], known: AbstractSet[str], own: set[str
             continue
         sibling = asked.name.partition("-")[0] in families and not _OF_SYSTEM.search(asked.name)
         named = asked.name in BUILD_TYPES or of_pip(asked.name) or library_called(asked.name, None)
-        if (_PACKAGE.fullmatch(asked.name) or sibling) and not named:
+        if (PACKAGE.fullmatch(asked.name) or sibling) and not named:
             found.setdefault(asked.name, asked)
     return found
 
@@ -217,13 +217,12 @@ def _addresses(
     if not names:
         return []
     here = address(evidence.origin) if evidence.origin else ""
-    match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
     found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, known, names)}
     for git in evidence.commented:
         held = tuple(name for name in names if f"{plain(name)}_".startswith(f"{plain(git.name)}_"))
         if held and address(git.url) != here and known.isdisjoint((git.name, plain(git.name))):
             found.setdefault(git.url, held)
-    owner = match[1] if match and match[2] in public_hosts() else ""
+    owner = public_owner(evidence)
     owned: dict[str, tuple[str, ...]] = {}
     ours = controllers((each for each in asked.values() if each.namespace == "rosdep"), evidence)
     for name in (name for name in names if owner and name not in ours):
@@ -234,6 +233,12 @@ def _addresses(
     there = {here, *map(address, found)}
     found |= {url: held for url, held in owned.items() if address(url) not in there}
     return list(found.items())
+
+
+def public_owner(evidence: Evidence) -> str:
+    """Return the address of the repository's owner where it lies on a host that anybody reads, else ``""``."""
+    match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
+    return match[1] if match and match[2] in public_hosts() else ""
 
 
 def _called(name: str) -> tuple[str, ...]:

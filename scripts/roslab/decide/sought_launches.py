@@ -1,0 +1,65 @@
+"""Packages that only launch files find and nothing brings, looked for at the repository's owner under their names."""
+
+from __future__ import annotations
+
+from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
+from roslab.decide.decision import Choice
+from roslab.decide.launch_calls import started_launch
+from roslab.decide.launch_needs import lacking_elsewhere
+from roslab.decide.reasons import because
+from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.slips import meant
+from roslab.decide.ros.sought import MOST, PACKAGE, folder_for, public_owner, tried
+from roslab.decide.ros.source_names import address
+from roslab.decide.ros.weights import Weight
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.released import ever_released
+from roslab.values.dataclass import replace
+from roslab.values.origin import Place
+
+
+def with_found_by_launches(
+    choice: Choice[Sources],
+    evidence: Evidence,
+    config: Config,
+    command: tuple[str, ...] | str,
+    *,
+    ros_distro: str | None,
+    build_tool: BuildTool,
+) -> Choice[Sources]:
+    """Return the sources with a repository of the same owner for each package that only other launch files need.
+
+    ``command``: the default one, whose launch file's packages are looked for already. Not for the old formats, whose
+    images never had them, nor a package that others published, nor one a slip away from a package of the tree.
+    """
+    build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
+    owner = public_owner(evidence)
+    if build is None or config.compatible or not owner or not ros_distro:
+        return choice
+    sources = choice.answer
+    where = tried(sources.sought)
+    taken = {address(evidence.origin)} | {address(source.repo or "") for source in sources.everything}
+    own = {manifest.name for manifest in evidence.manifests if manifest.name}
+    date = dated(evidence)
+    found = [*sources.sought]
+    reasons = []
+    needed = lacking_elsewhere(evidence, started_launch(evidence, command), sources, ros_distro)
+    for name, asked in needed.items():
+        url = f"{owner}/{name}"
+        known = name in where or not PACKAGE.fullmatch(name) or ever_released(name) or meant(name, own)
+        if known or address(url) in taken or len(found) >= MOST:
+            continue
+        place = Place(file=asked.file, line=asked.line)
+        source = Source(
+            name=folder_for(url, [*sources.sources, *found]),
+            repo=f"{url}.git",
+            build=build,
+            before=date.value if date else "",
+            holding=(name,),
+            place=place,
+        )
+        found.append(source)
+        why = f"only launch files need {name}, and nothing known brings it: it may be there, and is left out where not"
+        reasons.append(because("source", source.name, why, asked, weight=Weight.SOUGHT))
+    return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))
