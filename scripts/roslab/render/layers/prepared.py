@@ -4,11 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslab.plan.plan import Plan
 from roslab.plan.workspace import RosBuild
 from roslab.render import quote
 
 WITHOUT_LACKING = "leave-out-lacking"
 """The script that hides packages where nothing brings what they require."""
+
+MAKES_FOLDERS = "make-installed-folders"
+"""The script that makes what packages install and git does not keep."""
+
+
+def of_clones(plan: Plan, build: RosBuild) -> Iterator[str]:
+    """Yield the command that makes the folders which cloned packages install and do not have.
+
+    Only where the tool installs what it builds; those of the repository itself are known.
+    """
+    installs = build.tool == "colcon" or not {"install", "--install"}.isdisjoint(build.arguments)
+    if installs and not plan.compatible and (plan.workspace.sources or plan.workspace.submodules):
+        yield f"{MAKES_FOLDERS} src"
 
 
 def not_there(source: str, build: RosBuild) -> Iterator[str]:

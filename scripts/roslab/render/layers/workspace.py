@@ -220,8 +220,9 @@ def compile_workspace(plan: Plan) -> str:
 
 def _scripts(run: str) -> tuple[str, ...]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
-    names = (WITHOUT_DOUBLES, WITHOUT_LACKING, DECLARED, WITHOUT_TESTS, attempts.WITHOUT_FAILED, attempts.NEEDED)
-    return with_called(name for name in (*names, HEADERS_FIRST) if name in run)
+    before = (WITHOUT_DOUBLES, WITHOUT_LACKING, prepared.MAKES_FOLDERS, DECLARED, WITHOUT_TESTS)
+    names = (*before, attempts.WITHOUT_FAILED, attempts.NEEDED, HEADERS_FIRST)
+    return with_called(name for name in names if name in run)
 
 
 def _without_logs(build: RosBuild) -> tuple[str, ...]:
@@ -261,7 +262,8 @@ def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     unsure = [f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in build.unsure)}"] if build.unsure else []
     declared = [f"{DECLARED} src"] if build.undeclared else []
     before = [*prepared.not_there(source, build), *prepared.ignoring(source, build), *unsure]
-    return [*before, *prepared.lacking(source, build), *declared, *_building(plan, build, again)]
+    before += [*prepared.lacking(source, build), *prepared.of_clones(plan, build)]
+    return [*before, *declared, *_building(plan, build, again)]
 
 
 def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
