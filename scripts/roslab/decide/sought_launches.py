@@ -44,11 +44,13 @@ def with_found_by_launches(
     date = dated(evidence)
     found = [*sources.sought]
     reasons = []
+    owners = {each.file: each.package for each in evidence.launch}
     needed = lacking_elsewhere(evidence, started_launch(evidence, command), sources, ros_distro)
     for name, asked in needed.items():
         url = f"{owner}/{name}"
         known = name in where or not PACKAGE.fullmatch(name) or ever_released(name) or meant(name, own)
-        if known or address(url) in taken or len(found) >= MOST:
+        of_others = ever_released(owners.get(asked.file) or "")  # what was published is not the owner's
+        if known or of_others or address(url) in taken or len(found) >= MOST:
             continue
         place = Place(file=asked.file, line=asked.line)
         source = Source(

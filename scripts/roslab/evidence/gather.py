@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 
 from roslab.evidence import links, places, pointers, submodules
-from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.native import (
     asked_variables,
@@ -103,6 +102,7 @@ from roslab.evidence.python import (
 from roslab.evidence.python.modules import modules
 from roslab.evidence.ros import (
     author_folders,
+    beside_python,
     commit_date,
     controllers,
     distro_names,
@@ -113,6 +113,7 @@ from roslab.evidence.ros import (
     malformed,
     marked,
     named_in_code,
+    nested,
     on_machines,
     own_setup,
     package_xml,
@@ -147,12 +148,12 @@ PROSE = (
 
 def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
-    manifests = package_xml.read(repository) or rosbuild.read(repository)
-    repository = other_builders.without(marked.without(repository, manifests))
+    found = package_xml.read(repository) or rosbuild.read(repository)
+    repository, manifests = nested.without(other_builders.without(marked.without(repository, found)), found)
     fetched = fetching.read(repository)
     signs, intrinsics = Signs(), x86.Intrinsics()
     nowhere = Nowhere(repository, manifests, vcs.submodules(repository))
-    cmake_projects = _without_python(cmake.read(repository), manifests)
+    cmake_projects = beside_python.without(cmake.read(repository), manifests)
     own = submodules.without(repository)
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
         own = repository  # of what is compiled, the submodules are a part
@@ -272,6 +273,7 @@ def gather(repository: Repository) -> Evidence:
         problems=(
             *repository.problems,
             *malformed.problems(manifests),
+            *nested.problems(found, manifests),
             *vcs.absent(repository),
             *links.problems(lost, by_name_alone),
             *cpu.read(repository),
@@ -287,11 +289,3 @@ def gather(repository: Repository) -> Evidence:
 
 def _folders(manifests: tuple[PackageManifest, ...]) -> tuple[tuple[str, str], ...]:
     return tuple((each.name, posixpath.dirname(each.file)) for each in manifests if each.name)
-
-
-def _without_python(
-    projects: tuple[CMakeProject, ...], manifests: tuple[PackageManifest, ...]
-) -> tuple[CMakeProject, ...]:
-    """Leave out what lies beside a package.xml for setup.py alone: colcon does not read it, it is of another ROS."""
-    alone = {m.file.rpartition("/")[0] for m in manifests if {name for name, _ in m.build_types} == {"ament_python"}}
-    return tuple(each for each in projects if each.file.rpartition("/")[0] not in alone)

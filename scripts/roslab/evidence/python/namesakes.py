@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
 
-from roslab.evidence.python.modules import MAX_READ
+from roslab.evidence.on_path import on_path
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass
-from roslab.values.pattern import pattern
 
 _CODE = (".py", ".pyx", ".so")
 _PROJECTS = ("setup.py", "pyproject.toml", "setup.cfg", "package.xml")
 _BELOW = ("", "/src", "/python", "/lib", "/scripts")
 """Where the packages of a project lie in its folder."""
-_PATH = pattern(r"^.*(?:sys\.path|PYTHONPATH|addsitedir).*$", re.MULTILINE)
-_SAYS = (".sh", ".bash", ".zsh", ".md", ".rst", ".yml", ".yaml", ".ipynb", ".env")
-_WORD = pattern(r"[\w.-]+")
+_OF_BINDINGS = frozenset({"bindings", "binding", "python", "python3", "py", "src", "lib", "wrapper", "wrappers", "api"})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,14 +64,29 @@ def namesakes(repository: Repository, names: Iterable[str], programs: Iterable[s
         found.setdefault(name, set()).add(folder)
     if not found:
         return Namesakes(found={}, roots=frozenset(), named=frozenset(), repository=repository)
-    projects = {file.folder for file in repository.named(*_PROJECTS)}
+    packages = {file.folder for file in repository.named("package.xml")}
+    projects = {file.folder for file in repository.named(*_PROJECTS) if not _copied(file.folder, packages)}
     roots = {f"{folder}{below}".lstrip("/") for folder in projects for below in _BELOW}
     return Namesakes(
         found={name: frozenset(folders) for name, folders in found.items()},
         roots=frozenset({*roots, *(program.rpartition("/")[0] for program in programs)}),
-        named=_on_lines(repository),
+        named=repository.once(on_path),
         repository=repository,
     )
+
+
+def _copied(folder: str, packages: AbstractSet[str]) -> bool:
+    """Tell whether a folder lies in another's folder of a package of ROS: no build tool of ROS installs what is there.
+
+    The package's own bindings lie in folders of usual names: ``bindings/python``.
+    """
+    way: list[str] = []
+    while folder and folder not in packages:
+        folder, _, name = folder.rpartition("/")
+        way.append(name.lower())
+        if folder in packages:
+            return not _OF_BINDINGS.issuperset(way)
+    return False
 
 
 def _named(repository: Repository, wanted: frozenset[str]) -> Iterator[tuple[str, str]]:
@@ -84,11 +96,3 @@ def _named(repository: Repository, wanted: frozenset[str]) -> Iterator[tuple[str
         yield from (("/".join(parts[:at]), part) for at, part in enumerate(parts) if part in wanted)
         if (stem := file.name.partition(".")[0]) in wanted:
             yield file.folder, stem
-
-
-def _on_lines(repository: Repository) -> frozenset[str]:
-    """Return the words of lines that add to Python's path, in code, scripts, settings and pages."""
-    files = [*repository.suffixed(".py", *_SAYS), *repository.named("Dockerfile")]
-    texts = (repository.read(file, limit=MAX_READ) for file in files if file.size < 16 * MAX_READ)
-    lines = (line for text in texts if "PATH" in text or "sys.path" in text for line in _PATH.findall(text))
-    return frozenset(word for line in lines for word in _WORD.findall(line))
