@@ -148,6 +148,7 @@ PROSE = (
 
 def gather(repository: Repository) -> Evidence:
     """Read everything that a repository says about itself; nothing of it is executed."""
+    whole, repository = repository, made_elsewhere.without(repository)
     found = package_xml.read(repository) or rosbuild.read(repository)
     repository, manifests = nested.without(other_builders.without(marked.without(repository, found)), found)
     fetched = fetching.read(repository)
@@ -280,7 +281,7 @@ def gather(repository: Repository) -> Evidence:
             *authors_folders.read(
                 repository, {(path.file, path.line) for path in paths if path.there and not path.made}
             ),
-            *made_elsewhere.read(repository),
+            *made_elsewhere.read(whole),
             *pointers.read(repository),
             *stopped_setup.problems(stopped),
         ),

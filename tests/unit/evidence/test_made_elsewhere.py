@@ -69,3 +69,62 @@ def test_a_space_of_a_workspace_is_hidden_as_a_whole(tmp_path: Path) -> None:
     (tmp_path / "notes").mkdir()
     (tmp_path / "notes/.built_by").write_text("Ann and Bob\n")
     assert made_elsewhere.names(Repository.open(tmp_path)) == ("build", "devel", "install")
+
+
+MANIFEST = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend>{}</package>"
+MARKS = {
+    "catkin": {"build/.built_by": "catkin_make\n", "devel/.built_by": "catkin_make\n"},
+    "old catkin": {
+        "build/catkin_make.cache": "",
+        "build/CMakeCache.txt": "",
+        "devel/.catkin": "/home/ann/ws/src",
+        "devel/_setup_util.py": "",
+    },
+    "colcon": {
+        "build/.built_by": "colcon\n",
+        "devel/.colcon_install_layout": "isolated\n",
+        "log/build_2024-01-01_10-00-00/logger_all.log": "",
+    },
+}
+
+
+def workspace(root: Path, marks: dict[str, str], *, packages: str) -> Repository:
+    made = {
+        "build/arm/catkin_generated/installspace/node.py": "import smbus\n",
+        "devel/share/arm/package.xml": MANIFEST.format("arm", "<depend>sound_play</depend>"),
+        "devel/share/arm/launch/b.launch": '<launch><node pkg="joy" type="joy_node" name="a"/></launch>',
+        "log/build_2024-01-01_10-00-00/a.sh": "sudo apt install libzbar-dev\n",
+        "README.md": "ROS Noetic\n",
+    }
+    sources = {
+        f"{packages}/package.xml": MANIFEST.format("arm", "<depend>rospy</depend>"),
+        f"{packages}/CMakeLists.txt": "project(arm)\nfind_package(catkin REQUIRED)\n",
+    }
+    for path, text in {**made, **sources, **marks}.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text)
+    return Repository.open(root)
+
+
+@pytest.mark.parametrize("tool", MARKS)
+def test_nothing_is_read_in_such_a_space(tmp_path: Path, tool: str) -> None:
+    repository = workspace(tmp_path, MARKS[tool], packages="src/arm")
+    kept = {file.path for file in made_elsewhere.without(repository).files}
+    assert not [path for path in kept if path.startswith(("build/", "devel/"))]
+    assert any(path.startswith("log/") for path in kept) == ("log" not in made_elsewhere.names(repository))
+    assert kept >= {"src/arm/package.xml", "src/arm/CMakeLists.txt", "README.md"}
+    plan = plan_repository(tmp_path).plan
+    assert plan.rosdep is not None
+    assert plan.rosdep.manifests == ("src/arm/package.xml",)
+    installed = f"{plan.apt} {plan.apt_guessed} {plan.python}"
+    assert not [each for each in ("smbus", "joy", "sound_play") if each in installed]
+
+
+def test_folders_of_these_names_alone_are_sources(tmp_path: Path) -> None:
+    repository = workspace(tmp_path, {}, packages="src/arm")
+    assert made_elsewhere.without(repository) is repository
+
+
+def test_where_all_packages_lie_in_one_it_is_read(tmp_path: Path) -> None:
+    repository = workspace(tmp_path, MARKS["catkin"], packages="build/arm")
+    assert made_elsewhere.without(repository) is repository

@@ -6,6 +6,7 @@ https://github.com/catkin/catkin_tools/blob/main/catkin_tools/verbs/catkin_build
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from roslab.repository.checkout import Repository
@@ -16,6 +17,12 @@ FILES = "CMakeFiles"
 MARK = ".built_by"
 """Says in a build, devel or install space which tool made it: catkin's tools and colcon write it."""
 _TOOLS = ("catkin", "colcon")
+_MARKS = {".catkin": "_setup_util.py", ".colcon_install_layout": "", "catkin_make.cache": CACHE}
+"""Files that only the tools write into a space, each with one that lies beside it; older ones left no other mark.
+https://github.com/ros/catkin (cmake/catkin_workspace.cmake, python/catkin/builder.py) and
+https://github.com/colcon/colcon-core (colcon_core/verb/build.py, colcon_core/location.py), 2026-11-27."""
+_LOG = "logger_all.log"
+"""colcon writes one for each of its calls, in a folder of the call's own."""
 MOST = 200
 """Each may be two lines of the ignore file; of more, the first."""
 _MADE_IN = pattern(r"^CMAKE_CACHEFILE_DIR:INTERNAL=(\S[^\n]{0,200})$")
@@ -44,10 +51,26 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
         yield f"CMake wrote it in {folder}{more}: {why}", path, line
 
 
+def without(repository: Repository) -> Repository:
+    """Return the repository without what a workspace tool wrote to such spaces: copies of the sources, and the rest.
+
+    The same object where there are none, or all packages that there are lie in them.
+    """
+    spaces = tuple(f"{space}/" for space in _spaces(repository))
+    packages = repository.named("package.xml") if spaces else ()
+    if not spaces or (packages and all(file.path.startswith(spaces) for file in packages)):
+        return repository
+    return repository.leaving_out({file.path for file in repository.files if file.path.startswith(spaces)})
+
+
 def _spaces(repository: Repository) -> tuple[str, ...]:
     """Return the folders that hold a tool's mark, without those inside another; a folder with a manifest is source."""
-    marks = (file for file in repository.named(MARK) if file.folder and _PLAIN.match(file.folder))
-    made = sorted(mark.folder for mark in marks if repository.read(mark).strip().startswith(_TOOLS))
+    marked = {file.folder for file in repository.named(MARK) if repository.read(file).strip().startswith(_TOOLS)}
+    for mark, beside in _MARKS.items():
+        marked |= {f.folder for f in repository.named(mark) if not beside or repository.has(f"{f.folder}/{beside}")}
+    logs = (file.folder.rpartition("/")[0] for file in repository.named(_LOG))
+    marked |= {folder for folder in logs if posixpath.basename(folder) == "log"}
+    made = sorted(folder for folder in marked if folder and _PLAIN.match(folder))
     made = [space for space in made if not repository.has(f"{space}/package.xml")]
     return tuple(s for s in made if not any(s.startswith(f"{other}/") for other in made))[:MOST]
 
