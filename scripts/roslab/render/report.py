@@ -86,7 +86,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
         (f"{s.name} {s.repo or s.zip or ''} {_ref(s)}".strip() for s in decision.source if not s.holding),
         rows=True,
     )
-    sought = (f"{', '.join(s.holding)} in {s.repo}" for s in decision.source if s.holding)
+    sought = (f"{', '.join(s.holding)} in {s.repo} {s.ref or ''}".rstrip() for s in decision.source if s.holding)
     lines += _section("looked for while the image is built", sought, rows=True)
     command = line_of(decision.command)
     others = (said for c in decision.command_candidates if (said := shlex.join(c)) != command)

@@ -523,3 +523,22 @@ def test_nothing_is_looked_for_in_the_repository_itself_under_its_former_owner(
     page = f"```\ncd ~/\ngit clone --recurse-submodules https://github.com/former/{name}.git\n```\n"
     decision = tree(_git(f"{LAB}/drone_ws.git") | _package("src/mpc", "quad_x") | {"README.md": f"ROS Noetic.\n{page}"})
     assert (f"https://github.com/former/{name}" in _sought(decision)) is looked
+
+
+@pytest.mark.parametrize(
+    ("lines", "ref"),
+    [
+        (("git clone -b mbzirc {}",), "mbzirc"),
+        (("git clone {}",), None),
+        (("# git clone -b mbzirc {}", "git clone {}"), None),
+        (("git clone -b melodic-devel {}", "git clone -b noetic-devel {}"), "noetic-devel"),
+        (("git clone -b melodic-devel {}",), None),
+        (("git clone {} && cd arm_tools && git checkout v1.2",), "v1.2"),
+    ],
+)
+def test_the_branch_that_a_script_clones_is_looked_in(tree: Tree, lines: tuple[str, ...], ref: str | None) -> None:
+    script = "\n".join(line.format(f"{LAB}/arm_tools.git") for line in lines)
+    files = _git(f"{LAB}/mpc") | _package("mpc", "quad_x") | {"script/setup_ws.sh": f"cd src\n{script}\n"}
+    decision = tree(files | {"README.md": "ROS Noetic.\n"})
+    (found,) = [source for source in decision.source if source.name == "arm_tools"]
+    assert (found.holding, found.ref) == (("quad_x",), ref)

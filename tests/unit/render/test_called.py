@@ -43,6 +43,7 @@ def test_what_is_called_is_copied_once() -> None:
         "workspace-packages",
         "read-manifest",
         "required-by-cmake",
+        "checkout-branch",
     )
 
 

@@ -146,3 +146,18 @@ def local_submodules(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let git clone submodules from this machine, as it does from a host."""
     for name, value in {"COUNT": "1", "KEY_0": "protocol.file.allow", "VALUE_0": "always"}.items():
         monkeypatch.setenv(f"GIT_CONFIG_{name}", value)
+
+
+@pytest.mark.parametrize(("branch", "brings"), [("mbzirc", "quad_z"), ("gone", "")])
+def test_a_branch_that_may_be_gone(tmp_path: Path, remote: Path, branch: str, brings: str) -> None:
+    _git(remote, "checkout", "--quiet", "-b", "mbzirc")
+    _manifest(remote / "quad_z", "quad_z")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "second")
+    _git(remote, "checkout", "--quiet", "main")
+    said, found, _ = _run(
+        tmp_path, "--branch", branch, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_z", "quad_x"
+    )
+    assert "quad_x" in found, "the default branch has it"
+    assert ("quad_z" in found) == bool(brings)
+    assert ("has no gone any more: main is taken" in said) == (branch == "gone")

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
-from roslab.decide.ros.source_names import SHORTEST, address, itself_in, moves, plain
+from roslab.decide.ros.source_names import SHORTEST, address, fixed, itself_in, moves, plain
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import of_one_ros, packages_of
+from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -25,6 +26,25 @@ def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
     found = [git for git in found if not dockerfiles.get(git.file) or ros_distro in dockerfiles[git.file]]
     found = [git for git in found if git not in gone]
     return sorted(found, key=lambda g: (g.kind != "git_url", g.ref is None, g.file.count("/"), g.file, g.line))
+
+
+def refs_of(found: Iterable[GitSource], ros_distro: str | None) -> dict[str, str]:
+    """Return for each address the branch, tag or commit that pages and scripts clone of it.
+
+    That for this distribution before others, and none that is for other distributions alone.
+    """
+    refs: dict[str, str] = {}
+    for git in sorted(found, key=lambda git: ros_distro not in distros_in(git.ref or "")):
+        ref, others = fixed(git.ref), distros_in(git.ref or "")
+        if ref and (not others or ros_distro in others):
+            refs.setdefault(address(git.url), ref)
+    return refs
+
+
+def only_below(git: GitSource) -> bool:
+    """Tell whether only a page below the root, which may be about another project, has it cloned."""
+    page = "/" in git.file and git.file.endswith(PAGES) and not places.documentation(git.file)
+    return git.kind == "clone" and git.strength == "prose" and page
 
 
 def taken_apart(evidence: Evidence) -> list[GitSource]:

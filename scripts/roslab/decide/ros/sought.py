@@ -17,7 +17,7 @@ from roslab.decide.ros.clones import taken_apart
 from roslab.decide.ros.controllers import controllers
 from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
-from roslab.decide.ros.source_names import address, akin, fixed, plain
+from roslab.decide.ros.source_names import address, akin, drifts, fixed, plain
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_everybody import PAGES
@@ -55,15 +55,16 @@ def with_sought(
     needed: Iterable[Dependency],
     known: AbstractSet[str],
     cloned: Iterable[GitSource],
+    refs: Mapping[str, str],
     before: str,
 ) -> Choice[Sources]:
     """Return the sources with the repositories in which the build looks for what nothing brings.
 
     ``needed``: names that the build uses, ``known``: what the repository, rosdep and the distribution
-    have, ``cloned``: what pages clone; ``before``: the day of which they are taken. None for the old formats, whose
-    images never had them; where a source whose packages are not known may hold them, only what pages clone, and the
-    owner's repository of exactly a package's name where that source is most likely another package alone. Nor what is
-    one slip away from a known name that the repository has elsewhere.
+    have, ``cloned``: what pages clone, ``refs``: the branch of a clone by its address; ``before``: the day of what has
+    none. None for the old formats, whose images never had them; where a source whose packages are not known may hold
+    them, only what pages clone, and the owner's repository of exactly a package's name where that source is most likely
+    another package alone. Nor what is one slip away from a known name that the repository has elsewhere.
     """
     sources = choice.answer
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
@@ -88,7 +89,10 @@ def with_sought(
     for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:MOST]:
         name, asked = folder_for(url, [*sources.sources, *found]), lacking[names[0]]
         place = Place(file=asked.file, line=asked.line)
-        found.append(Source(name=name, repo=f"{url}.git", build=build, before=before, holding=names, place=place))
+        ref = refs.get(address(url))
+        day = "" if ref and not drifts(ref) else before
+        source = Source(name=name, repo=f"{url}.git", ref=ref, build=build, before=day, holding=names, place=place)
+        found.append(source)
         why = f"nothing known brings {', '.join(names)}: it may be there, and is left out where it is not"
         reasons.append(because("source", name, why, asked, weight=Weight.SOUGHT))
     for git, parts in _parts(evidence, sources, known):

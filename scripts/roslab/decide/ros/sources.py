@@ -9,7 +9,7 @@ from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.by_page import by_page
-from roslab.decide.ros.clones import clones, for_unknown, linked, unreleased, with_itself
+from roslab.decide.ros.clones import clones, for_unknown, linked, only_below, refs_of, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.imported_clones import with_imported
 from roslab.decide.ros.in_tree import in_tree, inside_packages
@@ -30,11 +30,9 @@ from roslab.decide.ros.twice import folder_of, listed_twice, twice
 from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
-from roslab.decide.system.by_everybody import PAGES
 from roslab.decide.system.lies_beside import lies_beside
 from roslab.decide.system.own_options import own_options
 from roslab.decide.system.switches import given, waits
-from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
@@ -117,6 +115,7 @@ def decide_sources(
         needed=(*used, *launched),
         known=there,
         cloned=[g for g in found if g.kind == "clone" and not (g.aside or twice(g, itself, own | _folders(evidence)))],
+        refs=refs_of(found, ros_distro),
         before=chosen.before,
     )
 
@@ -167,7 +166,7 @@ class _Chosen:
             ref=ref,
             build=next((tool for tool in WORKSPACE_TOOLS if tool == self.build_tool), "none"),
             before="" if ref and not drifts(ref) else self.before,
-            unasked=_beside(git),
+            unasked=only_below(git),
             listed=not tabled,
             place=Place(file=git.file, line=git.line),
         )
@@ -292,9 +291,3 @@ def _private(name: str, git: GitSource) -> Warning_:
         f"{name} may not be there for everybody, as {why}: where {https(git.url)} cannot be cloned without a login"
     )
     return warn(f"{message}, it is left out, and what needs it may stop the build", git)
-
-
-def _beside(git: GitSource) -> bool:
-    """Tell whether only a page below the root, which may be about another project, has it cloned."""
-    page = "/" in git.file and git.file.endswith(PAGES) and not places.documentation(git.file)
-    return git.kind == "clone" and git.strength == "prose" and page

@@ -1,16 +1,18 @@
 #!/bin/bash
-# usage: clone-holding [--ref REF] [--before DAY] URL FOLDER PACKAGE...
+# usage: clone-holding [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE...
 # Clones to a folder of the workspace a repository that may hold packages which nothing else brings. What does not answer,
 # or holds none of those that the workspace lacks, is named and left out. Of the others in it, only those that these need
 # are compiled.
-#   --ref REF     a branch, tag or commit
-#   --before DAY  the newest commit not after this day (YYYY-MM-DD)
+#   --ref REF        a branch, tag or commit
+#   --branch BRANCH  a branch, which may be gone
+#   --before DAY     the newest commit not after this day (YYYY-MM-DD)
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-ref='' day=''
+ref='' branch='' day=''
 while [[ "$1" = --* ]]; do
   case "$1" in
     --ref) ref="$2" ;;
+    --branch) branch="$2" ;;
     --before) day="$2" ;;
   esac
   shift 2
@@ -38,7 +40,9 @@ export GIT_TERMINAL_PROMPT=0
 git clone "${url}" "${folder}" || leave_out "it cannot be cloned"
 if [ -n "${ref}" ]; then
   git -C "${folder}" -c advice.detachedHead=false checkout "${ref}" || leave_out "it has no ${ref}"
-elif [ -n "${day}" ]; then
+fi
+if [ -n "${branch}" ]; then checkout-branch "${folder}" "${branch}"; fi
+if [ -z "${ref}" ] && [ -n "${day}" ]; then
   commit="$(git -C "${folder}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" HEAD)"
   git -C "${folder}" -c advice.detachedHead=false checkout "${commit:-HEAD}"
 fi

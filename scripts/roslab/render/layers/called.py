@@ -11,7 +11,7 @@ MANIFEST = "read-manifest"
 CALLED = {
     PACKAGES: (MANIFEST,),
     "build-needed": (PACKAGES,),
-    "clone-holding": (PACKAGES,),
+    "clone-holding": (PACKAGES, "checkout-branch"),
     "clone-unknown": ("clone-holding", PACKAGES, MANIFEST),
     "declare-needs": ("required-by-cmake", MANIFEST),
     "leave-out-doubles": (MANIFEST,),

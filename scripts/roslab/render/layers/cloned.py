@@ -77,7 +77,7 @@ def _tried(source: Source) -> str:
 
 def _called(script: str, source: Source) -> str:
     """Return the call of a script that clones a source."""
-    option = "branch" if script != HOLDING and _is_branch(source) else "ref"
+    option = "branch" if _is_branch(source) else "ref"
     at = f" --{option} {quote.shell(source.ref)}" if source.ref else ""
     at += f" --before {quote.shell(source.before)}" if source.before else ""
     return f"{script}{at} {quote.shell(source.repo or '')} {quote.shell_with_user(f'{WS}/src/{source.name}')}"
