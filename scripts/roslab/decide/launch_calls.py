@@ -42,16 +42,37 @@ def of_own_package(words: tuple[str, ...], launched: Mapping[str, Collection[str
     return (near[0], *rest) if len(near) == 1 else words
 
 
+def from_root(command: str, files: Collection[str]) -> str:
+    """Return a command that starts a launch file by its path with the path from the root, as far as the tree has it.
+
+    A page may write one in the reader's home: ``roslaunch ~/ws/src/NAME/launch/a.launch``.
+    """
+    at = 1 if command.startswith("roslaunch ") else 2 if command.startswith("ros2 launch ") else 0
+    words = command.split(" ")
+    if not at or not words[at].startswith(("~", "/", "$")):
+        return command
+    path = _below(words[at], files)
+    return " ".join((*words[:at], path, *words[at + 1 :])) if path else command
+
+
+def _below(written: str, files: Collection[str]) -> str:
+    """Return the file of the tree, in a folder of it, that a path from above the repository names, ``""`` for none."""
+    return max((file for file in files if "/" in file and written.endswith(f"/{file}")), key=len, default="")
+
+
 def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collection[str]) -> tuple[str, ...]:
     """Return what follows ``roslaunch`` for a launch file that a page names by its path, ``()`` for none of the tree.
 
-    ``alone``: those that belong to no package, which both start by their paths alone.
+    ``alone``: those that belong to no package, which both start by their paths alone. A path may begin above the
+    repository: ``ws/src/NAME/launch/a.launch``.
     """
+    there = written in calls or written in alone
+    path = written if there else _below(written, (*calls, *alone)) or written
     name = written.rpartition("/")[2]
     named = [call for file, call in calls.items() if file.rpartition("/")[2] == name]
     return (
-        calls.get(written)
-        or ((written,) if written in alone else ())
+        calls.get(path)
+        or ((path,) if path in alone else ())
         or (named[0] if len(named) == 1 else without_package(written, alone))
     )
 

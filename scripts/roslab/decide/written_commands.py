@@ -10,12 +10,20 @@ from roslab.decide.absent import absent
 from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
 from roslab.decide.candidate import Candidate, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
-from roslab.decide.launch_calls import call_of, launch_calls, names_of_launch_files, of_own_package, without_package
+from roslab.decide.launch_calls import (
+    call_of,
+    from_root,
+    launch_calls,
+    names_of_launch_files,
+    of_own_package,
+    without_package,
+)
 from roslab.decide.made_folders import made_before
 from roslab.decide.pages_of_tools import of_a_tool
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
 from roslab.decide.ros.workspace import packages_of
+from roslab.decide.run_by_page import why_run
 from roslab.decide.scripts import bare, script_of, task_of
 from roslab.decide.sections import about_trouble
 from roslab.decide.simulators import simulators_of
@@ -99,7 +107,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
     beside = tree.compiled if compiled and not ros else {}  # programs that a page starts in its build folder
     nearest = min((m.file.count("/") for m in said if not m.heading.endswith(CONTAINER)), default=0)
     for mention in said:
-        whole, gap, blanks = filled(mention.value, mention.files)
+        whole, gap, blanks = filled(from_root(mention.value, (*tree.calls, *tree.alone)), mention.files)
         whole = with_the_one_named(whole, mention, pointed)
         program = next((file for file in mention.files if file.endswith(".py")), "")
         told = {options.get((program, name), "") for name in gap}
@@ -113,7 +121,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
             strong = strong and not copies.below(mention.file, evidence.copies)
             yield Candidate(
                 argv=tuple(map(as_written, argv)),
-                why=_why(argv, mention, tree),
+                why=why_run(argv, mention, kind),
                 file=mention.file,
                 line=mention.line,
                 strong=strong,
@@ -131,21 +139,6 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
                 makes=made_before(mention, made) if argv[0] not in {*_WORDS, "jupyter", "streamlit"} else (),
                 of_python=argv[0] == "bash" and not of_python.isdisjoint(argv[1:2]),
             )
-
-
-def _why(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> str:
-    own = tree.kind != "cpp" or argv[0].rpartition("/")[2] in mention.value
-    if not own:
-        return "the README runs one of almost this name, which nothing compiles"
-    said = mention.text.split()
-    other = next((file for file in mention.files if file in argv and _other_ending(file) in said), "")
-    return f"the README runs it with {_other_ending(other)}, which the tree lacks" if other else "the README runs it"
-
-
-def _other_ending(file: str) -> str:
-    """Return a file's path with the other ending of YAML, ``""`` for one that is none."""
-    stem, _, ending = file.rpartition(".")
-    return f"{stem}.{'yml' if ending == 'yaml' else 'yaml'}" if ending in {"yml", "yaml"} else ""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

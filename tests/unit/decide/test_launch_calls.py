@@ -34,6 +34,25 @@ def test_the_path_tells_files_of_one_name_apart(
     assert tree({**files, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command == command
 
 
+@pytest.mark.parametrize(
+    ("lines", "command"),
+    [
+        ('To run it, use "roslaunch paper/src/all.launch"', ("roslaunch", "src/all.launch")),
+        (
+            "```\nroslaunch ~/catkin_ws/src/paper/src/demo/all.launch a:=1\n```",
+            ("roslaunch", "demo", "all.launch", "a:=1"),
+        ),
+        ("```\nroslaunch src/arm/all.launch\n```", ("roslaunch", "arm", "all.launch")),
+        ("```\nroslaunch paper/src/hand/all.launch\n```", ("bash",)),
+    ],
+)
+def test_a_path_may_begin_above_the_repository(tree: Tree, lines: str, command: tuple[str, ...]) -> None:
+    files = {f"src/{path}": text for path, text in FILES.items()}
+    files |= {path.replace("demo", "arm"): text.replace("demo", "arm") for path, text in files.items()}
+    files |= dict.fromkeys(("src/all.launch", "src/demo/all.launch", "src/arm/all.launch"), "<launch/>\n")
+    assert tree({**files, "README.md": f"ROS Noetic\n\n{lines}\n"}).command == command
+
+
 def test_what_nobody_runs_is_called_so_too(tree: Tree) -> None:
     called = {candidate[1:] for candidate in tree(TWICE).command_candidates}
     assert called == {("demo", "side.launch"), ("demo/launch/deep/plan.launch",), ("demo/launch/flat/plan.launch",)}

@@ -88,10 +88,11 @@ _NAMED_SHELL = pattern(
 _IN_SENTENCES: Signs = (("`", _NAMED), (".py", _NAMED_PYTHON), (".sh", _NAMED_SHELL), ("`", _GO_INTO), ("://", _CLONED))
 """What a sentence tells to do, each after a part of it."""
 _SAID_LAUNCH = pattern(
-    r"(?<![`\w/-])(?:roslaunch|ros2 launch) +[a-z]\w+ +[\w./-]+(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.py)"
+    r"(?<![`\w/-])(?:roslaunch|ros2 launch) +(?:[a-z]\w+ +[\w./-]+|(?:~/)?[\w.-]+/[\w./-]+)"
+    r"(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.py)"
     r"(?: +\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
 )
-"""A launch in a sentence: ``Run "roslaunch demo map.launch" to start``."""
+"""A launch in a sentence, by a package or a path: ``Run "roslaunch demo map.launch" to start``."""
 _SPAN = pattern(r"(`+)(.+?)\1")
 _SUBSTITUTED = pattern(r"(?<=[\w:=/-])`[^`\n]+`|`[^`\n]+`(?=/\w)")
 """What a shell fills in within a word: ``-I:`rospack find demo`/msg``."""

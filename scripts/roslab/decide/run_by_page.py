@@ -1,0 +1,22 @@
+"""Why a command of a page is one of the repository's."""
+
+from __future__ import annotations
+
+from roslab.config.model import Kind
+from roslab.evidence.facts import Mention
+
+
+def why_run(argv: tuple[str, ...], mention: Mention, kind: Kind) -> str:
+    """Return the reason, with what the command says otherwise: a program of almost its name, or another ending."""
+    own = kind != "cpp" or argv[0].rpartition("/")[2] in mention.value
+    if not own:
+        return "the README runs one of almost this name, which nothing compiles"
+    said = mention.text.split()
+    other = next((file for file in mention.files if file in argv and _other_ending(file) in said), "")
+    return f"the README runs it with {_other_ending(other)}, which the tree lacks" if other else "the README runs it"
+
+
+def _other_ending(file: str) -> str:
+    """Return a file's path with the other ending of YAML, ``""`` for one that is none."""
+    stem, _, ending = file.rpartition(".")
+    return f"{stem}.{'yml' if ending == 'yaml' else 'yaml'}" if ending in {"yml", "yaml"} else ""
