@@ -19,6 +19,7 @@ from roslab.decide.launched import launched
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
+from roslab.decide.released_pages import without_copied_packages
 from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
@@ -148,11 +149,12 @@ def _obvious(
     """Return the program that the README runs first, or the one obvious program, else a shell.
 
     Of the programs, only those that a container of the author's image can be given, if that is built; and none that
-    nothing but a copy of others' repository names, beside packages of the author's own.
+    nothing but a copy of others' repository, or the page of a released package, names beside packages of the author's.
     """
     built = {file for m in evidence.mentions if m.topic == "build_script" for file in m.files}
     foreign = copied(evidence, packages_of(evidence))
     ours = [c for c in found if _own(c.argv, evidence) and not (upkeep(c) or below(c.file, foreign))]
+    ours = without_copied_packages(ours, evidence)
     ours = [c for c in ours if program_of(c.argv)[-1] not in built]
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]
