@@ -104,12 +104,10 @@ from roslab.evidence.ros import (
     author_folders,
     beside_python,
     commit_date,
-    controllers,
     distro_names,
-    gazebo_plugins,
     handed_lists,
-    image_transports,
     launch,
+    loaded,
     malformed,
     marked,
     named_in_code,
@@ -119,7 +117,6 @@ from roslab.evidence.ros import (
     package_xml,
     rosbuild,
     rosdep_lists,
-    started_by_scripts,
     vcs,
 )
 from roslab.repository.checkout import Repository
@@ -130,8 +127,6 @@ MENTIONED = (
     *(binaries.read, version_file.read),
 )
 """What pages, code and files of a project tell by themselves."""
-LOADED = (gazebo_plugins.read, controllers.read, image_transports.read, started_by_scripts.read)
-"""What robots, worlds, launch files and parameters load and shell scripts start, which few package.xml name."""
 PROSE = (
     author_dockerfile.prose,  # the author's own image: the most reliable
     containers.read,  # what the author's containers run
@@ -208,7 +203,7 @@ def gather(repository: Repository) -> Evidence:
             *loggers.read(own),
             *launch.plugins(repository),
             *(links.packages(lost) if manifests else ()),
-            *((each for reader in LOADED for each in reader(repository)) if manifests else ()),
+            *(loaded.read(repository) if manifests else ()),
             *fetched.programs,
             *configured.read(own),
             *shared_objects.read(own),

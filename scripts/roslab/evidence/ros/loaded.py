@@ -1,0 +1,22 @@
+"""What robots, worlds, launch files and parameters load and shell scripts start, which few package.xml name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.ros import controllers, gazebo_plugins, hardware_plugins, image_transports, started_by_scripts
+from roslab.repository.checkout import Repository
+
+_READERS = (
+    gazebo_plugins.read,
+    hardware_plugins.read,
+    controllers.read,
+    image_transports.read,
+    started_by_scripts.read,
+)
+
+
+def read(repository: Repository) -> Iterator[Dependency]:
+    """Yield what each reader finds, in their order."""
+    yield from (each for reader in _READERS for each in reader(repository))
