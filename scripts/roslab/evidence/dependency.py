@@ -39,6 +39,8 @@ class Dependency:
     """CMake stops without it where its condition holds."""
     heading: str = ""
     """The titles of the page that a line of apt stands under."""
+    target: str = ""
+    """The imported target of CMake that is linked, where ``version`` is the first release that has it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -161,10 +161,14 @@ def _of_ros1(file: str, evidence: Evidence) -> bool:
 
 
 def _asked(evidence: Evidence) -> Iterator[tuple[str, str, str]]:
-    """Yield name, version and place of what the projects that are built require at a version."""
+    """Yield name, version and place of what the projects that are built require at a version.
+
+    Not a release that a linked target alone tells and that the image can build on any Ubuntu.
+    """
     for project in _built(evidence):
         for d in project.dependencies:
-            if d.namespace == "cmake" and d.strength == "declared" and d.version and d.role != "test":
+            tabled = d.target and has_release(d.name.lower(), d.version or "0", None)
+            if d.namespace == "cmake" and d.strength == "declared" and d.version and d.role != "test" and not tabled:
                 yield d.name, d.version, f"{d.file}:{d.line}"
 
 

@@ -36,10 +36,10 @@ from roslab.decide.system.required import (
 )
 from roslab.decide.system.switches import given, switch_of
 from roslab.decide.system.tests import BUILD_TESTING, left_to_a_switch
+from roslab.decide.system.too_old import too_old
 from roslab.decide.system.tried_headers import without_tried
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
@@ -174,7 +174,7 @@ def decide_missing(
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
     asks = of_program_and_below if kind == "cpp" else required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - made
-    warnings += _too_old(asks(evidence, packages), target, found.packages, names, build_tool)
+    warnings += too_old(asks(evidence, packages), target, found.packages, names, build_tool)
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
     switches = tuple(f"-D{name}=OFF" for name in (*off, *tests))
     return Choice(
@@ -231,28 +231,6 @@ def provided(
 def _there(name: str, target: Target) -> bool:
     """Tell whether the image can have a package: of one of ROS, whether its distribution released it."""
     return written_for(name) is None or target.knows(name.split("-", 2)[-1].replace("-", "_").rstrip("*_"))
-
-
-def _too_old(
-    asks: Iterator[tuple[str, Dependency]],
-    target: Target,
-    out: Collection[str],
-    names: Collection[str],
-    build_tool: BuildTool,
-) -> Iterator[Warning_]:
-    """Yield a warning for each library that CMake requires in a version that the Ubuntu's does not satisfy."""
-    ros, ubuntu = bool(target.ros_distro), target.ubuntu or ""
-    told: set[str] = set()
-    for package, asked in asks:
-        here = version_of(asked.name, ubuntu, ros=ros)
-        built = plain(asked.name) in names  # from its source
-        if package in out or built or not (here and asked.version) or asked.name in told:
-            continue
-        if not satisfies(asked.name, ubuntu, asked.version, ros=ros):
-            told.add(asked.name)
-            hint = "give its repository under `source` in roslab.yaml, or another base"
-            wanted = f"CMake requires {asked.name} {asked.version}, and this Ubuntu ({ubuntu}) has {here}"
-            yield warn(f"{wanted}: {build_tool} will stop at {package}; {hint}", asked)
 
 
 def _of_a_clone(asked: Dependency, known: frozenset[str]) -> bool:

@@ -50,7 +50,7 @@ def required_releases(needed: Iterable[tuple[Dependency, bool]]) -> Iterator[Cod
     for asked, trusted in needed:
         if trusted and asked.namespace == "cmake" and asked.strength == "declared" and asked.version:
             oldest, first_not = bounds_of(asked.name, asked.version)
-            what = f"find_package({asked.name} {asked.version})"
+            what = f"the target {asked.target}" if asked.target else f"find_package({asked.name} {asked.version})"
             yield CodeLimit(
                 library=asked.name, at_least=oldest, below=first_not, what=what, file=asked.file, line=asked.line
             )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.native import cmake_needs, cmake_since, included, own_project
+from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, own_project
 from roslab.evidence.native.cmake_reading import Reading
 from roslab.evidence.native.installed_paths import installed, not_there
 from roslab.evidence.native.lost_libraries import lost, named
@@ -243,6 +243,7 @@ def _note(call: Call, path: str, reading: Reading) -> None:
         reading.sources += cmake_needs.fetched(told, path) if name in cmake_needs.FETCHING else ()
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
+        reading.dependencies += imported_targets.needs(told, path)
     reading.linked |= {path: line for path, line in cmake_needs.inside(call) if path not in reading.linked}
     reading.files |= dict(named(call, path.rpartition("/")[0], own=reading.name is not None))
     reading.macros |= (families := macros(call))

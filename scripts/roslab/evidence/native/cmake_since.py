@@ -10,6 +10,7 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.cmake import Call
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.native.imported_targets import of_others
 from roslab.knowledge.cmake_since import since
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -82,9 +83,12 @@ def _has(call: Call, words: tuple[str, ...]) -> bool:
 def without_own(
     projects: Iterable[CMakeProject], repository: Repository, modules: frozenset[str]
 ) -> list[CMakeProject]:
-    """Return the projects without what the tree itself has: a function of this name, a module (``FindNAME.cmake``)."""
+    """Return the projects without what the tree itself has: a function of this name, a module (``FindNAME.cmake``).
+
+    And without the imported targets that it makes, or whose library a module of it finds.
+    """
     found = list(projects)
-    if not any(project.newer for project in found):
+    if not any(project.newer or any(each.target for each in project.dependencies) for project in found):
         return found
     own = {
         *modules,
@@ -92,9 +96,11 @@ def without_own(
         *defined(repository),
     }
     return [
-        replace(project, newer=tuple(each for each in project.newer if each.name not in own))
-        if project.newer
-        else project
+        replace(
+            project,
+            newer=tuple(each for each in project.newer if each.name not in own),
+            dependencies=tuple(each for each in project.dependencies if of_others(each, own)),
+        )
         for project in found
     ]
 

@@ -1,0 +1,106 @@
+"""An imported target that came with a later release asks for that release."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.decide.system.names import Target
+from roslab.decide.system.too_old import too_old
+from roslab.evidence.dependency import Dependency
+
+Tree = Callable[[dict[str, str]], Decision]
+PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+CMAKE = """cmake_minimum_required(VERSION 3.5)
+project(demo)
+find_package(catkin REQUIRED)
+find_package({package} REQUIRED)
+add_executable(demo a.cpp)
+{link}
+"""
+LINK = "target_link_libraries(demo {})"
+
+
+def ros1(distro: str, package: str, link: str, **others: str) -> dict[str, str]:
+    own = {
+        "package.xml": PACKAGE,
+        "CMakeLists.txt": CMAKE.format(package=package, link=link),
+        "a.cpp": "int main() {}\n",
+    }
+    return {**own, "README.md": f"For ROS {distro}\n", **others}
+
+
+def built(decision: Decision) -> list[tuple[str, str | None]]:
+    return [(source.name, source.ref) for source in decision.source]
+
+
+@pytest.mark.parametrize(
+    ("distro", "package", "target", "found"),
+    [
+        ("noetic", "Ceres", "Ceres::ceres", [("ceres", "2.0.0")]),  # focal has 1.14
+        ("noetic", "Ceres", "ceres", []),
+        ("noetic", "yaml-cpp", "yaml-cpp::yaml-cpp", [("yaml-cpp", "0.8.0")]),  # focal has 0.6.2
+        ("noetic", "yaml-cpp", "yaml-cpp", []),
+        ("kinetic", "Eigen3", "Eigen3::Eigen", [("eigen3", "3.3.7")]),  # xenial has 3.2.92
+        ("melodic", "Eigen3", "Eigen3::Eigen", []),
+        ("melodic", "spdlog", "spdlog::spdlog_header_only", [("spdlog", "v1.9.2")]),  # bionic has 0.16
+        ("melodic", "spdlog", "spdlog::spdlog", []),
+        ("kinetic", "g2o", "g2o::types_sba", [("g2o", "20200410_git")]),  # ROS has that of 2016
+        ("melodic", "g2o", "g2o::types_sba", []),  # ROS has that of 2018-03-25
+    ],
+)
+def test_the_release_that_has_the_target_is_built(
+    tree: Tree, distro: str, package: str, target: str, found: list[tuple[str, str]]
+) -> None:
+    decision = tree(ros1(distro, package, LINK.format(target)))
+    assert decision.ros_distro == distro
+    assert built(decision) == found
+    assert not any("this Ubuntu" in warning.message for warning in decision.warnings)
+    because = [reason.reason for reason in decision.reasons if found and reason.answer.startswith(found[0][0])]
+    assert not found or any(f"the target {target}" in why for why in because), because
+
+
+@pytest.mark.parametrize(
+    ("link", "others"),
+    [
+        (f"if(TARGET Ceres::ceres)\n{LINK.format('Ceres::ceres')}\nendif()", {}),
+        (f"add_library(Ceres::ceres ALIAS own)\n{LINK.format('Ceres::ceres')}", {}),
+        (LINK.format("Ceres::ceres"), {"cmake/FindCeres.cmake": "add_library(${TARGET} INTERFACE IMPORTED)\n"}),
+        (f"function(link)\n{LINK.format('Ceres::ceres')}\nendfunction()", {}),
+    ],
+)
+def test_one_that_the_tree_makes_or_may_not_link_asks_for_nothing(
+    tree: Tree, link: str, others: dict[str, str]
+) -> None:
+    assert built(tree(ros1("noetic", "Ceres", link, **others))) == []
+
+
+@pytest.mark.parametrize(
+    ("target", "said"), [("PCL::all", "PCL::all is linked, which came with"), ("", "CMake requires")]
+)
+def test_what_no_recipe_builds_is_told(target: str, said: str) -> None:
+    asked = Dependency(
+        namespace="cmake", name="PCL", strength="declared", file="CMakeLists.txt", line=4, version="1.14", target=target
+    )
+    here = Target(ros_distro="noetic", ubuntu="focal")
+    (told,) = too_old(iter([("demo", asked)]), here, (), (), "catkin_make")
+    assert told.message.startswith(
+        f"{said} PCL 1.14, and this Ubuntu (focal) has 1.10.0: catkin_make will stop at demo"
+    )
+
+
+@pytest.mark.parametrize(
+    ("target", "asked"),
+    [
+        ("Python3::NumPy", "cmake>=3.14,<4"),
+        ("Boost::headers", "cmake>=3.15,<4"),
+        ("GTest::gtest_main", "cmake>=3.20,<4"),
+        ("GTest::Main", None),
+        ("Boost::system", None),
+    ],
+)
+def test_one_of_cmakes_own_modules_asks_for_a_newer_cmake(tree: Tree, target: str, asked: str | None) -> None:
+    decision = tree(ros1("melodic", "Boost", LINK.format(target)))
+    assert [each.text for each in decision.python.pip_guessed if each.key == "cmake"] == ([asked] if asked else [])
