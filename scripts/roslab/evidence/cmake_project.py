@@ -30,6 +30,8 @@ class CMakeProject:
     executables: tuple[tuple[str, int], ...]
     """Programs of ``add_executable`` and similar calls by the names of their files, with their lines."""
     dependencies: tuple[Dependency, ...]
+    programs: tuple[Dependency, ...] = ()
+    """Programs that it looks for and stops without."""
     sources: tuple[GitSource, ...] = ()
     brought: tuple[str, ...] = ()
     """Names that what it fetches by itself may have, with the parts of the addresses."""

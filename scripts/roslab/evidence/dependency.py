@@ -14,11 +14,23 @@ Strength = Literal["declared", "used", "optional", "prose"]
 ``QUIET`` alone; ``prose``: written for humans (README) or for another machine (an author's Dockerfile, CI).
 """
 Namespace = Literal[
-    "rosdep", "apt", "cmake", "ros", "pkg-config", "include", "import", "link", "call", "nowhere", "controller"
+    "rosdep",
+    "apt",
+    "cmake",
+    "ros",
+    "pkg-config",
+    "include",
+    "import",
+    "link",
+    "call",
+    "nowhere",
+    "controller",
+    "program",
 ]
 """What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``, ``call`` the
 library of a call that opens a window, ``nowhere`` a header that the tree would have, and does not, ``controller``
-what a parameter file calls a controller, whose role is the package of its type."""
+what a parameter file calls a controller, whose role is the package of its type, ``program`` what ``find_program`` looks
+for."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -16,6 +16,7 @@ _HOW = {
     "key": "the repository's own list for rosdep names {}",
     "fetch": "a CMake file clones, which needs {}",
     "configure": "CMake runs a configure that looks for {}",
+    "program": "CMake stops without a program of {}",
     "cuda": "CMake compiles for CUDA, which needs {}",
     "called": "a Python file calls a program of {}",
     "typelib": "a program asks for a library of GObject, which needs {}",

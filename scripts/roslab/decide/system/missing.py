@@ -38,6 +38,7 @@ from roslab.decide.system.switches import given, switch_of
 from roslab.decide.system.tests import BUILD_TESTING, left_to_a_switch
 from roslab.decide.system.too_old import too_old
 from roslab.decide.system.tried_headers import without_tried
+from roslab.decide.system.without_programs import without_programs
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.released import released, rosdep_keys
@@ -82,7 +83,7 @@ class Missing:
     tests: tuple[str, ...] = ()
     """Those of the options that are for the tests."""
     stopping: tuple[str, ...] = ()
-    """Files of CMake that look for, or link, a library which nothing brings."""
+    """Files of CMake that look for a library or a program, or link one, which nothing brings."""
     undeclared: bool = False
     """A package requires another one of the repository, and its package.xml does not name it."""
 
@@ -168,7 +169,11 @@ def decide_missing(
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
     unfound = (*not_found(evidence, packages, target, names, build_tool, built=made),)
-    unfound += () if custom else (*lost_libraries(evidence, packages, build_tool),)
+    if not custom:
+        unfound += (*lost_libraries(evidence, packages, build_tool),)
+        unfound += (
+            *without_programs(evidence, packages, target, names, build_tool=build_tool, kind=kind, out=found.packages),
+        )
     warnings += [warning for _, warning in unfound]
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]

@@ -11,12 +11,14 @@ from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.compiled_libraries import needs_of_libraries
 from roslab.decide.system.documentation import without_documentation
 from roslab.decide.system.names import written_for
+from roslab.decide.system.required import programs
 from roslab.decide.system.switches import given, switched_off
 from roslab.decide.system.tests import always_compiled, always_of_packages
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python.of_python3 import ROLE
+from roslab.knowledge.compiled import programs as packaged
 from roslab.knowledge.cuda_toolkits import host_compilers
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports
@@ -61,10 +63,17 @@ def _all(
         yield dependency, dependency.strength == "declared"
     for dependency in needs_of_libraries(evidence) if kind != "python" else ():
         yield dependency, False
-    for dependency in started(evidence, kind):
+    for dependency in (*_programs(evidence, packages, kind), *started(evidence, kind)):
         yield dependency, False
     for dependency in _installed(evidence, ros_distro):
         yield dependency, False
+
+
+def _programs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[Dependency]:
+    """Yield the packages of the programs without which CMake stops."""
+    for _, asked in programs(evidence, packages, kind):
+        if apt := packaged().get(asked.name):
+            yield replace(asked, namespace="apt", name=apt)
 
 
 def of_another_python(dependency: Dependency, ubuntu: str | None) -> bool:

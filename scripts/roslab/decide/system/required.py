@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
+from roslab.config.model import Kind
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
@@ -15,13 +16,39 @@ from roslab.evidence.facts import Evidence
 
 def required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
     """Yield each package with what its own CMakeLists.txt, and those it always adds, require and no file here finds."""
+    for package, project in _of_packages(evidence, packages):
+        yield from ((package, asked) for asked in outside(project, evidence, packages))
+
+
+def _of_packages(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, CMakeProject]]:
+    """Yield each package with its own CMakeLists.txt and those it always adds."""
     named = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages.built}
     for project in evidence.cmake:
         folder = project.file.rpartition("/")[0]
         while project.always and folder and folder not in named:
             folder = folder.rpartition("/")[0]
         if package := named.get(folder):
-            yield from ((package, asked) for asked in outside(project, evidence, packages))
+            yield package, project
+
+
+def programs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple[str, Dependency]]:
+    """Yield each package, or the program, with the programs without which its CMakeLists.txt and those below stop.
+
+    Not what a target of the tree makes.
+    """
+    if kind not in {"ros1", "ros2", "cpp"}:
+        return
+    made = {name for project in evidence.cmake for name, _ in project.executables}
+    for name, project in _of_packages(evidence, packages) if kind != "cpp" else _of_top(evidence):
+        yield from ((name, asked) for asked in project.programs if asked.role != "test" and asked.name not in made)
+
+
+def _of_top(evidence: Evidence) -> Iterator[tuple[str, CMakeProject]]:
+    """Yield the program with the CMakeLists.txt at its top and those that it always adds."""
+    top = top_of(evidence)
+    for project in evidence.cmake if top else ():
+        if project is top or (project.always and not (places.vendored(project.file) or places.test(project.file))):
+            yield top.name or "the program" if top else "", project
 
 
 def undeclared(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:

@@ -16,6 +16,7 @@ from roslab.evidence.native.outside import of_workspace
 from roslab.evidence.native.own_configs import configs
 from roslab.evidence.native.program_folders import VARIABLES
 from roslab.evidence.native.searched import held, searched
+from roslab.evidence.native.searched_programs import searched_programs
 from roslab.evidence.native.settled import settled
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field, replace
@@ -86,6 +87,7 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
         or p.macros
         or p.linked
         or p.newer
+        or p.programs
         or (p.added and p.made)
     )
     return tuple(sorted(cmake_since.without_own(kept, repository, modules(repository)), key=lambda each: each.file))
@@ -183,6 +185,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
                 or not (d.name in (by_itself if d.strength == "declared" else own) or held(d.name, repository))
             )
         ),
+        programs=tuple(searched_programs(text, file.path, repository)),
         sources=tuple(reading.sources),
         brought=tuple(reading.brought),
         minimum=reading.minimum,

@@ -234,10 +234,14 @@ def of_an_option(condition: str) -> bool:
     return bool(_SWITCH.match(condition) or _TEST.search(condition))
 
 
+def made_here(conditions: tuple[str, ...]) -> bool:
+    """Tell whether a call below these conditions is made in an image for certain."""
+    return not any(_ELSEWHERE.match(condition) or not _HERE.match(condition) for condition in conditions)
+
+
 def _strength(call: Call, *, required: bool, quiet: bool = False) -> Strength:
     """Return the strength of a call: required and unconditional is declared; conditional or quiet alone is optional."""
-    hidden = any(_ELSEWHERE.match(condition) or not _HERE.match(condition) for condition in call.conditions)
-    if hidden or (quiet and not required):
+    if not made_here(call.conditions) or (quiet and not required):
         return "optional"
     return "declared" if required else "used"
 
