@@ -32,6 +32,8 @@ class CMakeProject:
     dependencies: tuple[Dependency, ...]
     programs: tuple[Dependency, ...] = ()
     """Programs that it looks for and stops without."""
+    bare: tuple[Dependency, ...] = ()
+    """Libraries that it always links by names which nothing of the tree makes or finds, and no table has."""
     sources: tuple[GitSource, ...] = ()
     brought: tuple[str, ...] = ()
     """Names that what it fetches by itself may have, with the parts of the addresses."""

@@ -197,7 +197,7 @@ def gather(repository: Repository) -> Evidence:
         tests=tests.read(repository),
         code=(
             *cpp.read(repository, signs, intrinsics, nowhere),
-            *nowhere.all(signs.included),
+            *nowhere.all(signs),
             *imports.read(repository),
             *called.read(own),
             *loggers.read(own),

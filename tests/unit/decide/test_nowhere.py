@@ -106,7 +106,13 @@ LISTED = "repositories:\n  core:\n    type: git\n    url: https://github.com/me/
         ("#ifndef A\n#define A\n#include <acmelib/acmelib.h>\n#endif\n", {}, True),
         ("#ifdef WITH\n#include <acmelib/acmelib.h>\n#endif\n", {}, False),
         ("#if __has_include(<acmelib/acmelib.h>)\n#include <acmelib/acmelib.h>\n#endif\n", {}, False),
-        ("#include <acmelib/other.h>\n", {}, False),
+        ("#include <acmelib/other.h>\n", {}, True),
+        ("#include <acmelib/parts/other.hpp>\n", {}, True),
+        ("#include <acmelib/other.h>\n", {"mine/src/other.h": "\n"}, False),
+        ("#ifdef WITH\n#include <acmelib/other.h>\n#endif\n", {}, False),
+        ("#include <mach/mach_time.h>\n#include <thrust/fill.h>\n", {}, False),
+        ("#include <acmelib/other.h>\n", _package("mine", f"option(A a OFF)\nif(A)\n{MINE}endif()\n"), False),
+        ("#include <acmelib/other.h>\n", _package("mine", f"option(A a ON)\nif(A)\n{MINE}endif()\n"), True),
         ("#include <glm/glm.hpp>\n", {}, False),
         ("#include <yaml-cpp/yaml.h>\n", {}, False),
         ("#include <acmelib/acmelib.h>\n", {"mine/include/acmelib/acmelib.h": "\n"}, False),
@@ -134,3 +140,24 @@ def test_a_library_that_nothing_names_or_brings_is_told(
     assert decision.may_fail == ()
     said = [each for each in decision.warnings if "and nothing is known that brings acmelib" in each.message]
     assert [each.file for each in said] == (["mine/src/a.cpp"] if told else [])
+
+
+CPP = {"CMakeLists.txt": "project(demo)\nadd_executable(demo a.cpp)\n", "README.md": "Tested on Ubuntu 22.04\n"}
+
+
+@pytest.mark.parametrize(
+    ("files", "place"),
+    [
+        ({"a.cpp": "int a;\n#include <acmelib/parts.hpp>\n"}, ("a.cpp", 2)),
+        ({"a.cpp": '#include "a.h"\n', "a.h": "#include <acmelib/parts.hpp>\n"}, ("a.h", 1)),
+        ({"a.cpp": "int main() {}\n", "a.h": "#include <acmelib/parts.hpp>\n"}, None),
+        ({"a.cpp": "int main() {}\n", "b.cpp": '#include "a.h"\n', "a.h": "#include <acmelib/parts.hpp>\n"}, None),
+        ({"a.cpp": "int main() {}\n", "b.cpp": "#include <acmelib/parts.hpp>\n"}, None),
+        ({"a.cpp": "#include <acmelib/parts.hpp>\n", "README.md": "```\napt install libacmelib-dev\n```\n"}, None),
+    ],
+)
+def test_a_program_is_told_of_headers_that_what_it_compiles_includes(
+    tree: Tree, files: dict[str, str], place: tuple[str, int] | None
+) -> None:
+    said = [w for w in tree({**CPP, **files}).warnings if "nothing is known that brings acmelib" in w.message]
+    assert [(w.file, w.line) for w in said] == ([place] if place else [])

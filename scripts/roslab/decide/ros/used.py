@@ -9,6 +9,7 @@ from roslab.decide.ros.included import included
 from roslab.decide.ros.keys import declared_keys, own_targets
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.bare_links import as_packages
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import code_needs, started
 from roslab.decide.system.switches import given, waits
@@ -18,7 +19,7 @@ from roslab.evidence.facts import Evidence
 
 
 def asked(evidence: Evidence, packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
-    """Return what package.xml files, build files, started programs and headers of messages ask for."""
+    """Return what package.xml files, build files, started programs, headers of messages and linked names ask for."""
     keys = declared_keys(packages, target, kind)
     ours = own_targets(keys, evidence)
     return (
@@ -26,6 +27,7 @@ def asked(evidence: Evidence, packages: Packages, target: Target, kind: Kind) ->
         *code_needs(evidence, packages),
         *started(evidence, kind),
         *included(evidence, packages),
+        *as_packages(evidence, packages, kind),
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 
 from roslab.decide.decision import Warning_
-from roslab.decide.programs import owner
+from roslab.decide.programs import owner, top_of
 from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
@@ -16,6 +16,8 @@ from roslab.evidence.native.nowhere import LIBRARY
 from roslab.knowledge.libraries import header, library
 from roslab.knowledge.released import ever_released, rosdep_keys
 
+_OF_GAZEBO = frozenset({"ignition", "gz", "sdf"})
+"""Folders of headers that Gazebo brings: https://classic.gazebosim.org/tutorials?tut=plugins_hello_world."""
 _SHORTEST = 3
 """Fewest letters of a name that a longer one may be called after."""
 
@@ -23,7 +25,9 @@ _SHORTEST = 3
 def without_library(
     evidence: Evidence, packages: Packages, provided: Collection[str], build_tool: str, *, unread: bool
 ) -> Iterator[Warning_]:
-    """Yield a warning for each such header that a built package includes; ``provided``: names in one spelling.
+    """Yield a warning for each such header that a built package or the program includes.
+
+    ``provided``: names in one spelling.
 
     What CMake, a manifest or a page names may bring the library, and what is called alike, its headers. So may what
     is ``unread``: a clone whose packages are not known, a command of roslab.yaml; and what lies in the package.
@@ -32,6 +36,8 @@ def without_library(
         return
     headers = [each for each in evidence.code if each.namespace == "nowhere" and each.role == LIBRARY]
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
+    if not evidence.manifests and (top := top_of(evidence)):
+        folders = {top.file.rpartition("/")[0]: top.name or "the program"}
     told: set[str] = set()
     others = {*_with_others(evidence, folders)} if headers else set[str]()
     there = {*provided, *_named(evidence)} if headers else set[str]()
@@ -40,7 +46,8 @@ def without_library(
         package = owner(each.file, folders)
         if package is None or package in others:
             continue
-        if name not in told and not _known(each, name) and not _brought(plain(name), there):
+        of_gazebo = name in _OF_GAZEBO and similar("gazebo", there)
+        if name not in told and not (of_gazebo or _known(each, name) or _brought(plain(name), there)):
             told.add(name)
             what = f"{package} includes {each.name}, and nothing is known that brings {name}"
             then = "give its package under `apt` or its repository under `source` in roslab.yaml"
@@ -70,7 +77,7 @@ def _named(evidence: Evidence) -> Iterator[str]:
 
 
 def _known(each: Dependency, name: str) -> bool:
-    names = {name, name.lower()}
+    names = {name, name.lower(), f"lib{name.lower()}"}
     of_tables = any(library(naming, one, None) for naming in ("cmake", "link", "pkg-config") for one in names)
     return (
         bool(header(each.name, None)) or of_tables or any(ever_released(one) or one in rosdep_keys() for one in names)

@@ -16,6 +16,8 @@ from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.bare_links import without_linked
+from roslab.decide.system.built import Built
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
 from roslab.decide.system.library_headers import without_library
@@ -164,16 +166,16 @@ def decide_missing(
         told = {asked.name for _, asked in unmet}
         there = names | known | told
         warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
-        warnings += without_library(evidence, packages, names, build_tool, unread=cloned or custom)
         warnings += without_own(evidence, packages, lambda name: plain(name) in names, build_tool)
+    warnings += without_library(evidence, packages, names, build_tool, unread=cloned or custom)
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
     unfound = (*not_found(evidence, packages, target, names, build_tool, built=made),)
     if not custom:
         unfound += (*lost_libraries(evidence, packages, build_tool),)
-        unfound += (
-            *without_programs(evidence, packages, target, names, build_tool=build_tool, kind=kind, out=found.packages),
-        )
+        of_build = Built(target=target, names=names, build_tool=build_tool, kind=kind, out=found.packages)
+        unfound += (*without_programs(evidence, packages, of_build),)
+        unfound += (*without_linked(evidence, packages, of_build, may_hold, tried or {}),)
     warnings += [warning for _, warning in unfound]
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]

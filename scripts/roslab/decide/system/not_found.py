@@ -45,12 +45,12 @@ def not_found(
     made = {name for project in evidence.cmake for name in project.made}
     fetched = {plain(name) for project in evidence.cmake for name in project.brought}
     told: set[str] = set()
-    headers = _headers(evidence) if evidence.cmake else {}
+    headers = headers_by_name(evidence) if evidence.cmake else {}
     for asked in code_needs(evidence, packages):
         if asked.name in told or asked.name in made or plain(asked.name) in fetched:
             continue
         looked = asked.role == SEARCHED
-        shown = _included(asked, headers) if not looked else ""
+        shown = shown_by(asked, headers) if not looked else ""
         if not (looked or shown):
             continue
         of_build = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
@@ -67,7 +67,7 @@ def not_found(
             yield asked.file, warn(f"{what}: {_tool(build_tool)} will stop there; {then}", asked)
 
 
-def _headers(evidence: Evidence) -> dict[str, tuple[int, str]]:
+def headers_by_name(evidence: Evidence) -> dict[str, tuple[int, str]]:
     """Return the headers that the code includes by how their names begin, ``box2d``: the first, with its number."""
     found: dict[str, tuple[int, str]] = {}
     for number, each in enumerate(evidence.code):
@@ -76,7 +76,7 @@ def _headers(evidence: Evidence) -> dict[str, tuple[int, str]]:
     return found
 
 
-def _included(asked: Dependency, headers: Mapping[str, tuple[int, str]]) -> str:
+def shown_by(asked: Dependency, headers: Mapping[str, tuple[int, str]]) -> str:
     """Return a header that has the name of a library which is always linked: ``Box2D/Box2D.h`` of ``Box2D``."""
     if asked.namespace != "link" or asked.strength != "used" or asked.role == "test":
         return ""

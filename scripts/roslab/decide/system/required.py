@@ -36,11 +36,17 @@ def programs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tup
 
     Not what a target of the tree makes.
     """
-    if kind not in {"ros1", "ros2", "cpp"}:
-        return
     made = {name for project in evidence.cmake for name, _ in project.executables}
-    for name, project in _of_packages(evidence, packages) if kind != "cpp" else _of_top(evidence):
+    for name, project in reached(evidence, packages, kind):
         yield from ((name, asked) for asked in project.programs if asked.role != "test" and asked.name not in made)
+
+
+def reached(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple[str, CMakeProject]]:
+    """Yield each package, or the program, with the CMakeLists.txt files that its build always comes to."""
+    if kind in {"ros1", "ros2"}:
+        yield from _of_packages(evidence, packages)
+    elif kind == "cpp":
+        yield from _of_top(evidence)
 
 
 def _of_top(evidence: Evidence) -> Iterator[tuple[str, CMakeProject]]:

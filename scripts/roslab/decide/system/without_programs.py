@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 
-from roslab.config.model import BuildTool, Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.names import Target
+from roslab.decide.system.built import Built
 from roslab.decide.system.required import programs, similar
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.compiled import programs as packaged
@@ -21,29 +20,16 @@ _OF_CUDA = frozenset({"nvcc", "bin2c", "cuobjdump", "fatbinary", "nvdisasm", "nv
 """Those of CUDA's compiler: https://docs.nvidia.com/cuda/cuda-binary-utilities/, read 2026-11-27."""
 
 
-def without_programs(
-    evidence: Evidence,
-    packages: Packages,
-    target: Target,
-    names: Collection[str],
-    *,
-    build_tool: BuildTool,
-    kind: Kind,
-    out: Collection[str],
-) -> Iterator[tuple[str, Warning_]]:
-    """Yield the file that looks for each such program, with a warning.
-
-    ``names``: those of all that is installed, built or cloned; a similar one may bring it. ``out``: packages that are
-    not built.
-    """
+def without_programs(evidence: Evidence, packages: Packages, built: Built) -> Iterator[tuple[str, Warning_]]:
+    """Yield the file that looks for each such program, with a warning."""
     told: set[str] = set()
-    for package, asked in programs(evidence, packages, kind):
-        name = asked.name
+    for package, asked in programs(evidence, packages, built.kind):
+        name, target = asked.name, built.target
         of_ros = bool(target.ros_distro) and (target.knows(name) or _OF_ROS.match(name))
-        there = name in packaged() or of_ros or (target.cuda and name in _OF_CUDA) or similar(plain(name), names)
-        if name in told or package in out or there:
+        there = name in packaged() or of_ros or (target.cuda and name in _OF_CUDA) or similar(plain(name), built.names)
+        if name in told or package in built.out or there:
             continue
         told.add(name)
         what = f"CMake looks for the program {name} and stops without it, and nothing is known that brings it"
         then = "name its package under `apt` in roslab.yaml, or install it under `custom`"
-        yield asked.file, warn(f"{what}: {build_tool} will most likely stop at {package}; {then}", asked)
+        yield asked.file, warn(f"{what}: {built.build_tool} will most likely stop at {package}; {then}", asked)

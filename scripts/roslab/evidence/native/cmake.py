@@ -6,6 +6,7 @@ from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, own_project
+from roslab.evidence.native.bare_links import with_bare
 from roslab.evidence.native.cmake_reading import Reading
 from roslab.evidence.native.installed_paths import installed, not_there
 from roslab.evidence.native.lost_libraries import lost, named
@@ -90,7 +91,8 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
         or p.programs
         or (p.added and p.made)
     )
-    return tuple(sorted(cmake_since.without_own(kept, repository, modules(repository)), key=lambda each: each.file))
+    own = with_bare(cmake_since.without_own(kept, repository, modules(repository)), repository)
+    return tuple(sorted(own, key=lambda each: each.file))
 
 
 def modules(repository: Repository) -> frozenset[str]:

@@ -185,10 +185,10 @@ class Signs:
     def _compiled(self, file: str, unlisted: Unlisted) -> bool:
         name = file.rpartition("/")[2]
         if name.endswith(HEADERS):
-            return name in self._reached(unlisted)
+            return name in self.reached_by(unlisted)
         return name in self.included or name in self.by_cuda or not unlisted.has(file)
 
-    def _reached(self, unlisted: Unlisted) -> frozenset[str]:
+    def reached_by(self, unlisted: Unlisted) -> frozenset[str]:
         """Return the last parts of the headers that a compiled source includes, itself or by other headers.
 
         A library of headers alone has no source: what another one of them includes is for whoever compiles with it.

@@ -8,7 +8,9 @@ from collections.abc import Collection, Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import PackageManifest
-from roslab.evidence.native.limits import HEADERS, conditional
+from roslab.evidence.lex.cmake import calls
+from roslab.evidence.native.cmake_needs import made_here
+from roslab.evidence.native.limits import HEADERS, Signs, conditional
 from roslab.evidence.native.unlisted import Unlisted
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field
@@ -21,8 +23,13 @@ _PART = pattern(r"__\w+$|(?:Action)?(?:Request|Response|Goal|Result|Feedback|Act
 _GENERATED = pattern(r"Config\.h$|_export\.h$|\.pb\.h$|visibility_control\.h")
 """Headers that CMake makes of other files than messages."""
 _INTERFACES = (".msg", ".srv", ".action", ".idl")
-_OF_LIBRARY = pattern(r"([A-Za-z]\w{3,})/\1\.(?:h|hpp|hh)")
-"""The header that a library of the name has for all of its own: ``fbow/fbow.h``."""
+_OF_LIBRARY = pattern(r"([A-Za-z]\w{3,})/(?:\1|(?!\1/)[\w./-]+)\.(?:h|hpp|hh)")
+"""A header in a library's folder: ``fbow/fbow.h``, which some have for all of their own, or another one."""
+_OF_ALL = pattern(r"(\w+)/\1\.\w+$")
+_ELSEWHERE = pattern(
+    r"(?:mach|Carbon|Cocoa|Core\w+|IOKit|Foundation|ApplicationServices|Audio\w+|OpenGL|GLUT|android|thrust|cuda)/"
+)
+"""Headers of other systems, for which alone a source with them is, and of CUDA's toolkit."""
 LIBRARY = "library"
 """The role of such a header."""
 _WORKSPACE = pattern(r"(?:\.\./)+(?:[\w.-]+/)*(?:build|devel|install)/")
@@ -44,10 +51,10 @@ class Nowhere:
         """Note an include at a position of a file if its header is nowhere, and tell whether it is."""
         if name not in self.known:
             self.known[name] = bool(self.manifests) and self._lacks(name)
-        library = not self.known[name] and _OF_LIBRARY.fullmatch(name) and not self._written(name)
-        if not (self.known[name] or (library and self.manifests)):
+        library = not self.known[name] and self._of_library(name)
+        if not (self.known[name] or library):
             return False
-        package = self._package(file.path)
+        package = self._package(file.path) if self.manifests else ""
         if package is not None and (name, package) not in self.found and not conditional(text, position):
             path = posixpath.normpath(posixpath.join(file.folder, name))
             if not name.startswith("../") or not (self.repository.may_have(path) or self._within(path, package)):
@@ -58,15 +65,44 @@ class Nowhere:
                 )
         return self.known[name]
 
-    def all(self, included: Collection[str]) -> Iterator[Dependency]:
-        """Yield them where a compiler comes to the file; ``included``: the last parts of what is included."""
-        unlisted = Unlisted(self.repository) if self.found else None
+    def all(self, signs: Signs) -> Iterator[Dependency]:
+        """Yield them where a compiler comes to the file; ``signs`` tell what each file includes.
+
+        Those of libraries only where a source that is compiled includes them, itself or by headers.
+        """
+        unlisted = Unlisted(self.repository)
         for each in self.found.values():
+            name = each.file.rpartition("/")[2]
             header = each.file.endswith(HEADERS)
-            if places.aside(each.file) or (header and each.file.rpartition("/")[2] not in included):
+            if places.aside(each.file) or (header and name not in signs.included):
                 continue
-            if header or not (unlisted and unlisted.has(each.file)):
+            if header and each.role == LIBRARY and name not in signs.reached_by(unlisted):
+                continue
+            if header or not (unlisted.has(each.file) or (each.role == LIBRARY and self._waits(each.file))):
                 yield each
+
+    def _waits(self, path: str) -> bool:
+        """Tell whether every call of CMake that names a source waits for something that may be off."""
+        folder, _, name = path.rpartition("/")
+        above = [folder]
+        while above[-1]:
+            above.append(above[-1].rpartition("/")[0])
+        named = [
+            made_here(call.conditions)
+            for file in self.repository.named("CMakeLists.txt")
+            if file.folder in above and name in (text := self.repository.read(file))
+            for call in calls(text, frozenset({"*"}))
+            if any(word.rpartition("/")[2] == name for word in call.written)
+        ]
+        return bool(named) and not any(named)
+
+    def _of_library(self, name: str) -> bool:
+        """Tell whether a header is one of a library elsewhere: no file of the tree has its name, or makes it."""
+        if not _OF_LIBRARY.fullmatch(name) or _ELSEWHERE.match(name):
+            return False
+        last = name.rpartition("/")[2]
+        alone = _OF_ALL.match(name) or not self.repository.named(last)
+        return bool(alone) and not (_GENERATED.search(name) or self._written(name))
 
     def _lacks(self, name: str) -> bool:
         """Tell whether no file of the tree is this header or makes it, though it is called like one of the tree's."""
