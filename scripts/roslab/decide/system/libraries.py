@@ -46,11 +46,12 @@ def decide_libraries(
     """
     own = own_names(evidence, folder_name)
     required = () if config.compatible else tuple(required_releases(needs(evidence, packages, kind, target.ros_distro)))
+    of_ros = (name for name in system.apt_guessed if name.startswith("ros-"))
     wanted = (
         *sources.libraries,
         *system.recipes,
         *of_another_release(evidence, system.apt_guessed),
-        *too_old_here(evidence, system.apt, target),
+        *too_old_here(evidence, (*system.apt, *of_ros), target),
         *too_new_here(evidence, target),
         *refused_here(required, target),
     )

@@ -151,13 +151,17 @@ def too_new_here(evidence: Evidence, target: Target) -> Iterator[tuple[str, Depe
 
 
 def too_old_here(evidence: Evidence, apt: Iterable[str], target: Target) -> tuple[tuple[str, Dependency], ...]:
-    """Return the libraries whose package is older on this Ubuntu than the code needs, and that a recipe has newer."""
+    """Return the libraries whose package is older on this Ubuntu than the code needs, and that a recipe has newer.
+
+    ROS may have a package of its own: of g2o the one of 2020.
+    """
     installed, ubuntu = frozenset(apt), target.ubuntu
     found: dict[str, Dependency] = {}
     for limit in evidence.limits:
         name, oldest = limit.library.lower(), limit.at_least
         packaged = library("cmake", limit.library, ubuntu)
-        if limit.cuda or not (oldest and ubuntu and packaged and installed & {*packaged.apt}):
+        there = {*packaged.apt, target.ros(packaged.ros)} if packaged else set[str]()
+        if limit.cuda or not (oldest and ubuntu and installed & there):
             continue
         newer = any(Version(release) >= Version(oldest) for release in releases(name))
         if newer and not fits(limit.library, ubuntu, at_least=oldest, below=None, ros=bool(target.ros_distro)):

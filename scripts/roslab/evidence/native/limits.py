@@ -13,6 +13,7 @@ from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.lines import lines_with, matching_lines
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.evidence.native import cmake_since
+from roslab.evidence.native.has_include import HAS_INCLUDE, asked_for
 from roslab.evidence.native.unlisted import Unlisted
 from roslab.knowledge.code_limits import Limit, Sign, limits
 from roslab.knowledge.hints import Search
@@ -26,12 +27,8 @@ _STANDARD = pattern(
 )
 _DIRECTIVE = pattern(r"#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)")
 """It begins with a letter of its own, which is found much faster than the beginning of a line."""
-_ANY = "any"
-_GUARDS = {
-    "__has_include": {"__has_include": _ANY},
-    "_VERSION": {"CV_VERSION": "OpenCV", "CV_MAJOR_VERSION": "OpenCV", "CERES_VERSION": "Ceres"},
-}
-"""The file chooses by what is there, of a library or of any; by what the words share, which is looked for first."""
+_GUARDS = {"_VERSION": {"CV_VERSION": "OpenCV", "CV_MAJOR_VERSION": "OpenCV", "CERES_VERSION": "Ceres"}}
+"""The file chooses by what is there, of a library; by what the words share, which is looked for first."""
 _OLD_NAMES = ("imgproc/types_c.h", "constants_c.h")
 """Headers with the dropped names, as a file includes them that chooses by what is there."""
 CUDA = (".cu", ".cuh")
@@ -113,7 +110,7 @@ class Signs:
         A header that nothing includes is not compiled: a library that was copied whole has many. Nor is a source that
         no list has. What CUDA's compiler alone sees comes after what C++ has.
         """
-        for key in [key for key in self.found if key[0] in self.guarded or (_ANY in self.guarded and key[0] != "GCC")]:
+        for key in [key for key in self.found if key[0] in self.guarded]:
             del self.found[key]
         for file in repository.named("CMakeLists.txt"):
             if not places.aside(file.path):
@@ -226,6 +223,8 @@ def _guarded(text: str) -> Iterator[str]:
     for shared, words in _GUARDS.items():
         if shared in text:
             yield from (library for word, library in words.items() if _directed(text, word))
+    if HAS_INCLUDE in text and _directed(text, HAS_INCLUDE):
+        yield from asked_for(text)
 
 
 def _directed(text: str, word: str) -> bool:
