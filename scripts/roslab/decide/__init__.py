@@ -169,7 +169,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         folder_name=folder_name,
         cuda=cuda.answer.version if target.cuda else None,
     )
-    sources = with_recipes(sources, libraries, config, ros=bool(target.ros_distro))
+    sources = with_recipes(sources, libraries, config, evidence, ros=bool(target.ros_distro))
     system = may_lack(
         with_release(with_libraries(system, frozenset(s.name for s, _ in libraries), evidence), evidence, target),
         base.answer.image,

@@ -6,6 +6,7 @@ from typing import cast
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
 from roslab.decide.beside_cpp import built_otherwise, mostly_cpp, to_compile, uncompiled, with_helpers
+from roslab.decide.cuda.for_libtorch import for_libtorch
 from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.last_signs import OTHER_BUILDER, last_signs
@@ -240,7 +241,8 @@ def _cpp(evidence: Evidence) -> list[Reason]:
         return _by_make(evidence)
     root = "/" not in top.file
     compiled = "CUDA" in top.languages or evidence.cuda_files
-    answer = "cuda" if ("cuda" in top.macros and compiled) or includes_tensorrt(evidence) else "cpp"
+    on_gpu = ("cuda" in top.macros and compiled) or includes_tensorrt(evidence) or for_libtorch(evidence)
+    answer = "cuda" if on_gpu else "cpp"
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
     if root and bindings and mostly_cpp(evidence) and not _only_by_pip(evidence):
         return [because("kind", answer, "a CMake project with Python bindings", top, weight=Weight.BINDINGS)]

@@ -125,3 +125,63 @@ def test_a_component_of_catkin_that_is_no_package_of_ros_is_the_library(tree: Tr
     page = "Tested on Ubuntu 20.04 with ROS Noetic and libtorch 1.10.2\n"
     decision = tree(CODE | {"CMakeLists.txt": asked, "package.xml": manifest, "README.md": page})
     assert [(each.name, each.zip) for each in decision.source] == [("libtorch", libtorch_archive("1.10.2", None))]
+
+
+ADDRESS = "https://download.pytorch.org/libtorch/{}/libtorch-cxx11-abi-shared-with-deps-{}.zip"
+OF_CUDA = ADDRESS.format("cu113", "1.11.0%2Bcu113")
+OLD = ADDRESS.format("cu92", "1.6.0%2Bcu92")
+ROS = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": "find_package(catkin REQUIRED)\n" + CMAKE,
+    "README.md": "ROS Noetic\n",
+}
+USE = "#include <torch/script.h>\nvoid f(torch::Tensor a) {{\n  int b;\n  int c;\n  int d;\n  a = a{};\n}}\n"
+ON = {"README.md": "Tested on Ubuntu 20.04\n"}
+
+
+def on_cpu(decision: Decision) -> list[tuple[str | None, int | None]]:
+    return [(w.file, w.line) for w in decision.warnings if "the image has the libtorch for the CPU" in w.message]
+
+
+@pytest.mark.parametrize(
+    ("files", "places"),
+    [
+        (ROS | {"get.sh": f"#!/bin/sh\nwget {OLD}\n"}, [("get.sh", 2)]),
+        (ROS | {"get.sh": f"#!/bin/sh\nwget {OF_CUDA}\n"}, [("get.sh", 2)]),
+        (CODE | ON | {"get.sh": f"#!/bin/sh\nwget {OLD}\n"}, [("get.sh", 2)]),
+        (CODE | ON | {"get.sh": f"#!/bin/sh\n# wget {OLD}\n"}, []),
+        (CODE | ON | {"get.sh": f"wget {OLD} # or {ADDRESS.format('cpu', '1.6.0%2Bcpu')}\n"}, []),
+        (CODE | ON | {".github/workflows/a.yml": f"run: wget {OF_CUDA}\n"}, [(".github/workflows/a.yml", 1)]),
+        (CODE | ON | {"a.cpp": USE.format(".cuda()")}, [("a.cpp", 6)]),
+        (CODE | ON | {"a.cpp": USE.format(".to(torch::kCUDA)")}, [("a.cpp", 6)]),
+        (CODE | ON | {"a.cpp": USE.format(";  // .cuda()")}, []),
+        (CODE | ON | {"a.cpp": USE.format(".to(g ? torch::kCUDA : torch::kCPU)")}, []),
+        (CODE | ON | {"a.cpp": USE.format(";\n  if (g) {\n    a = a.cuda();\n  }")}, []),
+        (CODE | ON | {"a.cpp": USE.format(";\n#ifdef GPU\n  a = a.cuda();\n#endif")}, []),
+        (CODE | ON | {"a.cpp": USE.format(".cuda()") + "bool b = torch::cuda::is_available();\n"}, []),
+        (CODE | ON | {"b.cpp": USE.format(".cuda()")}, []),
+        ({"CMakeLists.txt": "project(a)\nadd_executable(a a.cpp)\n", "a.cpp": USE.format(".cuda()")}, []),
+    ],
+)
+def test_who_asks_for_cuda_is_told_of_the_archive_for_the_cpu(
+    tree: Tree, files: dict[str, str], places: list[tuple[str, int]]
+) -> None:
+    assert on_cpu(tree(files)) == places
+
+
+@pytest.mark.parametrize(
+    ("script", "base", "archive"),
+    [
+        (OF_CUDA, "nvidia/cuda:11.3.1-cudnn8-devel-ubuntu20.04", libtorch_archive("1.11.0", "11.3")),
+        (OLD, "ubuntu:20.04", libtorch_archive("1.6.0", None)),
+        (ADDRESS.format("cu113", "latest"), "ubuntu:20.04", None),
+    ],
+)
+def test_a_program_gets_the_archive_that_its_script_takes(
+    tree: Tree, script: str, base: str, archive: str | None
+) -> None:
+    decision = tree(CODE | ON | {"get.sh": f"#!/bin/sh\nwget {script}\n"})
+    assert decision.base_image == base
+    (source,) = decision.source
+    assert archive is None or source.zip == archive
+    assert bool(on_cpu(decision)) is base.startswith("ubuntu")

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from roslab.config.model import Config
 from roslab.decide.cuda.above_lock import above, cuda_of_lock
 from roslab.decide.cuda.beside_torch import conda_torch
+from roslab.decide.cuda.for_libtorch import CUDNN, for_libtorch
 from roslab.decide.cuda.imported import imported
 from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
 from roslab.decide.cuda.weight import Weight
@@ -134,6 +135,10 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
     yield from (each for each in _of_indexes(evidence) if not above(each[0].answer, locked))
     yield from _of_conda(evidence)
     yield from _of_dockerfiles(evidence)
+    if taken := for_libtorch(evidence):
+        said, of_archive = taken
+        why = f"{said.text} is taken, which is built for it"
+        yield because("cuda", of_archive, why, said, weight=Weight.LOCAL_VERSION), ()
     yield from (each for each in _of_mentions(evidence) if not above(each[0].answer, locked))
     if evidence.cuda_files:
         place = Place(file=evidence.cuda_files[0], line=1)
@@ -240,7 +245,9 @@ def _of_mentions(evidence: Evidence) -> Iterator[Candidate]:
 
 
 def _cudnn(evidence: Evidence) -> str | None:
-    return next((mention.value for mention in evidence.mentions if mention.topic == "cudnn"), None)
+    """Return the cuDNN that is named, or the oldest that libtorch's own configuration for CMake takes."""
+    named = next((mention.value for mention in evidence.mentions if mention.topic == "cudnn"), None)
+    return named or (CUDNN if for_libtorch(evidence) else None)
 
 
 def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: tuple[str, ...]) -> Choice[Cuda]:

@@ -11,13 +11,20 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import told, why
+from roslab.decide.system.libtorch_on_cpu import libtorch_on_cpu
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.recipes import of_ros, recipe_at
 from roslab.values.dataclass import replace
 
 
 def with_recipes(
-    choice: Choice[Sources], recipes: Iterable[tuple[Source, Dependency]], config: Config, *, ros: bool
+    choice: Choice[Sources],
+    recipes: Iterable[tuple[Source, Dependency]],
+    config: Config,
+    evidence: Evidence,
+    *,
+    ros: bool,
 ) -> Choice[Sources]:
     """Put libraries from the table of recipes before the sister packages that link them.
 
@@ -42,6 +49,7 @@ def with_recipes(
                 )
                 warnings.append(warn(f"{message}: a program that passes its values to theirs may fail", asked))
             reasons.append(because("source", source.name, reason, asked, weight=Weight.RECIPE))
+    warnings += libtorch_on_cpu(added.values(), evidence)
     first = _first(choice.answer.sources, {source.name for source in config.source})
     answer = replace(
         choice.answer,

@@ -11,6 +11,7 @@ from roslab.decide.system.needs import code_needs
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.evidence.native.torch_on_gpu import TOPIC
 from roslab.knowledge.frameworks import newest_framework
 from roslab.values.origin import Place
 from roslab.values.version import Version, version_of
@@ -69,6 +70,7 @@ def _release(evidence: Evidence) -> str | None:
     from roslab.knowledge.libtorch import oldest  # noqa: PLC0415 - as above
 
     named = [mention.value for mention in evidence.mentions if mention.topic == NAME]
+    named += [each.value.partition(" ")[2] for each in evidence.mentions if each.topic == TOPIC]
     named += [each.release or "" for each in evidence.listed if each.key == "torch"]
     named += [git.ref or "" for git in evidence.sources if git.url.removesuffix(".git").endswith("/pytorch/pytorch")]
     release = next((found for each in named if (found := version_of(each.removeprefix("v")))), None)

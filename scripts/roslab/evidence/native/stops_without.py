@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Mention
+from roslab.evidence.native import torch_on_gpu
 from roslab.knowledge.nvidia_libraries import nvidia_libraries
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -18,7 +19,9 @@ _SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 
 
 def read(repository: Repository, projects: Iterable[CMakeProject]) -> Iterator[Mention]:
-    """Yield the first place where code says so of each such library that a project looks for."""
+    """Yield the first place where code says so of each such library that a project looks for, or moves to a GPU."""
+    projects = tuple(projects)
+    yield from torch_on_gpu.read(repository, projects)
     asked = {d.name for p in projects if not places.aside(p.file) for d in p.dependencies if d.namespace == "cmake"}
     for name in sorted(asked & nvidia_libraries()):
         for file in repository.suffixed(*_SUFFIXES):
