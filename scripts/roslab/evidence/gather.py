@@ -69,14 +69,10 @@ from roslab.evidence.prose.merged import merge
 from roslab.evidence.prose.named_notebooks import with_notebooks
 from roslab.evidence.python import (
     at_top,
-    binaries,
     called,
     clones,
     commented,
-    companions,
     conda,
-    conflicts,
-    environments,
     from_root,
     imports,
     limits,
@@ -87,17 +83,15 @@ from roslab.evidence.python import (
     notebooks,
     opened,
     options,
-    own_history,
     pixi,
-    print_statement,
     programs,
     project,
     removed,
     requirements,
+    said_in_code,
     siblings,
     stopped_setup,
     tests,
-    version_file,
 )
 from roslab.evidence.python.modules import modules
 from roslab.evidence.ros import (
@@ -122,9 +116,8 @@ from roslab.evidence.ros import (
 from roslab.repository.checkout import Repository
 
 MENTIONED = (
-    *(branch_tables.read, cloned_heads.read, companions.read, conflicts.read, environments.read, for_reference.read),
-    *(named_ports.read, opened.read, own_history.read, print_statement.read, shared_objects.made_on),
-    *(binaries.read, version_file.read),
+    *(branch_tables.read, cloned_heads.read, for_reference.read, named_ports.read, opened.read),
+    *(said_in_code.read, shared_objects.made_on),
 )
 """What pages, code and files of a project tell by themselves."""
 PROSE = (

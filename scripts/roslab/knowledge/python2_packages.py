@@ -25,3 +25,8 @@ def system_package(module: str, ubuntu: str | None) -> str | None:
     if ubuntu not in ubuntus_with_python2():
         return apt
     return _table().get((module, ubuntu or "")) or (apt.replace("python3-", "python-") if apt else None)
+
+
+def of_python2(module: str) -> bool:
+    """Tell whether any Ubuntu had a module for Python 2 that those for Python 3 have not, or have by another name."""
+    return module in {known for known, _ in _table()}

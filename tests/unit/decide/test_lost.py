@@ -47,7 +47,10 @@ def test_a_module_of_python_2_comes_from_the_ubuntu_that_has_it(
 @pytest.mark.parametrize(
     ("files", "names"),
     [
-        ({"play.py": "import numpy\nimport acme_arm\nimport acme_hand\n"}, "acme_arm, acme_hand"),
+        (
+            {"play.py": "import numpy\nimport acme_arm\nimport acme_hand\n"},
+            "acme_arm (play.py:2), acme_hand (play.py:3)",
+        ),
         ({"play.py": "try:\n    import acme_arm\nexcept ImportError:\n    pass\n"}, ""),
         ({"play.py": "import acme_arm\n", "requirements.txt": "numpy\n"}, "acme_arm"),
         ({"play.py": "import acme_arm\n", "requirements.txt": "acme-robots\n"}, ""),
@@ -182,3 +185,22 @@ def test_the_folders_of_a_link_tell_what_it_brings(tree: Tree, module: str, told
     page = "```\npip install git+https://github.com/lab/fork.git#subdirectory=acme/acme/python\npython play.py\n```\n"
     found = tree({"play.py": f"import {module}\n", "README.md": page})
     assert any("no table" in warning.message for warning in found.warnings) == told
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({}, [("src/scan.py", 2)]),
+        ({"src/acme_arm.py": ""}, []),
+        ({"package.xml": SCAN["package.xml"].replace("</package>", "<depend>acme_arm_ros</depend></package>")}, []),
+        ({"CMakeLists.txt": f"{SCAN['CMakeLists.txt']}pybind11_add_module(acme_arm arm.cpp)\n", "arm.cpp": ""}, []),
+        ({"src/scan.py": "import rospy\nimport tf2_sensor_msgs\nimport gtk\nimport acme_msgs.msg\n"}, []),
+        ({"src/scan.py": "import rospy\ntry:\n    import acme_arm\nexcept ImportError:\n    pass\n"}, []),
+        ({"test/check.py": "import acme_arm\n", "src/scan.py": "import rospy\n"}, []),
+    ],
+)
+def test_a_node_imports_what_no_table_knows(tree: Tree, files: dict[str, str], told: list[tuple[str, int]]) -> None:
+    found = tree({**SCAN, "src/scan.py": "import rospy\nimport acme_arm\n", **files})
+    said = [w for w in found.warnings if "no table knows which package brings it" in w.message]
+    assert [(w.file, w.line) for w in said] == told
+    assert all("or its repository under `source`" in w.message for w in said)

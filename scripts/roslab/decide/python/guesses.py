@@ -9,6 +9,7 @@ from roslab.config.model import Kind
 from roslab.decide.notebooks import opened
 from roslab.decide.python.extras import for_developers
 from roslab.decide.python.manifests import with_includes
+from roslab.decide.python.on_index import on_index
 from roslab.decide.python.other_lists import as_in_list
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
@@ -65,9 +66,9 @@ def guesses(
     heavy = bool(known & {"torch", "tensorflow", "jax"})
     offered, limits = _linked(evidence), _limits(evidence)
     for dependency in _imported(evidence, manifests=manifests):
-        package, apt = imports().get(dependency.name) or (None, None)
+        package, apt = imports().get(dependency.name) or (on_index(evidence, dependency), None)
         linked = _of_link(dependency, offered, ros=ros)
-        if linked and dependency.name not in imports() and not places.aside(dependency.file):
+        if linked and not package and dependency.name not in imports() and not places.aside(dependency.file):
             if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:
                 found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
             continue

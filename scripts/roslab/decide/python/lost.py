@@ -7,6 +7,7 @@ from collections.abc import Iterator, Set
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.python.guesses import known_names
+from roslab.decide.python.on_index import on_index
 from roslab.decide.python.packages import Chosen
 from roslab.decide.reasons import warn
 from roslab.evidence import places
@@ -16,7 +17,7 @@ from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.not_on_index import not_on_index
-from roslab.knowledge.python2_packages import system_package
+from roslab.knowledge.python2_packages import of_python2, system_package
 from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
@@ -25,6 +26,8 @@ from roslab.values.requirement_line import stated
 
 MOST = 8
 """Most modules that are named in one warning."""
+_OF_ROS = frozenset({"ros1", "ros2"})
+_MESSAGES = ("_msgs", "_srvs", "_interfaces")
 SHORTEST = 4
 """Fewest letters of a beginning that two names have in common by more than chance."""
 
@@ -40,8 +43,10 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> 
         if not (row.instead or (ubuntu and system_package(used.name, ubuntu))):
             then = f"install it with `pip`, `custom` or `source` in roslab.yaml ({row.source})"
             yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}; {then}", used)
-    if unknown := unknown_modules(evidence, kind, chosen):
-        names = ", ".join(each.name for each in unknown[:MOST]) + (", …" if unknown[MOST:] else "")
+    unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen)]
+    if unknown:
+        names = ", ".join(_placed(each) for each in unknown[:MOST]) if unknown[1:] else unknown[0].name
+        names += ", …" if unknown[MOST:] else ""
         message = f"imported and declared nowhere, and no table knows which package brings it: {names}"
         installed = {each.url for each in chosen.guessed}
         others = [
@@ -50,7 +55,8 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> 
             *(f"{git.name} ({git.url})" for git in _told(evidence) if f"git+{https(git.url)}" in installed),
         ]
         unless = f"unless {' or '.join(others)} brings it, " if others else ""
-        yield warn(f"{message}; {unless}name the package under `pip` in roslab.yaml if it is needed", unknown[0])
+        name = "name the package under `pip`" + (" or its repository under `source`" if kind in _OF_ROS else "")
+        yield warn(f"{message}; {unless}{name} in roslab.yaml if it is needed", unknown[0])
 
 
 def without_history(evidence: Evidence) -> Iterator[Warning_]:
@@ -82,7 +88,7 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     name of a link that a page has people install is of that.
     """
     found = [used for used in _imported(evidence, kind, chosen) if canonicalize_name(used.name) not in not_on_index()]
-    found = [used for used in found if used.name not in imports()]
+    found = [used for used in found if used.name not in imports() and not on_index(evidence, used)]
     told = {bare_name(git.name) for git in _told(evidence)}
     found = [used for used in found if not _of_ros(used.name) or _begins_like(used.name, told)]
     if found and (_declares(chosen) or _absent(evidence)):
@@ -91,6 +97,33 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
         stems -= _of_itself(evidence, chosen)
         found = [each for each in found if not _begins_like(each.name, stems) or _begins_like(each.name, told)]
     return found
+
+
+def _placed(used: Dependency) -> str:
+    return f"{used.name} ({used.file}:{used.line})"
+
+
+def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Dependency]:
+    """Yield the imports of no table in packages of ROS, unless something that they name may bring one.
+
+    Messages that nothing has are told where the workspace is decided.
+    """
+    if kind not in _OF_ROS:
+        return
+    named = {asked.name for manifest in evidence.manifests for asked in manifest.dependencies}
+    named |= {manifest.name for manifest in evidence.manifests if manifest.name}
+    named |= {asked.name for asked in evidence.prose if asked.namespace in {"apt", "ros", "rosdep"}}
+    named |= {project.name for project in evidence.cmake if project.name}
+    named |= {name for project in evidence.cmake for name in (*project.targets, *project.made)}
+    known = _known(evidence, chosen) | _parts({canonicalize_name(name) for name in named})
+    stems = {part for part in known if len(part) >= SHORTEST}
+    for used in evidence.code:
+        name = canonicalize_name(used.name)
+        tabled = name in not_on_index() or used.name in imports() or of_python2(used.name) or on_index(evidence, used)
+        if not _always(used) or name in known or tabled:
+            continue
+        if not (_of_ros(used.name) or used.name.endswith(_MESSAGES) or _begins_like(used.name, stems)):
+            yield used
 
 
 def _of_ros(module: str) -> bool:

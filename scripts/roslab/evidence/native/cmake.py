@@ -35,9 +35,12 @@ _EXECUTABLE = frozenset(
     ]
 )
 _LIBRARY = frozenset(
-    ["add_library", "cuda_add_library", "cs_add_library", "ament_auto_add_library", "generate_parameter_library"]
+    [
+        *("add_library", "cuda_add_library", "cs_add_library", "ament_auto_add_library", "generate_parameter_library"),
+        *("pybind11_add_module", "nanobind_add_module", "python_add_library", "python3_add_library"),
+    ]
 )
-"""What makes a library; the last one a header of its name from a file of YAML.
+"""What makes a library; ``generate_parameter_library`` a header of its name from YAML, the last ones those of Python.
 
 https://github.com/PickNikRobotics/generate_parameter_library/blob/main/generate_parameter_library/cmake/generate_parameter_library.cmake
 (read 2026-11-26)

@@ -1,0 +1,36 @@
+"""The package of pip's index for a module that the table of imports has not: a link's, or one of the same name."""
+
+from __future__ import annotations
+
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.guesses import ros_modules
+from roslab.knowledge.on_index import named_like
+from roslab.knowledge.released import ever_released
+from roslab.values.name import bare_name
+
+_SHORTEST = 4
+"""Fewest letters of a module that stand in a package's name by more than chance."""
+
+
+def on_index(evidence: Evidence, used: Dependency) -> str | None:
+    """Return the package to which the tree links for this module, else a known one of its name, ``None`` for none.
+
+    A link is one for the module that its package is called like, or that is imported on its line or the next one:
+    ``# the sensor: https://…/project/mpu6050-raspberrypi/``. A module of ROS is none of the index.
+    """
+    if used.name in ros_modules() or ever_released(used.name):
+        return None
+    links = [each for each in evidence.mentions if each.topic == "index_link"]
+    found = next((each.value for each in links if _at(used, each)), None)
+    found = found or next((each.value for each in links if _called_like(used.name, each.value)), None)
+    return found or named_like(used.name)
+
+
+def _at(used: Dependency, link: Mention) -> bool:
+    return link.file == used.file and link.line in {used.line, used.line - 1}
+
+
+def _called_like(module: str, package: str) -> bool:
+    name, other = bare_name(module), bare_name(package)
+    return name == other or (len(name) >= _SHORTEST and (other.startswith(name) or other.endswith(name)))
