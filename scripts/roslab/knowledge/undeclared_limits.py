@@ -19,12 +19,23 @@ class UndeclaredLimit:
 
     below: Version
     limit: Requirement
+    conda: str
+    """The limit in conda's words, whose packages have names with underscores too."""
 
 
 @cache
 def undeclared_limits() -> dict[str, tuple[UndeclaredLimit, ...]]:
     """Return the table by the normalised name of the package."""
     return grouped(
-        (canonicalize_name(row["package"]), UndeclaredLimit(below=Version(row["below"]), limit=stated(row["limit"])))
+        (
+            canonicalize_name(row["package"]),
+            UndeclaredLimit(
+                below=Version(row["below"]), limit=(limit := stated(row["limit"])), conda=_conda(row, limit)
+            ),
+        )
         for row in rows("undeclared_limits")
     )
+
+
+def _conda(row: dict[str, str], limit: Requirement) -> str:
+    return f"{row['conda'] or limit.key}{limit.specifier}"

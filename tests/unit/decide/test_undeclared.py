@@ -33,7 +33,7 @@ Tree = Callable[[dict[str, str]], Decision]
     ],
 )
 def test_a_release_that_does_not_say_what_it_needs(lines: list[str], bounds: list[str]) -> None:
-    assert [each.written for each in decide_undeclared(map(stated, lines)).answer] == bounds
+    assert [each.written for each in decide_undeclared(map(stated, lines)).answer.pip] == bounds
 
 
 def test_the_bound_holds_for_what_the_repository_does_not_name(tree: Tree) -> None:
@@ -50,3 +50,39 @@ def test_sources_older_than_cython_3_are_built_with_an_older_one(tree: Tree) -> 
 def test_what_only_the_list_of_a_package_from_git_names_is_there(tree: Tree) -> None:
     pip = "dependencies:\n  - python=3.7\n  - pip:\n    - git+https://github.com/mit-han-lab/torchsparse.git\n"
     assert "backports.cached_property" in [each.name for each in tree({"environment.yaml": pip}).python.first]
+
+
+@pytest.mark.parametrize(
+    ("lines", "conda", "pip"),
+    [
+        (["diffusers=0.11.1"], ["huggingface_hub<0.26"], ["huggingface-hub<0.26"]),
+        (["conda-forge::diffusers=0.11.1", "huggingface_hub"], ["huggingface_hub<0.26"], ["huggingface-hub<0.26"]),
+        (["diffusers=0.11.1", "huggingface_hub=0.16"], [], []),
+        (["diffusers=0.11.1", "huggingface_hub>=0.26"], [], []),
+        (["pip", {"diffusers": "0.11.1"}], ["huggingface_hub<0.26"], ["huggingface-hub<0.26"]),
+        (["flask=1.1"], ["itsdangerous<2.1", "jinja2<3.1", "werkzeug<2.1"], None),
+        (["flask=2"], [], []),
+        (["diffusers"], [], []),
+    ],
+)
+def test_conda_takes_no_newer_one_either(
+    tree: Tree, lines: list[str | dict[str, str]], conda: list[str], pip: list[str] | None
+) -> None:
+    listed = "".join(f"  - {each}\n" for each in lines if isinstance(each, str))
+    by_pip = "".join(f"    - {name}=={of}\n" for each in lines if isinstance(each, dict) for name, of in each.items())
+    listed += f"  - pip:\n{by_pip}" if by_pip else ""
+    files = {"environment.yml": f"name: a\ndependencies:\n  - python=3.9\n{listed}", "main.py": "import numpy\n"}
+    python = tree({**files, "README.md": "```\nconda env create -f environment.yml\npython main.py\n```\n"}).python
+    assert python.manager == "conda"
+    assert [each for each in python.conda_limits if not each.startswith("setuptools")] == conda
+    bounds = [each.written for each in python.bounds]
+    assert bounds == (conda if pip is None else pip)
+
+
+def test_what_conda_installs_is_told_with_its_place(tree: Tree) -> None:
+    text = "name: a\ndependencies:\n  - python=3.9\n  - diffusers=0.11.1\n"
+    found = tree(
+        {"environment.yml": text, "README.md": "`conda env create -f environment.yml`\n", "a.py": "import os\n"}
+    )
+    (why,) = [each for each in found.reasons if each.answer == "huggingface-hub<0.26"]
+    assert why.file == "environment.yml"

@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.agreeing import agreeing
 from roslab.decide.python.beside_nodes import Loose, beside_nodes
 from roslab.decide.python.bounds import decide_bounds
+from roslab.decide.python.chosen_reasons import reasons_of
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_channels import default_channels, no_channels, told
 from roslab.decide.python.conda_cuda import cuda_of_conda
@@ -56,13 +57,9 @@ from roslab.knowledge.frameworks import kept_for_build_types
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.name import canonicalize_name
-from roslab.values.origin import Place
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.version import minor_of
-
-_WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
-_ALONE = "conda alone has it: it comes from there, with the Python"
 
 
 def decide_python(
@@ -133,8 +130,11 @@ def decide_python(
     limits = (*bounds.answer, *made)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number, chosen.guessed)
-    undeclared = decide_undeclared((*everything, *limits, *of_lock.answer) if manager != "system" else ())
-    limits = (*limits, *of_lock.answer, *undeclared.answer)
+    undeclared = decide_undeclared(
+        (*everything, *limits, *of_lock.answer) if manager != "system" else (),
+        next((each for each in evidence.conda if each.file == conda), None),
+    )
+    limits = (*limits, *of_lock.answer, *undeclared.answer.pip)
     numpy = numpy_limit(
         evidence, kind, ubuntu, everything, limits=limits, of_conda=conda_asked, system=manager == "system"
     )
@@ -177,7 +177,7 @@ def decide_python(
         conda_no_channels=no_channels(evidence, conda),
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
-        conda_limits=in_conda.answer,
+        conda_limits=(*in_conda.answer, *undeclared.answer.conda),
         conda_cuda=cuda_of_conda(evidence, kind, conda, cuda) if conda or alone.specs else "",
         setuptools=older.answer,
         conda_defaults=not pixi and default_channels(evidence, conda),
@@ -195,8 +195,7 @@ def decide_python(
         answer=answer,
         reasons=(
             *own.reasons,
-            *_reasons(chosen),
-            *(because("dependencies", each.text, _ALONE, each, weight=Weight.CONDA_FILE) for each in alone.asked),
+            *reasons_of(chosen, alone.asked),
             *of_conda_pip(answer),
             *kept.values(),
             *bounds.reasons,
@@ -280,21 +279,3 @@ def _of_environment(evidence: Evidence, chosen: Chosen) -> Iterator[Requirement]
     for environment in evidence.conda:
         if environment.file == chosen.conda:
             yield from environment.requirements
-
-
-def _reasons(chosen: Chosen) -> Iterator[Reason]:
-    for file in chosen.files:
-        yield because("dependencies", file.file, "requirements of the project", file, weight=Weight.MANIFEST)
-    for project in chosen.projects:
-        yield because("dependencies", project.folder or ".", "installable project", project, weight=Weight.MANIFEST)
-    for asked in chosen.declared:
-        why = f"{asked.file} declares it; what builds the project stops at it"
-        yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)
-    for asked in chosen.guessed:
-        why = (
-            "imported, only an extra declares it" if asked.group else _WHY.get(asked.origin, "named in an install line")
-        )
-        yield because("dependencies", asked.text, why, asked, weight=Weight.GUESS)
-    if chosen.conda:
-        place = Place(file=chosen.conda, line=1)
-        yield because("dependencies", chosen.conda, "the project's conda environment", place, weight=Weight.CONDA_FILE)

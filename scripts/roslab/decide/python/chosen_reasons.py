@@ -1,0 +1,35 @@
+"""Why each part of the Python packages is installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.decide.decision import Reason
+from roslab.decide.python.packages import Chosen
+from roslab.decide.python.weights import PackageWeight as Weight
+from roslab.decide.reasons import because
+from roslab.values.origin import Place
+from roslab.values.requirement import Requirement
+
+_WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
+_ALONE = "conda alone has it: it comes from there, with the Python"
+
+
+def reasons_of(chosen: Chosen, alone: Iterable[Requirement]) -> Iterator[Reason]:
+    """Yield a reason for each list, project, environment and package; ``alone``: what conda alone has."""
+    for file in chosen.files:
+        yield because("dependencies", file.file, "requirements of the project", file, weight=Weight.MANIFEST)
+    for project in chosen.projects:
+        yield because("dependencies", project.folder or ".", "installable project", project, weight=Weight.MANIFEST)
+    for asked in chosen.declared:
+        why = f"{asked.file} declares it; what builds the project stops at it"
+        yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)
+    for asked in chosen.guessed:
+        why = (
+            "imported, only an extra declares it" if asked.group else _WHY.get(asked.origin, "named in an install line")
+        )
+        yield because("dependencies", asked.text, why, asked, weight=Weight.GUESS)
+    if chosen.conda:
+        place = Place(file=chosen.conda, line=1)
+        yield because("dependencies", chosen.conda, "the project's conda environment", place, weight=Weight.CONDA_FILE)
+    yield from (because("dependencies", each.text, _ALONE, each, weight=Weight.CONDA_FILE) for each in alone)
