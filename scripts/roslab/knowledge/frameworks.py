@@ -230,6 +230,11 @@ def unstated() -> dict[str, str]:
     return {row["pip"]: row["needs"] for row in rows("unstated")}
 
 
+def instead_of(package: str) -> str:
+    """Return what may replace a package whose unstated need cannot be met, with a word on it, ``""`` for nothing."""
+    return next((row["instead"] for row in rows("unstated") if row["pip"] == package), "")
+
+
 @cache
 def kept_for_build_types() -> dict[str, tuple[tuple[str, str], ...]]:
     """Return, for each build type of a ROS package, what pip must not replace with a newer one, and why."""

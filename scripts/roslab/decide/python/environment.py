@@ -16,6 +16,7 @@ from roslab.decide.python.conda_channels import default_channels, no_channels, t
 from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
+from roslab.decide.python.contradicted import contradicted
 from roslab.decide.python.contradicting import contradicting
 from roslab.decide.python.extension_code import decide_defines
 from roslab.decide.python.extras import beside_lists
@@ -229,6 +230,7 @@ def decide_python(
             *left_to_parts(evidence, chosen.files),
             *left_to_others(evidence, chosen.files),
             *contradicting(evidence, chosen.files, chosen.contradicting),
+            *contradicted((*everything, *installed_by_conda)),
         ),
     )
 

@@ -41,7 +41,7 @@ def decide_undeclared(asked: Iterable[Requirement], environment: CondaEnvironmen
     for each in asked:
         for known in undeclared_limits().get(each.key, ()) if not each.url else ():
             bound = known.limit
-            if not _older(each, known) or bound.key in limited or excluded(bound, asked):
+            if not older(each, known) or bound.key in limited or excluded(bound, asked):
                 continue
             why = f"{each.written} needs it, and does not say so"
             before = found.get(bound.key)
@@ -62,7 +62,7 @@ def _stated(environment: CondaEnvironment | None) -> set[str]:
     return {conda_names().get(each.name) or each.name for each in packages if each.version}
 
 
-def _older(asked: Requirement, known: UndeclaredLimit) -> bool:
+def older(asked: Requirement, known: UndeclaredLimit) -> bool:
     """Tell whether every release that a requirement allows is older than the first one that needs no such limit."""
     if asked.release:
         return Version(asked.release) < known.below

@@ -1,0 +1,54 @@
+"""Packages that the author limits to releases which another one does not work with, without saying so itself.
+
+pip takes such a pair, and what imports the other one stops: TensorFlow 2 beside stable-baselines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from roslab.decide.decision import Warning_
+from roslab.decide.python.bounds import excluded
+from roslab.decide.python.undeclared import older
+from roslab.decide.reasons import warn
+from roslab.knowledge.frameworks import instead_of, last_below, tabled, unstated
+from roslab.knowledge.undeclared_limits import undeclared_limits
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+
+def contradicted(asked: Iterable[Requirement]) -> Iterator[Warning_]:
+    """Yield a warning for each such pair in ``asked``, once, at the line to change, with what to write there."""
+    named = [each for each in asked if each.name and not each.url]
+    told: set[tuple[str, str]] = set()
+    for each in named:
+        for need in _needs(each):
+            other = _excluding(need, named)
+            if other is None or (each.key, other.key) in told:
+                continue
+            told.add((each.key, other.key))
+            place = f" ({each.file}:{each.line})" if each.file else ""
+            what = f"{each.written}{place} needs {need.written}, which it does not say, and {other.written} is none"
+            yield warn(f"{what}: what imports {each.name} stops; {_advice(each, need, other)}", other)
+
+
+def _needs(asked: Requirement) -> Iterator[Requirement]:
+    """Yield the limits that a package needs and that nothing says."""
+    found = stated(needs) if (needs := unstated().get(asked.key)) else None
+    if found and found.limited:
+        yield found
+    yield from (known.limit for known in undeclared_limits().get(asked.key, ()) if older(asked, known))
+
+
+def _excluding(need: Requirement, asked: Sequence[Requirement]) -> Requirement | None:
+    """Return what is asked for in no release that a need leaves; a framework's builds are the same package."""
+    same = (each for each in asked if tabled(each.key) == tabled(need.key))
+    return next((each for each in same if excluded(stated(f"{each.name}{need.specifier}"), (each,))), None)
+
+
+def _advice(each: Requirement, need: Requirement, other: Requirement) -> str:
+    series = last_below(tabled(need.key), need.below) if need.below else None
+    python = f", with a Python of {series.python_max} or older (`base.python` in roslab.yaml)" if series else ""
+    instead = instead_of(each.key)
+    change = f"move the code to {instead}" if instead else f"take a release of {each.name} that is made for it"
+    return f"write {other.name}{need.specifier} there{python}, or {change}"
