@@ -50,3 +50,18 @@ def test_a_requirement_that_newer_wheels_refuse_is_known_by_its_message(tmp_path
     (pattern,) = [rest for package, _, _, rest in patterns if package == "wheel"]
     found = subprocess.run(["grep", "-q", "-E", pattern, tmp_path / "log"], check=False)
     assert (found.returncode != 0) is suits
+
+
+@pytest.mark.parametrize(
+    ("said", "suits"),
+    [
+        ("a.c:3:5: error: `PyArray_Descr` {aka `struct _PyArray_Descr`} has no member named `f`\n", False),
+        ("a.c:1:10: fatal error: numpy/noprefix.h: No such file or directory\n", False),
+        ("a.c:3:5: error: `PyArrayObject` has no member named `f`\n", True),
+    ],
+)
+def test_what_numpy_2_no_longer_has_is_known_by_the_compiler_s_message(tmp_path: Path, said: str, suits: bool) -> None:
+    (tmp_path / "log").write_text(said)
+    (pattern,) = [line.split(" ", 3)[3] for line in build_limits().splitlines() if line.startswith("numpy ")]
+    found = subprocess.run(["grep", "-q", "-E", pattern, tmp_path / "log"], check=False)
+    assert (found.returncode != 0) is suits

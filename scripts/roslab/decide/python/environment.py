@@ -137,7 +137,14 @@ def decide_python(
     )
     limits = (*limits, *of_lock.answer, *undeclared.answer.pip)
     numpy = numpy_limit(
-        evidence, kind, ubuntu, everything, limits=limits, of_conda=conda_asked, system=manager == "system"
+        evidence,
+        kind,
+        ubuntu,
+        everything,
+        limits=limits,
+        of_conda=conda_asked,
+        python=number,
+        system=manager == "system",
     )
     indexes = [
         *indexes_of([*declared, *chosen.guessed, *manifests, *exact.answer], chosen.files),

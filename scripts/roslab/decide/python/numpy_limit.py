@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice
 from roslab.decide.python.bounds import Constraints, decide_bounds, needing_numpy
+from roslab.decide.python.numpy_of_builds import numpy_of_builds
 from roslab.decide.python.torch_build import numpy_of
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because, warn
@@ -37,11 +38,14 @@ def numpy_limit(
     *,
     limits: Sequence[Requirement],
     of_conda: Sequence[Requirement],
+    python: str | None,
     system: bool,
 ) -> Choice[Constraints]:
     """Return the limit for what pip is ``asked`` for; ``system``: it goes beside the distribution's own packages."""
     if not system:
-        return numpy_of((*_no_old_numpy(of_conda), *asked, *limits))
+        limited = any(each.key == "numpy" for each in limits)
+        found = numpy_of((*_no_old_numpy(of_conda), *asked, *limits))
+        return found if found.answer or limited else numpy_of_builds(asked, python)
     own = row("system_numpys", ubuntu or "")
     if own is None:
         return Choice(answer=())
