@@ -81,6 +81,7 @@ from roslab.evidence.python import (
     locks,
     loggers,
     notebooks,
+    omitted_packages,
     opened,
     options,
     pixi,
@@ -271,6 +272,7 @@ def gather(repository: Repository) -> Evidence:
             ),
             *made_elsewhere.read(whole),
             *pointers.read(repository),
+            *omitted_packages.problems(repository),
             *stopped_setup.problems(stopped),
         ),
     )

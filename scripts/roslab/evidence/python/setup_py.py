@@ -42,6 +42,8 @@ class SetupScript:
     """Programs as they are written: ``run = planner.node:main``."""
     script_files: tuple[str, ...] = ()
     """Files that are installed as programs of the same names, as ``scripts`` lists them."""
+    packages: tuple[str, ...] = ()
+    """The folders that it installs, where it names each of them and calls nothing that finds others."""
     classifiers: tuple[str, ...] = ()
     commands: tuple[str, ...] = ()
     """Commands of setuptools for which it has classes of its own."""
@@ -86,11 +88,25 @@ def read(text: str) -> SetupScript:
     script.requires_python = next(iter(given("python_requires")), None)
     script.build_requires = tuple(given("setup_requires"))
     script.classifiers = tuple(given("classifiers"))
+    script.packages = () if _finds(keywords.get("packages"), names) else tuple(given("packages"))
     entries = _dictionary(keywords.get("entry_points"), names).get("console_scripts")
     script.scripts = tuple(reader.strings(entries)) if entries else ()
     script.script_files = tuple(given("scripts"))
     script.commands = tuple(_dictionary(keywords.get("cmdclass"), names))
     return script
+
+
+def _finds(node: ast.expr | None, names: dict[str, ast.expr], depth: int = 0) -> bool:
+    """Tell whether an expression calls something or is not written out, so that its strings are not all that it is."""
+    if node is None or depth > MAX_DEPTH:
+        return True
+    unread = (ast.Call, ast.ListComp, ast.JoinedStr, ast.Attribute, ast.Subscript)
+    return any(
+        isinstance(part, unread)
+        or (isinstance(part, (ast.List, ast.Tuple)) and any(isinstance(each, ast.BinOp) for each in part.elts))
+        or (isinstance(part, ast.Name) and (part.id not in names or _finds(names[part.id], names, depth + 1)))
+        for part in ast.walk(node)
+    )
 
 
 def _imports(tree: ast.Module) -> tuple[str, ...]:
