@@ -16,7 +16,7 @@ from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
-_TABLES = ("code_limits", "companions", "removals", "window_calls")
+_TABLES = ("code_limits", "companions", "program_calls", "removals", "window_calls")
 _ALSO = frozenset(
     (
         *("__main__", "popen", "print", "require_version", "subprocess", "system"),

@@ -1,4 +1,7 @@
-"""Programs of the system that Python code, a setup.py too, calls: ``os.system("wget …; unzip …")``."""
+"""Programs of the system that Python code, a setup.py too, calls: ``os.system("wget …; unzip …")``.
+
+Also those that a library starts for it.
+"""
 
 from __future__ import annotations
 
@@ -8,8 +11,10 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.python.in_comment import in_comment
 from roslab.evidence.python.modules import Module, modules, setup_scripts
 from roslab.knowledge.compiled import programs
+from roslab.knowledge.program_calls import program_calls
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -39,7 +44,21 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         if not _CALLS.isdisjoint(module.words) and not places.test(module.file.path):
             for each in _called(module):
                 found.setdefault(each.name, each)
+    for module in modules(repository):
+        for each in _by_libraries(module) if not places.test(module.file.path) else ():
+            found.setdefault(each.name, each)
     return tuple(found.values())
+
+
+def _by_libraries(module: Module) -> Iterator[Dependency]:
+    """Yield the packages of the programs that libraries start for calls of a module."""
+    for row in program_calls().possible(module.text, module.words):
+        used = (m for m in row.pattern.finditer(module.text) if not in_comment(module.text, m.start()))
+        if match := next(used, None):
+            line = module.text.count("\n", 0, match.start()) + 1
+            yield Dependency(
+                namespace="apt", name=row.apt, strength="used", file=module.file.path, line=line, role="called"
+            )
 
 
 def _called(module: Module) -> Iterator[Dependency]:
