@@ -45,12 +45,40 @@ def test_an_old_project_gets_what_was_there(tmp_path: Path) -> None:
     text = dockerfile(planned.plan)
     assert 'RUN eval "$(git-as-of 2019-03-01)" \\\n' in text
     assert "COPY --from=scripts /git-as-of /usr/local/bin/" in text
+    assert "COPY --from=scripts /git-as-of /usr/local/lib/git-as-of/git" in text, "CMake calls it again in later steps"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        FETCH,
+        FETCH.replace(")", " GIT_TAG master)"),
+        FETCH.replace(")", " GIT_TAG origin/release-1.2)"),
+        f"ExternalProject_Add(matrix PREFIX matrix GIT_REPOSITORY {URL} GIT_TAG humble-devel)",
+        f"download_project(PROJ matrix GIT_REPOSITORY {URL} GIT_TAG main QUIET)",
+        "CPMAddPackage(NAME matrix GITLAB_REPOSITORY example/matrix.git GIT_TAG main)",
+        'CPMAddPackage("gl:example/matrix.git#main")',
+    ],
+)
+def test_a_branch_that_cmake_fetches_is_what_it_was(tmp_path: Path, line: str) -> None:
+    planned = committed(tmp_path, line, "2019-03-01")
+    assert planned.plan.workspace.clones_day == "2019-03-01"
+    assert [(r.answer, r.line) for r in planned.decision.reasons if "without a commit" in r.reason] == [(URL, 2)]
+
+
+def test_a_template_that_cmake_fills_in_fetches_too(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt.in").write_text(f"ExternalProject_Add(m GIT_REPOSITORY {URL} GIT_TAG main)\n")
+    assert committed(tmp_path, "", "2019-03-01").plan.workspace.clones_day == "2019-03-01"
 
 
 @pytest.mark.parametrize(
     ("line", "day", "config"),
     [
-        (FETCH, "2019-03-01", ""),  # CMake goes to the newest commit again
+        (FETCH.replace(")", " GIT_TAG v1.2)"), "2019-03-01", ""),
+        (FETCH.replace(")", " GIT_TAG deadbee)"), "2019-03-01", ""),
+        (FETCH.replace(")", " GIT_TAG ${TAG_OF_MATRIX})"), "2019-03-01", ""),
+        ('CPMAddPackage("gh:example/matrix@1.2")', "2019-03-01", ""),
+        ("CPMAddPackage(NAME m GITHUB_REPOSITORY example/matrix VERSION 1.2)", "2019-03-01", ""),
         (CLONE.replace("clone", "clone --branch v1.2"), "2019-03-01", ""),
         (f"# {CLONE}", "2019-03-01", ""),
         (CLONE, long_ago(), ""),
@@ -63,7 +91,92 @@ def test_what_is_of_today(tmp_path: Path, line: str, day: str, config: str) -> N
     assert "git-as-of" not in dockerfile(planned.plan)
 
 
-@pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="a step of a build has /dev/shm")
+needs_memory = pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="a step of a build has /dev/shm")
+needs_cmake = pytest.mark.skipif(shutil.which("cmake") is None, reason="CMake itself fetches")
+
+
+def origin_of(folder: Path) -> Path:
+    """Make a repository with a commit before the day and one after it, on two branches, and a tag after it."""
+    origin = folder / "origin" / "matrix"
+    origin.mkdir(parents=True)
+    git(origin, "init", "--quiet", "--initial-branch=main")
+    for name, day in (("old", "2018-01-01"), ("new", "2020-01-01")):
+        (origin / "CMakeLists.txt").write_text(f'message("it is {name}")\n')
+        git(origin, "add", ".")
+        git(origin, "commit", "--quiet", "--message", name, day=day)
+    git(origin, "branch", "aside")
+    git(origin, "tag", "v2")
+    return origin
+
+
+def step(here: Path, commands: str) -> str:
+    """Run commands as a step of the day, and return what they say."""
+    here.mkdir(exist_ok=True)
+    shutil.copy(SCRIPT, here / "git-as-of")
+    (here / "git-as-of").chmod(0o755)
+    environment = {**os.environ, "PATH": f"{here}:{os.environ['PATH']}"}
+    words = ["bash", "-c", f'set -e; eval "$(git-as-of 2019-03-01)"\n{commands}']
+    ran = subprocess.run(words, check=False, env=environment, cwd=here, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    return ran.stdout + ran.stderr
+
+
+@needs_memory
+@pytest.mark.parametrize(
+    ("commands", "said"),
+    [
+        ("cd m; git fetch --tags --force origin; git rebase origin/main", "old"),
+        ("cd m; git --git-dir=.git fetch --tags --force origin; git --git-dir=.git rebase origin/main", "old"),
+        ("git -C m fetch; git -C m checkout origin/aside", "old"),
+        ("cd m; git checkout aside", "old"),
+        ("cd m; git fetch; git checkout v2", "new"),
+    ],
+)
+def test_what_is_fetched_again_stays_of_the_day(tmp_path: Path, commands: str, said: str) -> None:
+    step(tmp_path / "here", f"git clone {origin_of(tmp_path)} m; {commands}")
+    words = ["git", "-C", str(tmp_path / "here/m"), "log", "-1", "--format=%s"]
+    assert subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip() == said
+
+
+@needs_memory
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [("", "old"), ("--depth 1", "old"), ("--depth 1 --branch aside", "old"), ("--branch v2", "new")],
+)
+def test_a_clone_of_the_newest_alone_is_of_the_day_too(tmp_path: Path, options: str, said: str) -> None:
+    step(tmp_path / "here", f"git clone {options} file://{origin_of(tmp_path)} m")
+    words = ["git", "-C", str(tmp_path / "here/m"), "log", "-1", "--format=%s"]
+    assert subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip() == said
+
+
+@needs_memory
+@needs_cmake
+@pytest.mark.parametrize(
+    ("fetched", "said"),
+    [
+        ("GIT_TAG main", "old"),
+        ("GIT_TAG origin/aside", "old"),
+        ("GIT_TAG main GIT_SHALLOW TRUE", "old"),
+        ("GIT_TAG v2", "new"),
+    ],
+)
+def test_cmake_builds_what_was_there(tmp_path: Path, fetched: str, said: str) -> None:
+    """Its update step fetches once more, and goes to where the remote's branch is; a later build does so again."""
+    here, origin = tmp_path / "here", origin_of(tmp_path)
+    here.mkdir()
+    (here / "CMakeLists.txt").write_text(
+        f"""cmake_minimum_required(VERSION 3.14)
+project(a NONE)
+include(FetchContent)
+FetchContent_Declare(matrix GIT_REPOSITORY file://{origin} {fetched})
+FetchContent_MakeAvailable(matrix)
+"""
+    )
+    told = step(here, "cmake -S . -B build && cmake -S . -B build")
+    assert told.count(f"it is {said}") == 2, told
+
+
+@needs_memory
 @pytest.mark.parametrize("named", [True, False])
 def test_a_clone_is_of_the_day_whether_or_not_its_folder_is_named(tmp_path: Path, *, named: bool) -> None:
     made, origin, here = tmp_path / "made", tmp_path / "matrix.git", tmp_path / "here"
@@ -82,7 +195,7 @@ def test_a_clone_is_of_the_day_whether_or_not_its_folder_is_named(tmp_path: Path
     assert subprocess.run(said, check=True, capture_output=True, text=True).stdout.strip() == "2018-01-01"
 
 
-@pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="a step of a build has /dev/shm")
+@needs_memory
 def test_a_clone_of_the_day_is_what_its_branch_was_then(tmp_path: Path) -> None:
     """What was committed elsewhere before the day, and merged after it, was not there yet."""
     origin, here = tmp_path / "origin", tmp_path / "here"

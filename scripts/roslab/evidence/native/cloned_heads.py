@@ -1,7 +1,4 @@
-"""Repositories that files of CMake clone by git itself: each build takes their newest commit.
-
-What FetchContent and ExternalProject fetch is not among them: their update step goes to the newest commit again.
-"""
+"""Repositories that files of CMake clone without a commit, by git itself or as a branch: each time their newest one."""
 
 from __future__ import annotations
 
@@ -11,23 +8,33 @@ from itertools import pairwise
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.native.x86 import cmake_files
-from roslab.repository.checkout import Repository
+from roslab.evidence.native.x86 import MAX_FILES, cmake_files
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 _RUNNING = frozenset({"execute_process", "exec_program", "add_custom_command", "add_custom_target"})
+_FETCHING = frozenset({"fetchcontent_declare", "externalproject_add", "download_project", "cpmaddpackage"})
+"""download_project: https://github.com/Crascit/DownloadProject, CPMAddPackage: https://github.com/cpm-cmake/CPM.cmake."""
+_OF_CPM = {"GITHUB_REPOSITORY": "https://github.com/", "GITLAB_REPOSITORY": "https://gitlab.com/"}
+_SHORT = pattern(r"(gh|gl):([\w.-]+/[\w.-]+)#([\w./-]+)$")
+_HOSTS = {"gh": "https://github.com/", "gl": "https://gitlab.com/"}
+_BRANCH = pattern(r"(?:(?:origin|remotes/origin|refs/heads)/[\w./-]+|HEAD|[A-Za-z]+(?:[-_/][A-Za-z]+){0,4})$")
+"""A ref without a number: a tag of that form stays itself, for a day moves branches alone."""
+_HEX = pattern(r"[0-9a-f]{7,40}$")
+_NAMED = pattern(r"_REPOSITORY\b|CPMAddPackage")
 _URL = pattern(r"(?:https?|git|ssh)://\S+$|git@[\w.-]+:\S+$")
 
 
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield each such clone that a file of CMake always makes, once."""
     told: set[str] = set()
-    for file in cmake_files(repository):
+    templates = (file for file in repository.suffixed(".in") if file.name.startswith("CMakeLists.txt"))
+    for file in (*cmake_files(repository), *nearest(templates)[:MAX_FILES]):
         text = repository.read(file)
-        if places.vendored(file.path) or "clone" not in text:
+        if places.vendored(file.path) or not ("clone" in text or _NAMED.search(text)):
             continue
-        for call in calls(text, _RUNNING):
-            url = _cloned(call)
+        for call in calls(text, _RUNNING | _FETCHING):
+            url = _cloned(call) if call.name in _RUNNING else _fetched(call)
             if url and url not in told:
                 told.add(url)
                 yield Mention(topic="cloned_head", value=url, source="code", file=file.path, line=call.line, text=url)
@@ -40,3 +47,17 @@ def _cloned(call: Call) -> str | None:
     if not cloned or {"-b", "--branch", "--depth", "checkout"} & {*words}:
         return None
     return next((word for word in words if _URL.match(word)), None)
+
+
+def _fetched(call: Call) -> str | None:
+    """Return the address of what a call fetches as it stands on a branch; nothing where the ref is a tag or unknown."""
+    given = dict(pairwise(call.words))
+    url, ref = given.get("GIT_REPOSITORY", ""), given.get("GIT_TAG")
+    if call.name == "cpmaddpackage":
+        url = url or next((host + given[name] for name, host in _OF_CPM.items() if name in given), "")
+        if short := _SHORT.match(call.words[-1]) if call.words else None:
+            url, ref = f"{_HOSTS[short[1]]}{short[2]}", short[3]
+        elif ref is None:  # it takes the tag of the version
+            return None
+    moves = ref is None or (_BRANCH.match(ref) and not _HEX.match(ref))
+    return url if moves and _URL.match(url) else None

@@ -1,4 +1,7 @@
-"""What CMake clones without a commit is of a day: git under another name comes before git itself."""
+"""What CMake clones without a commit is of a day: git under another name comes before git itself.
+
+CMake writes down where it found git, and whoever compiles again in the image needs it there: it stays in a folder.
+"""
 
 from __future__ import annotations
 
@@ -6,13 +9,17 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 
+FOLDER = "/usr/local/lib/git-as-of"
+
 
 def of_day(plan: Plan) -> shell.Around:
     """Return what a step needs so that what it clones without a commit is of the plan's day, nothing for today's."""
     day = plan.workspace.clones_day
     if not day:
         return shell.NOTHING
+    why = f"# What CMake clones without a commit is of {quote.checked(day)}\n"
+    stays = f"COPY --from=scripts /git-as-of {FOLDER}/git\n"
     return shell.Around(
-        before=f"# What CMake clones without a commit is of {quote.checked(day)}\n{shell.copy_script('git-as-of')}",
+        before=f"{why}{shell.copy_script('git-as-of')}{stays}",
         first=(f'eval "$(git-as-of {quote.shell(day)})"',),
     )
