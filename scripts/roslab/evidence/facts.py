@@ -185,7 +185,7 @@ class Mention:
         "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld", "entered",
         "parameter", "other_builder", "conflict", "made", "unlaunched", "machine", "own_setup", "demanded",
         "cloned_head", "at_top", "sibling", "contained", "weights", "port", "listens", "own_package", "opened", "above",
-        "companion", "home_archive", "compiled_for", "torch_on_gpu", "index_link",
+        "companion", "home_archive", "compiled_for", "torch_on_gpu", "index_link", "template",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -27,6 +27,7 @@ from roslab.evidence.native import (
     ros_paths,
     shared_objects,
     stops_without,
+    templates,
     x86,
     x86_binaries,
 )
@@ -118,7 +119,7 @@ from roslab.repository.checkout import Repository
 
 MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, named_ports.read, opened.read),
-    *(said_in_code.read, shared_objects.made_on),
+    *(said_in_code.read, shared_objects.made_on, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""
 PROSE = (

@@ -9,7 +9,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import cmake_of_ubuntu
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -61,12 +61,13 @@ def from_pip(evidence: Evidence, kind: Kind, ubuntu: str | None) -> Requirement 
 
 
 def refused_by_new(evidence: Evidence, ubuntu: str | None, asked: Iterable[Requirement]) -> Dependency | None:
-    """Return the oldest version that a CMakeLists.txt of the tree names, where a CMake of the image may refuse it.
+    """Return the oldest version that a file of CMake names, where a CMake of the image may refuse it.
 
     ``asked``: what pip installs or builds with; a CMake or a backend without an upper bound is the newest there is.
-    Copied code counts: it is configured with the rest. https://cmake.org/cmake/help/latest/release/4.0.html
+    Copied code counts: it is configured with the rest, and so are templates. https://cmake.org/cmake/help/latest/release/4.0.html
     """
     demands = [project.minimum for project in evidence.cmake if project.minimum and not places.sample(project.file)]
+    demands += [_of_template(mention) for mention in evidence.mentions if mention.topic == "template"]
     oldest = min(demands, key=lambda demand: Version(demand.version or "0"), default=None)
     if oldest is None or Version(oldest.version or "0") >= KEPT_BY_NEW:
         return None
@@ -74,3 +75,15 @@ def refused_by_new(evidence: Evidence, ubuntu: str | None, asked: Iterable[Requi
     fetched = [each for each in asked if each.key in BRINGS_CMAKE and each.specifier.contains(str(NEW))]
     in_conda = any(p.name == "cmake" and not p.version for conda in evidence.conda for p in conda.packages)
     return oldest if ours >= NEW or fetched or in_conda else None
+
+
+def _of_template(mention: Mention) -> Dependency:
+    return Dependency(
+        namespace="cmake",
+        name="CMake",
+        strength="declared",
+        file=mention.file,
+        line=mention.line,
+        role="build",
+        version=mention.value,
+    )

@@ -8,8 +8,9 @@ from itertools import pairwise
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.native.x86 import MAX_FILES, cmake_files
-from roslab.repository.checkout import Repository, nearest
+from roslab.evidence.native import templates
+from roslab.evidence.native.x86 import cmake_files
+from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _RUNNING = frozenset({"execute_process", "exec_program", "add_custom_command", "add_custom_target"})
@@ -28,8 +29,7 @@ _URL = pattern(r"(?:https?|git|ssh)://\S+$|git@[\w.-]+:\S+$")
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield each such clone that a file of CMake always makes, once."""
     told: set[str] = set()
-    templates = (file for file in repository.suffixed(".in") if file.name.startswith("CMakeLists.txt"))
-    for file in (*cmake_files(repository), *nearest(templates)[:MAX_FILES]):
+    for file in (*cmake_files(repository), *templates.files(repository)):
         text = repository.read(file)
         if places.vendored(file.path) or not ("clone" in text or _NAMED.search(text)):
             continue
