@@ -164,3 +164,37 @@ def test_the_source_of_a_call_of_cmake_is_no_value_of_its_options(tree: Tree, ca
     page = f"```\ngit clone https://github.com/lab/acme.git\n{call}\nsudo cmake --install acme/build\n```\n"
     decision = tree(project("find_package(acme REQUIRED)\n", **{"README.md": page}))
     assert [library.cmake_folder for library in decision.source] == [folder]
+
+
+SIEVE = {
+    "CMakeLists.txt": "project(demo CXX)\ninclude(cmake/Download.cmake)\ndemo_download()\n"
+    "add_executable(a a.cpp)\ntarget_link_libraries(a sieve)\n",
+    "a.cpp": "#include <sieve/sieve.h>\nint main() {}\n",
+}
+FETCHED = "GIT_REPOSITORY https://github.com/lab/net-of-wire.git GIT_TAG main"
+
+
+@pytest.mark.parametrize(
+    ("module", "count"),
+    [
+        ("set(A 1)", 1),
+        (f"function(demo_download)\ndownload_project(PROJ sieve {FETCHED} QUIET)\nendfunction()", 0),
+        (f"macro(demo_download)\nFetchContent_Declare(sieve {FETCHED})\nendmacro()", 0),
+        (f"function(demo_download)\nCPMAddPackage(NAME sieve {FETCHED})\nendfunction()", 0),
+        ("function(demo_download)\nadd_library(sieve INTERFACE)\nendfunction()", 0),
+        ("add_library(sieve INTERFACE)", 0),
+        ("function(demo_download)\nadd_library(sieve SHARED IMPORTED)\nendfunction()", 1),
+    ],
+)
+def test_what_an_included_file_makes_or_downloads_is_there(tree: Tree, module: str, count: int) -> None:
+    found = tree({**SIEVE, "cmake/Download.cmake": f"{module}\n"})
+    assert sum("CMake links sieve" in warning.message for warning in found.warnings) == count
+
+
+def test_what_an_included_file_links_is_the_project_s(tree: Tree) -> None:
+    """A project for two build systems has a file for each, and includes the one that fits."""
+    top = "project(demo CXX)\ninclude(${PROJECT_SOURCE_DIR}/plain.cmake)\n"
+    made = "add_library(own own.cpp)\nadd_executable(a a.cpp)\ntarget_link_libraries(a own qhull)\n"
+    found = tree({"CMakeLists.txt": top, "plain.cmake": made, "a.cpp": "int main() {}\n", "own.cpp": ""})
+    assert "libqhull-dev" in (*found.apt, *found.apt_guessed)
+    assert not found.warnings

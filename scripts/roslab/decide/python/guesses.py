@@ -43,7 +43,8 @@ def guesses(
     found: dict[str, Requirement] = {}
     ros = kind in {"ros1", "ros2"}
     own = {canonicalize_name(project.name).replace("-", "") for project in evidence.python if project.name}
-    urls = {_repository(pin.requirement.url) for pin in pins if pin.trust >= 2} - {""}
+    urls = {_repository(pin.requirement.url) for pin in pins if pin.trust >= 2}
+    urls = {*urls, _repository(f"git+{https(evidence.origin)}")} - {""}  # the origin's own address is the tree itself
     for pin in sorted((pin for pin in pins if pin.trust == 1), key=_specific):
         aside = bool(_FOR_DEVELOPERS.search(pin.requirement.file))
         if (

@@ -156,6 +156,9 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
                 reading.name = by_macro[0]
                 reading.dependencies.append(by_macro[1])
             for needing, path in included.needing(call, repository, file, reading.included, options):
+                if needing.in_function:
+                    reading.brought |= dict.fromkeys(cmake_needs.brought(needing))
+                    continue
                 cmake_since.note(needing, path, reading.newer)
                 _note(needing, path, reading)
         else:

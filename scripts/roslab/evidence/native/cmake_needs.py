@@ -26,8 +26,9 @@ CALLS = _FINDING | frozenset(
     ]
 )
 FETCHING = frozenset({"fetchcontent_declare", "externalproject_add"})
-BRINGING = FETCHING | {"cpmaddpackage", "cpmfindpackage"}
-"""https://github.com/cpm-cmake/CPM.cmake, its README.md, read 2026-11-26."""
+BRINGING = FETCHING | {"cpmaddpackage", "cpmfindpackage", "download_project"}
+"""https://github.com/cpm-cmake/CPM.cmake, its README.md, read 2026-11-26, and
+https://github.com/Crascit/DownloadProject, its README.md, read 2026-11-27."""
 _OF_ADDRESS = pattern(r"[:/@#\s]|\.git\b")
 _FLAGS = frozenset(
     [
@@ -164,10 +165,14 @@ def fetched(call: Call, path: str) -> Iterator[GitSource]:
 
 
 def brought(call: Call) -> Iterator[str]:
-    """Yield the names that what a call fetches may have: its own, and the parts of the address."""
-    keys = ("NAME", "GIT_REPOSITORY", "GITHUB_REPOSITORY", "GITLAB_REPOSITORY", "URL", "SOURCE_DIR")
+    """Yield the names that what a call fetches, or makes, may have: its own, and the parts of the address."""
+    if call.name == "add_library":
+        yield from call.words[:1] if "IMPORTED" not in call.words else ()
+        return
+    keys = ("NAME", "PROJ", "GIT_REPOSITORY", "GITHUB_REPOSITORY", "GITLAB_REPOSITORY", "URL", "SOURCE_DIR")
     values = dict(pairwise(call.words))
-    for word in (*call.words[:1], *(values.get(key, "") for key in keys)):
+    first = call.words[:1] if call.words[:1] != ("PROJ",) else ()
+    for word in (*first, *(values.get(key, "") for key in keys)):
         yield from filter(None, _OF_ADDRESS.split(word))
 
 

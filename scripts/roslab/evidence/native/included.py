@@ -1,4 +1,4 @@
-"""Files of the tree that a CMakeLists.txt includes: what they look for, its project looks for."""
+"""Files of the tree that a CMakeLists.txt includes: what they look for, link and make is its project's."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ MAX_DEPTH = 3
 """Of files that include others."""
 MAX_FILES = 40
 _FINDS = frozenset({"find_package", "find_dependency", "pkg_check_modules", "pkg_search_module", "include"})
+_MAKES = frozenset({"add_library", "add_executable", "target_link_libraries", "link_libraries"})
+_BY_FUNCTIONS = BRINGING | {"add_library"}
 _SOURCE = pattern(r"^\$\{(?:CMAKE(?:_CURRENT)?|PROJECT)_(?:SOURCE|LIST)_DIR\}/|^\./")
 _NAME = pattern(r"[A-Za-z][\w.+-]*$")
 OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google", "Use", "Generate", "Write")
@@ -27,21 +29,21 @@ OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Goog
 def needing(
     call: Call, repository: Repository, file: File, seen: set[str], options: dict[str, bool]
 ) -> Iterator[tuple[Call, str]]:
-    """Yield the calls that find or fetch something in a file that ``include`` names, each with that file's path.
+    """Yield the calls that find, fetch, make or link something in a file that ``include`` names, with that file's path.
 
-    A call has the conditions of the ``include`` too; what a function does when it is called is left out. Of files that
-    include others each is read once: ``seen`` are those that were. The options that they declare are added to
-    ``options``.
+    A call has the conditions of the ``include`` too; of what a function does when it is called, only what it brings is
+    among them. Of files that include others each is read once: ``seen`` are those that were. The options that they
+    declare are added to ``options``.
     """
     module = _module(call, repository, file)
     if module is None or module.path in seen or len(seen) >= MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
         return
     seen.add(module.path)
-    for inner in calls(repository.read(module), _FINDS | BRINGING | of_included(), options):
+    for inner in calls(repository.read(module), _FINDS | BRINGING | _MAKES | of_included(), options):
         told = replace(inner, conditions=(*call.conditions, *inner.conditions))
         if inner.name == "include":
             yield from needing(told, repository, module, seen, options)
-        elif not inner.in_function:
+        elif not inner.in_function or inner.name in _BY_FUNCTIONS:
             yield told, module.path
 
 
