@@ -12,6 +12,7 @@ from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import told, why
 from roslab.decide.system.libtorch_on_cpu import libtorch_on_cpu
+from roslab.decide.system.unbrought_options import without_unbrought
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.recipes import of_ros, recipe_at
@@ -36,7 +37,8 @@ def with_recipes(
     warnings = list(choice.warnings)
     for source, asked in recipes:
         if source.name not in choice.answer.names and source.name not in added:
-            added[source.name] = source
+            added[source.name], untaken = without_unbrought(source, asked)
+            warnings += untaken
             reason = f"{asked.name} is needed, and no package of this Ubuntu contains it"
             if source.place:
                 reason = f"{asked.name} is needed, and {source.place.file}:{source.place.line} names its source"
