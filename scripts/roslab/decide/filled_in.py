@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from roslab.decide.blank_launches import BLANK
 from roslab.decide.candidate import is_component
-from roslab.decide.outputs import written_below
+from roslab.decide.outputs import names_output, written_below
 from roslab.values.pattern import pattern
 
 PLACEHOLDER = pattern(
@@ -80,6 +80,7 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
         blank = blank or (value and word in {"N", "X"}) or unknown
         keys = value and following[:1].isdigit()  # ``NUM_GPUS 8`` is a key of yacs with its value
         blank = blank or (word not in files and not keys and _names_option(kept[-1] if value else "", word))
+        blank = blank and not names_output(kept[-1] if value else "", word)
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
             kept.append(word)
             continue

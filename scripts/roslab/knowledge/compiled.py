@@ -15,6 +15,12 @@ def prebuilt() -> frozenset[str]:
 
 
 @cache
+def without_nvcc() -> frozenset[str]:
+    """Return the packages that people install from git, and that compile nothing for a GPU."""
+    return frozenset(row["pip"] for row in rows("without_nvcc"))
+
+
+@cache
 def architectures() -> tuple[tuple[str, str], ...]:
     """Return ``(CUDA, value of TORCH_CUDA_ARCH_LIST)``: a row holds from its CUDA on."""
     return tuple((row["cuda"], row["architectures"]) for row in rows("cuda_architectures"))

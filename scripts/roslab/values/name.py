@@ -7,6 +7,7 @@ from functools import cache
 from roslab.values.pattern import pattern
 
 _RUN = pattern(r"[-_.]+")
+_SECOND = pattern(r"(?<=[a-z]\w)-\d$")
 _OTHER = pattern(r"[^a-z0-9]")
 
 
@@ -18,6 +19,14 @@ def canonicalize_name(name: str) -> str:
     for. https://peps.python.org/pep-0503/#normalized-names.
     """
     return _RUN.sub("-", name).lower()
+
+
+def of_fork(name: str) -> str:
+    """Return the name of what a repository is a fork of, by its own: GitHub calls a second ``d4rl`` ``d4rl-1``.
+
+    https://docs.github.com/en/pull-requests/collaborating-with-pull-requests/working-with-forks, 2026-11-27
+    """
+    return _SECOND.sub("", canonicalize_name(name))
 
 
 def bare_name(name: str) -> str:

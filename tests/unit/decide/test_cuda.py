@@ -142,6 +142,9 @@ def test_no_compiler_of_cuda_where_nothing_is_compiled() -> None:
     assert toolkit("torch", "jax[cuda12]") == "runtime"
     assert toolkit("torch", "pytorch3d") == "devel"
     assert toolkit("torch", "a @ git+https://github.com/a/a") == "devel"  # nobody knows what it compiles
+    assert toolkit("torch", "git+https://github.com/a/d4rl-1.git") == "base"  # GitHub's name for a fork of a known one
+    assert toolkit("torch", "git+https://github.com/a/transformers") == "base"
+    assert toolkit("torch", "git+https://github.com/a/pytorch3d-1") == "devel"
     assert toolkit("torch", cuda_files=("src/a.cu",)) == "devel"
     assert toolkit() == "devel"  # a program of its own
     image, _, _ = base_for("cuda", "11.8", None, None, "3.10", toolkit="runtime")

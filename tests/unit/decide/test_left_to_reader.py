@@ -36,6 +36,29 @@ def test_arguments_without_a_dash(tree: Tree, code: str, page: str, first: str, 
     assert any(f"stops without {said}, which" in each for each in told(found)) is bool(said)
 
 
+@pytest.mark.parametrize(
+    ("given", "kept"),
+    [
+        ("--name PRIOR_NAME", True),
+        ("--exp_name=EXP_NAME", True),
+        ("--run-name RUN_NAME", True),
+        ("--experiment EXPERIMENT_NAME", True),
+        ("--tag TAG_NAME", True),
+        ("--name DATASET_NAME", False),
+        ("--robot_name ROBOT_NAME", False),
+        ("--exp_name <name>", False),
+        ("--exp_name path/to/EXP_NAME", False),
+        ("--load_run RUN_NAME", False),
+    ],
+)
+def test_a_name_for_what_the_program_writes_needs_nothing_of_the_reader(tree: Tree, given: str, *, kept: bool) -> None:
+    page = f"# Usage\n```\npython run.py --seed 1 {given} --log\n```\n"
+    found = tree({"run.py": OTHER, "requirements.txt": "numpy\n", "README.md": page})
+    words = given.split() if kept else []
+    assert found.command == ("python", "run.py", "--seed", "1", *words, "--log")
+    assert (told(found) == []) is kept
+
+
 def test_arguments_that_a_program_splits_itself(tree: Tree) -> None:
     page = "# Usage\n```\npython run.py mode:live file_path:/path_to_file/a.yaml speed:fast\n```\n"
     found = tree({"run.py": OTHER, "requirements.txt": "numpy\n", "README.md": page})

@@ -52,22 +52,3 @@ def test_wheels_tell_for_which_pythons(tree: Tree) -> None:
     page = WHEELS.replace("USED", "pypa/cibuildwheel@v2.22.0").replace("cp310-* cp311-*", "cp311-*")
     found = tree({"play.py": "import numpy\n", ".github/workflows/wheels.yml": page})
     assert found.python.version == "3.11"
-
-
-ORIGIN = {".git/config": '[remote "origin"]\n\turl = git@github.com:Lab/Sift.git\n'}
-PROJECT = {"python/pyproject.toml": '[build-system]\nrequires = ["setuptools"]\n[project]\nname = "lab_sift"\n'}
-
-
-@pytest.mark.parametrize(
-    ("address", "guessed"),
-    [
-        ("https://github.com/lab/sift.git#subdirectory=python", False),
-        ("https://github.com/Lab/Sift@v1", False),
-        ("ssh://git@github.com/lab/sift.git", False),
-        ("https://github.com/lab/sieve.git#subdirectory=python", True),
-    ],
-)
-def test_the_own_address_is_the_tree_itself(tree: Tree, address: str, *, guessed: bool) -> None:
-    page = {"README.md": f'```\npip3 install "git+{address}"\n```\n'}
-    found = tree({**PROJECT, **ORIGIN, **page, "play.py": "import numpy\n"})
-    assert any("git+" in each.text for each in (*found.python.pip, *found.python.pip_guessed)) is guessed

@@ -9,7 +9,9 @@ from roslab.decide.python.packages import Chosen
 from roslab.decide.python.pins import of_conda
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.compiled import without_nvcc
 from roslab.knowledge.frameworks import build_needs
+from roslab.values.name import of_fork
 from roslab.values.requirement import Requirement
 
 Toolkit = Literal["devel", "runtime", "base"]
@@ -54,8 +56,15 @@ def _compiled(evidence: Evidence, chosen: Chosen, asked: Iterable[Requirement]) 
     for authored in evidence.dockerfiles:
         if authored.purpose == "project" and "-devel" in (authored.base or ""):
             return True
-    needs = build_needs()  # what is built from git is known by its needs, else nothing is
-    return any(each.key in _WITH_NVCC or "torch" in needs.get(each.key, ["torch"] * each.vcs) for each in asked)
+    return any(each.key in _WITH_NVCC or "torch" in _needs(each) for each in asked)
+
+
+def _needs(asked: Requirement) -> Iterable[str]:
+    """Return what a package is built with; of what is built from git, and is of no table, nobody knows."""
+    name = of_fork(asked.name) if asked.vcs else asked.key
+    if asked.vcs and name in without_nvcc():
+        return ()
+    return build_needs().get(name, ("torch",) if asked.vcs else ())
 
 
 def _asked(evidence: Evidence, chosen: Chosen) -> Iterable[Requirement]:

@@ -22,7 +22,7 @@ from roslab.knowledge.frameworks import imports, released_together, tabled
 from roslab.knowledge.guesses import ros_modules, same_module, tooling
 from roslab.knowledge.windows import shown_with
 from roslab.values.dataclass import replace
-from roslab.values.name import bare_name, canonicalize_name
+from roslab.values.name import bare_name, canonicalize_name, of_fork
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -239,7 +239,8 @@ def known_names(
     evidence: Evidence, files: tuple[RequirementFile, ...], projects: tuple[PythonProject, ...], conda: str | None
 ) -> set[str]:
     """Return the packages that are installed anyway, and the names of the tree's own projects."""
-    known = {each.key for each in known_requirements(evidence, files, projects, conda)}
+    asked = known_requirements(evidence, files, projects, conda)
+    known = {each.key for each in asked} | {of_fork(each.name) for each in asked if each.vcs}
     known |= {canonicalize_name(project.name) for project in evidence.python if project.name}
     unseen = (project.folder for project in projects if not project.name)  # most are called as their folder
     known |= {canonicalize_name(folder.rpartition("/")[2]) for folder in unseen if folder}
