@@ -43,6 +43,9 @@ _COLON = pattern(r"([A-Za-z_]\w{2,}):(?!=|//)")
 _CAPITALS = pattern(r"[A-Z]{2,}(?:_[A-Z]+)*")
 _GIVEN = pattern(r"(?:-{0,2}|.*\.)([A-Za-z][\w-]*):?=(.*)")
 """An argument with its value: ``--seed=SEED``, ``train.seed=SEED``, ``map:=MAP``."""
+_ARGUMENT = pattern(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+FEWEST = 2
+"""Fewest arguments that show how a program takes them."""
 _AMOUNTS = frozenset({"NUM", "NUMBER", "SIZE", "COUNT"})
 _MORE = frozenset({*_AMOUNTS, "OF", "THE", "YOUR", "NAME", "VALUE", "ID", "LIST"})
 """Words that may stand beside the name of an option in a value that only says what belongs there."""
@@ -71,6 +74,7 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
     positional = False
     words = _BRACKETS.sub(_blank, command).split()
     words = words[1:] if words[:1] == words[1:2] else words  # ``roslaunch roslaunch``
+    pairs = _paired(words)
     for said, following in itertools.zip_longest(words, words[1:], fillvalue=""):
         word = written_below(kept[-1] if kept else "", said)
         blank = bool(PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
@@ -80,7 +84,7 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
         blank = blank or (value and word in {"N", "X"}) or unknown
         keys = value and following[:1].isdigit()  # ``NUM_GPUS 8`` is a key of yacs with its value
         blank = blank or (word not in files and not keys and _names_option(kept[-1] if value else "", word))
-        blank = blank and not names_output(kept[-1] if value else "", word)
+        blank = blank and not (word in pairs or names_output(kept[-1] if value else "", word))
         if not _named(kept) or not (blank or (positional and not value and word[:1] != "-")):
             kept.append(word)
             continue
@@ -97,6 +101,18 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
         else:
             blanks.append(word.partition(":=")[0])
     return Filled(tuple(kept), tuple(gap), tuple(blanks))
+
+
+def _paired(words: list[str]) -> frozenset[str]:
+    """Return the names of arguments that a program splits itself by twos: ``environment_path rooms start_id 0``.
+
+    Each of them is a name of several words, and has a value that is none of the reader's.
+    """
+    start = next((at for at in range(1, len(words)) if _named(words[:at])), len(words))
+    names, values = words[start::2], words[start + 1 :: 2]
+    told = len(names) == len(values) >= FEWEST and all(map(_ARGUMENT.fullmatch, names))
+    own = any(PLACEHOLDER.search(value) or _SAYS_WHAT.search(value) or value[:1] == "-" for value in values)
+    return frozenset(names) if told and not own else frozenset()
 
 
 def _names_option(option: str, word: str) -> bool:

@@ -68,6 +68,24 @@ def test_arguments_that_a_program_splits_itself(tree: Tree) -> None:
     assert told(found) == []
 
 
+@pytest.mark.parametrize(
+    ("given", "kept"),
+    [
+        ("planning_method hybrid environment_path rooms start_id 0", 6),
+        ("environment_path rooms surface_source load_from_data end_id 0", 6),
+        ("planning_method hybrid environment_path", 2),  # it has no value
+        ("planning_method hybrid environment_path path/to/rooms", 2),
+        ("planning_method hybrid environment_path data_path", 2),
+        ("environment_path rooms", 0),  # alone it may as well be a blank
+        ("model_path out.png", 0),
+    ],
+)
+def test_arguments_that_a_program_takes_by_twos(tree: Tree, given: str, kept: int) -> None:
+    page = f"# Usage\n```\npython run.py {given}\n```\n"
+    found = tree({"run.py": OTHER, "requirements.txt": "numpy\n", "README.md": page})
+    assert found.command == ("python", "run.py", *given.split()[:kept])
+
+
 def test_what_hydra_takes_and_refuses(tree: Tree) -> None:
     page = "# Usage\n```\npython train.py trainer.devices-1 data.root=path/to/data model=small\n```\n"
     found = tree({"train.py": HYDRA, "requirements.txt": "hydra-core\n", "README.md": page})
