@@ -200,7 +200,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = with_too_old_sources(cuda, everything) if on_cuda else NO_CUDA
     compiling = decide_compiling(
-        projects, (*everything, *python.answer.first), cuda.answer.version, evidence.unsafe_hosts, by_script(evidence)
+        projects, (*everything, *python.answer.first), cuda.answer.version, evidence, by_script(evidence)
     )
     missing = decide_missing(
         evidence,

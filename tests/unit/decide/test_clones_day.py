@@ -91,6 +91,24 @@ def test_what_is_of_today(tmp_path: Path, line: str, day: str, config: str) -> N
     assert "git-as-of" not in dockerfile(planned.plan)
 
 
+def test_what_cmake_fetches_for_pip_is_of_the_day(tmp_path: Path) -> None:
+    """pip builds a project that asks for nothing but what builds it."""
+    files = {"python/CMakeLists.txt": f"project(b)\n{FETCH}\n", "python/example.py": "import b\n"}
+    files["README.md"] = "```\npip install ./python\npython python/example.py\n```\n"
+    files["python/pyproject.toml"] = (
+        '[build-system]\nrequires = ["scikit_build_core"]\nbuild-backend = "scikit_build_core.build"\n'
+        '[project]\nname = "b"\nversion = "1"\n'
+    )
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    planned = committed(tmp_path, "", "2019-03-01")
+    assert planned.plan.python.projects == ("python",)
+    assert planned.plan.python.day == "2019-03-01"
+    assert planned.plan.python.clones, "index-as-of calls git-as-of where it is there"
+    assert "COPY --from=scripts /git-as-of /usr/local/bin/" in dockerfile(planned.plan)
+
+
 needs_memory = pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="a step of a build has /dev/shm")
 needs_cmake = pytest.mark.skipif(shutil.which("cmake") is None, reason="CMake itself fetches")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from roslab.evidence.facts import PythonProject
+from roslab.evidence.facts import Evidence, PythonProject
 from roslab.knowledge.compiled import (
     architectures,
     gpu_options,
@@ -59,12 +59,13 @@ def decide_compiling(
     projects: Sequence[PythonProject],
     installed: Iterable[Requirement],
     cuda: str | None,
-    named: Iterable[str] = (),
+    evidence: Evidence | None = None,
     by_script: Iterable[str] = (),
 ) -> Compiling:
     """Return what it takes to build the ``projects`` and what they ask for, on an image with that ``cuda``.
 
-    ``named``: hosts that other build files name by ``git://``; ``by_script``: extensions that scripts compile.
+    ``evidence`` has the hosts that other build files name by ``git://``, and what CMake fetches as a branch, which it
+    does for pip too; ``by_script``: extensions that scripts compile.
     """
     packages = [each for each in installed if each.package]
     build = {each.key for project in projects for each in project.build_requires}
@@ -73,13 +74,15 @@ def decide_compiling(
     on_torch = "cuda" in extensions or any("torch" in build_needs().get(each.key, ()) for each in packages)
     # What no table knows may be an extension too: these variables do no harm where it is none
     on_torch = on_torch or (any(each.vcs for each in packages) and any(each.key == "torch" for each in packages))
-    closed = {match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url))} | {*named}
+    closed = {match[1] or match[2] for each in packages if (match := _CLOSED.match(each.url))}
+    closed |= {*(evidence.unsafe_hosts if evidence else ())}
+    heads = any(mention.topic == "cloned_head" for mention in evidence.mentions) if evidence and projects else False
     torch = next((each.release for each in packages if each.key == "torch" and each.release), None)
     torch_for = _architectures(cuda, torch) if cuda and on_torch else ""
     return Compiling(
         compiler=bool(extensions) or rust or any(each.vcs or each.key not in prebuilt() for each in packages),
         rust=rust,
-        git=any(each.vcs for each in packages),
+        git=heads or any(each.vcs for each in packages),
         copied=tuple(
             p.folder or "."
             for p in projects

@@ -165,7 +165,7 @@ def decide_python(
     answer = Python(
         version=number,
         manager=manager,
-        day=evidence.pip_day if everything or lists.python2 else None,
+        day=evidence.pip_day if everything or lists.python2 or chosen.built_with else None,
         interpreter=interpreter,
         pip=tuple(dict.fromkeys(declared)),
         pip_tried=repaired.tried,

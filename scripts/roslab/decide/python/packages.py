@@ -18,6 +18,9 @@ from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
 
+_THERE = frozenset({"setuptools", "wheel"})
+"""What is installed with pip."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Chosen:
@@ -33,6 +36,11 @@ class Chosen:
     options: tuple[str, ...] = ()
     conda: str | None = None
     """Path of the conda environment."""
+
+    @property
+    def built_with(self) -> frozenset[str]:
+        """What pip fetches to build the projects, beside what it has."""
+        return frozenset({each.key for project in self.projects for each in project.build_requires} - _THERE)
 
 
 def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]) -> Chosen:
