@@ -85,6 +85,14 @@ def test_what_has_a_package_or_is_not_installed_by_cmake(tree: Tree, build: str)
     assert built(tree(page(build=build))) == []
 
 
+def test_headers_may_lie_in_a_folder_without_the_lib_at_the_name_s_end(tree: Tree) -> None:
+    files = {**page("", BUILD.replace("odd_icp", "sddlib")), "src/a.cpp": "#include <sdd/setoper.h>\n"}
+    files["CMakeLists.txt"] = f"{MADE}add_executable(a src/a.cpp)\n"
+    assert built(tree(files)) == [("sddlib", "-DWITH_MP=ON", False)], "the code asks for it"
+    other = files | {"src/a.cpp": "#include <odd/setoper.h>\n"}
+    assert built(tree(other)) == [("sddlib", "-DWITH_MP=ON", True)]
+
+
 @pytest.mark.parametrize("asked", ["find_package(odd_icp QUIET)\n", "if(X)\nfind_package(odd_icp REQUIRED)\nendif()\n"])
 def test_what_cmake_only_tries_is_optional(tree: Tree, asked: str) -> None:
     assert built(tree(page() | {"CMakeLists.txt": MADE + asked})) == []

@@ -412,12 +412,35 @@ def test_a_library_of_places_is_built_with_what_its_own_cmake_requires(
         ),
         ("[odd](https://github.com/lab/oddlib), and https://github.com/lab/oddlib @ 84bfc56", "84bfc56"),
         ("[odd](https://github.com/lab/oddlib) @ defaced.example.org", None),
+        (
+            "* Install [odd](https://github.com/lab/oddlib), [Guide](https://a.org/odd) (Tested Commit: 84bfc56)",
+            "84bfc56",
+        ),
+        (
+            "* [odd](https://github.com/lab/oddlib),\n  tested with 84bfc56320371bed97cab8aad3aa9561ca931d3f\n",
+            "84bfc56320371bed97cab8aad3aa9561ca931d3f",
+        ),
+        ("* [odd](https://github.com/lab/oddlib)\n* at commit 84bfc56", None),
+        ("* [odd](https://github.com/lab/oddlib) and https://github.com/lab/even (commit 84bfc56)", None),
+        (
+            "[odd](https://github.com/lab/oddlib), see https://a.org/blob/84bfc56320371bed97cab8aad3aa9561ca931d3f/x",
+            None,
+        ),
+        ("[odd](https://github.com/lab/oddlib) was tested with 1234567 points", None),
     ],
 )
 def test_a_link_is_taken_at_the_commit_behind_it(tree: Tree, said: str, ref: str | None) -> None:
     made = "project(demo)\nfind_package(oddlib REQUIRED)\nadd_executable(demo main.cpp)\n"
     decision = tree({"CMakeLists.txt": made, "main.cpp": "int main() {}\n", "README.md": f"# Needs\n{said}\n"})
     assert [(source.name, source.ref) for source in decision.source] == [("oddlib", ref)]
+
+
+@pytest.mark.parametrize(("linked", "built"), [("sdd", ["sddlib"]), ("sddlib", ["sddlib"]), ("sddother", [])])
+def test_a_library_may_be_linked_without_the_lib_at_its_end(tree: Tree, linked: str, built: list[str]) -> None:
+    made = f"project(demo)\nadd_executable(demo main.cpp)\ntarget_link_libraries(demo {linked})\n"
+    page = "```\ngit clone https://github.com/lab/sddlib.git\ncd sddlib\ncmake .\nmake\nsudo make install\n```\n"
+    decision = tree({"CMakeLists.txt": made, "main.cpp": "int main() {}\n", "INSTALL.md": page})
+    assert [source.name for source in decision.source if not source.unasked] == built
 
 
 def test_a_repository_is_no_library_of_its_own_examples(tree: Tree) -> None:

@@ -25,6 +25,8 @@ def test_a_package_behind_a_login_is_told_where_the_code_imports_it(tree: Tree) 
         ("Indigo", "PySide", "python-pyside", False),
         ("Melodic", "PyQt4", "python-qt4", False),
         ("Indigo", "cv", "python-opencv", False),
+        ("Indigo", "IPython", "ipython", False),
+        ("Noetic", "IPython", "ipython3", False),
         ("Melodic", "numpy", "python-numpy", False),
         ("Noetic", "PySide", "", True),
         ("Noetic", "gtk", "", False),

@@ -27,7 +27,8 @@ PAGES = (".md", ".rst", ".txt", "README", "INSTALL")
 _KINDS: frozenset[Kind] = frozenset({"ros1", "ros2", "cpp"})
 _TOOLS = ("cmake", "git")
 """What the image compiles with, by names that are those of their repositories, too."""
-_AFFIXES = pattern(r"^lib(?=[a-z])|(?:-|_)dev$")
+_AFFIXES = pattern(r"^lib(?=[a-z])|(?:-|_)dev$|(?<=[a-z]{3})lib$")
+"""``lib`` may stand at either end of a library's name: its headers lie in ``cdd`` where it is called ``cddlib``."""
 _NUMBER = pattern(r"_?\d+$")
 
 

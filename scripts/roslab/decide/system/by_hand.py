@@ -24,7 +24,7 @@ from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
-_SDK = pattern(r"_(?:sdk|cpp|library)$")
+_SDK = pattern(r"_(?:sdk|cpp|library)$|(?<=[a-z]{3})lib$")
 _LIB = pattern(r"^lib(?=[a-z])")
 
 _SCRIPTS = (".sh", ".bash", ".zsh")

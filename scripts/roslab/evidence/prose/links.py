@@ -21,6 +21,14 @@ _LINK = pattern(
 _DEFAULT = frozenset({"master", "main", "HEAD"})
 _PINNED = pattern(r"(?:\.git)?\)?[ \t]{0,3}(?:@|\(?(?:at )?commit)[ \t]{0,3}`?\[?`?([0-9a-f]{7,40})(?![\w.])")
 """The commit behind a link: ``[odd](https://…/odd) @ 84bfc56``."""
+_ITEM = pattern(r"[^\n]{0,400}(?:\n(?![ \t]{0,8}(?:[-*+]|\d{1,2}[.)])[ \t])[ \t]{1,8}\S[^\n]{0,200}){0,3}")
+"""What follows on a line, with the further lines of an item of a list, which are indented."""
+_NAMED_COMMIT = pattern(
+    r"\b(?:commit|revision|rev|hash|sha)\b[^\n0-9]{0,40}?(?<![\w./#-])([0-9a-f]{7,40})(?![\w-])|"
+    r"(?<![\w./#-])([0-9a-f]{40})(?![\w-])",
+    re.IGNORECASE,
+)
+"""A commit in a sentence: ``(Tested commit: 7c5f5e2)``, or 40 digits alone."""
 BEFORE = 240
 """Most characters of a sentence before a link."""
 _HOLDS = pattern(
@@ -62,11 +70,11 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
         url = match[0].partition("/tree/")[0].rstrip("/").removesuffix(".git")
         name = match[1].removesuffix(".git").rstrip(".")
         line = text.count("\n", 0, match.start()) + 1
-        pinned = _PINNED.match(text, match.end())
+        pinned = _pinned(text, match.end())
         if url not in found or (pinned and not found[url].ref):
             said = refs.get(url, set())
             branch = match[2] if match[2] not in _DEFAULT else None
-            ref = pinned[1] if pinned else next(iter(said)) if len(said) == 1 else branch
+            ref = pinned or (next(iter(said)) if len(said) == 1 else branch)
             found[url] = GitSource(
                 name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
             )
@@ -77,6 +85,16 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
         if _PRIVATE.search(_before(text, match.start())) or _CALLED_PRIVATE.match(text, match.end()):
             found[url] = replace(found[url], private=True)
     return list(found.values())[:MAX_LINKS]
+
+
+def _pinned(text: str, end: int) -> str | None:
+    """Return the commit that a page names for a link: right behind it, or later on its line, before the next one."""
+    if near := _PINNED.match(text, end):
+        return near[1]
+    rest = _ITEM.match(text, end)
+    other = _LINK.search(text, end, rest.end()) if rest else None
+    named = _NAMED_COMMIT.search(text, end, other.start() if other else rest.end()) if rest else None
+    return (named[1] or named[2]) if named else None
 
 
 def _listed(text: str) -> frozenset[int]:
