@@ -240,6 +240,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             left_out=of.left_out,
             sources=of.sources.answer.sources,
             ros_distro=distro,
+            needed=needed,
         ),
         left_out=of.left_out,
         ignored=marked(of.build_tool.answer, of.left_out, of.packages, evidence) if ros and not of.own.answer else (),

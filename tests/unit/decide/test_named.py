@@ -35,6 +35,8 @@ def page(command: str) -> str:
         ("catkin build demo", ("demo", "demo_msgs")),
         ("catkin build demo --cmake-args -DA=B", ("demo", "demo_msgs")),
         ("catkin build maps\ncatkin build demo", ("demo", "demo_msgs", "maps")),
+        ("catkin build demo_msgs\ncatkin build", ()),
+        ("catkin build\ncatkin build demo", ("demo", "demo_msgs")),
         ("catkin build", ()),
         ("catkin build elsewhere", ()),
         ("catkin_make", ()),
@@ -49,6 +51,19 @@ def test_all_is_built_where_a_launch_file_starts_what_no_manifest_names(tree: Tr
     files = FILES | {"README.md": page("catkin build demo")}
     assert tree(files | {"demo/launch/a.launch": launch.format("maps_core")}).by_pages.packages == ("demo", "demo_msgs")
     assert tree(files | {"demo/launch/a.launch": launch.format("maps_viewer")}).by_pages.packages == ()
+
+
+@pytest.mark.parametrize(("package", "all_of_it"), [("maps_core", False), ("maps", True), ("maps_viewer", True)])
+def test_all_is_built_where_the_command_starts_what_is_not_named(
+    tmp_path: Path, package: str, *, all_of_it: bool
+) -> None:
+    yaml = f"format: 3\ncommand: rosrun {package} show\n"
+    for path, text in (FILES | {"README.md": page("catkin build demo"), "roslab.yaml": yaml}).items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    ros = plan_repository(tmp_path).plan.workspace.ros
+    assert ros
+    assert ros.named == (() if all_of_it else ("demo", "demo_msgs"))
 
 
 def test_all_is_built_where_nothing_is_cloned(tree: Tree) -> None:
@@ -80,6 +95,7 @@ COLCON = {
         ("colcon build --packages-up-to demo --symlink-install", ("demo", "demo_msgs")),
         ("colcon build --symlink-install --packages-up-to demo", ("demo", "demo_msgs")),
         ("colcon build --packages-up-to elsewhere", ()),
+        ("colcon build --packages-up-to demo\ncolcon build --symlink-install", ()),
         ("colcon build --packages-select demo", ()),
         ("colcon build", ()),
     ],

@@ -129,6 +129,7 @@ def test_the_documentation_is_no_program(tree: Tree) -> None:
     assert tree(files).cmake_folder == "src/planner"
 
 
+ONLY, FAST = "-DCATKIN_WHITELIST_PACKAGES", "-DA_FAST=ON"
 ROBOT = "<package format='3'><name>a</name><buildtool_depend>{0}</buildtool_depend></package>"
 
 
@@ -142,6 +143,18 @@ ROBOT = "<package format='3'><name>a</name><buildtool_depend>{0}</buildtool_depe
         ("ament_cmake", "colcon build --cmake-args -DA_CUDA=ON -DB_DIR=/opt/b -DC=<yours>", ()),
         ("ament_cmake", "colcon build --cmake-args -DA_CUDA=OFF", ("-DA_CUDA=OFF",)),
         ("catkin", "catkin_make -DA_VIEW=OFF", ("-DA_VIEW=OFF",)),
+        ("catkin", f"catkin_make {ONLY}=a_msgs\ncatkin_make {ONLY}=", ()),
+        (
+            "catkin",
+            f'catkin_make {ONLY}="a_msgs" -DA_VIEW=OFF\ncatkin_make {ONLY}="" -DA_FAST=ON',
+            ("-DA_VIEW=OFF", FAST),
+        ),
+        ("catkin", f"catkin_make {ONLY}=a_msgs -DA_VIEW=OFF", ("-DA_VIEW=OFF",)),
+        ("catkin", f"catkin_make --pkg a_msgs -DA_FAST=OFF\ncatkin_make {FAST}\ncatkin_make -DA_FAST=2", (FAST,)),
+        ("catkin", f"catkin_make --only-pkg-with-deps a_msgs\ncatkin_make {FAST}", (FAST,)),
+        ("catkin", f"catkin_make\ncatkin_make {FAST}", ()),
+        ("ament_cmake", f"colcon build --packages-select a_msgs\ncolcon build --cmake-args {FAST}", (FAST,)),
+        ("ament_cmake", f"colcon build --packages-up-to b\ncolcon build --packages-up-to a --cmake-args {FAST}", ()),
     ],
 )
 def test_the_options_of_a_workspace(tmp_path: Path, tool: str, page: str, options: tuple[str, ...]) -> None:

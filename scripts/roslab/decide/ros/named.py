@@ -8,6 +8,7 @@ from itertools import takewhile
 from roslab.config.model import BuildTool, Config, Source
 from roslab.decide.decision import ByPages
 from roslab.decide.ros.build_tool import OF_ROS1
+from roslab.decide.ros.part_builds import builds, ends_whole
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages, names_of
 from roslab.evidence.facts import Evidence
@@ -29,13 +30,20 @@ def by_pages(
     left_out: Collection[str],
     sources: Iterable[Source],
     ros_distro: str | None,
+    needed: Collection[str],
 ) -> ByPages:
-    """Return what the pages at the root tell; roslab.yaml's ``build_args`` are told in their place."""
+    """Return what the pages at the root tell; roslab.yaml's ``build_args`` are told in their place.
+
+    ``needed``: packages without which the default command does not start.
+    """
     if config.compatible or config.build_args:
         return ByPages()
     own = names_of(packages, "ros2" if build_tool == "colcon" else "ros1", left_out, build_tool)
     cloned = {plain(source.name): source.name for source in sources if source.build == build_tool}
-    named = _named(evidence, build_tool, packages, own=own, cloned=cloned, ros_distro=ros_distro) if cloned else ()
+    some = cloned and not ends_whole(builds(evidence, build_tool))
+    known = _known(packages, ros_distro) | {*own}
+    started = {*needed, *_launched(evidence)}
+    named = _named(evidence, build_tool, own=own, cloned=cloned, started=started - known) if some else ()
     return ByPages(packages=named, jobs=_jobs(evidence, build_tool))
 
 
@@ -55,27 +63,33 @@ def _jobs(evidence: Evidence, build_tool: BuildTool) -> int | None:
 def _named(
     evidence: Evidence,
     build_tool: BuildTool,
-    packages: Packages,
     *,
     own: tuple[str, ...],
     cloned: Mapping[str, str],
-    ros_distro: str | None,
+    started: Collection[str],
 ) -> tuple[str, ...]:
     """Return the repository's packages, and the clones that a page at the root has built; ``()`` for all.
 
     The build tool builds what these need, too, and nothing else of the clones: their tools and bindings may need
-    packages that nobody asked for. All is built where a launch file starts a package of a clone that no package.xml
-    names.
+    packages that nobody asked for. All is built where the default command or a launch file starts a package of a clone
+    that no package.xml names: ``started``.
     """
     said = tuple(_said(evidence, build_tool))
     if not {*said} & {*own}:
         return ()
     sisters = tuple(dict.fromkeys(name for name in said if name not in own and cloned.get(plain(name)) == name))
-    known = {*own, *sisters, *packages.names} | released(ros_distro or "") | rosdep_keys()
-    known |= {dependency.name for manifest in packages.built for dependency in manifest.dependencies}
-    named_there = (each for launch in evidence.launch for each in launch.dependencies)
-    started = (each.name for each in named_there if each.namespace == "ros")
-    return () if any(name not in known for name in started) else (*own, *sisters)
+    return () if {*started} - {*sisters} else (*own, *sisters)
+
+
+def _known(packages: Packages, ros_distro: str | None) -> frozenset[str]:
+    """Return the packages that are there whichever clones are built, and those that are built for a package.xml."""
+    asked = (dependency.name for manifest in packages.built for dependency in manifest.dependencies)
+    return frozenset((*packages.names, *asked)) | released(ros_distro or "") | rosdep_keys()
+
+
+def _launched(evidence: Evidence) -> Iterator[str]:
+    for launch in evidence.launch:
+        yield from (each.name for each in launch.dependencies if each.namespace == "ros")
 
 
 def _said(evidence: Evidence, build_tool: BuildTool) -> Iterator[str]:

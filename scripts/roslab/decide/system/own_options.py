@@ -6,6 +6,7 @@ import posixpath
 import re
 
 from roslab.config.model import BuildTool, Config
+from roslab.decide.ros.part_builds import ONLY, builds, to_whole
 from roslab.decide.ros.source_names import plain
 from roslab.decide.system.switches import given
 from roslab.evidence.facts import Evidence
@@ -23,7 +24,6 @@ _UNDECLARED = pattern(r"(?:[A-Z0-9]+_)??(?:BUILD|COMPILE|ENABLE|MAKE|USE|WITH)_(
 
 
 _OF_ROS: frozenset[BuildTool] = frozenset({"catkin_make", "catkin_make_isolated", "catkin_tools", "colcon"})
-_NO_BUILD = pattern(r"catkin\s+(?:init|config)\b|colcon\s+(?!build\b)")
 _GPU = pattern(r"-D\w*(?:CUDA|GPU|TENSORRT|TRT)\w*(?::[A-Z]+)?=(?!OFF|0|FALSE|NO)", re.IGNORECASE)
 """An option that a page has for machines with a GPU."""
 
@@ -32,7 +32,8 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
     """Return the options of the first ``cmake`` that a page at the root runs for the repository, not for a library.
 
     ``folder_name`` is the repository's name, into whose folder the page may go. Of a workspace of ROS, what the first
-    call of its build tool on such a page gives CMake. Before them come variables that CMake files use and nothing sets.
+    call of its build tool on such a page gives CMake; where that builds a part of it, also what the calls behind it
+    give until the whole is built. Before them come variables that CMake files use and nothing sets.
     """
     meant = () if config.compatible else tuple(f"-D{name}={value}" for name, value in evidence.misnamed)
     if build_tool in _OF_ROS:
@@ -42,12 +43,10 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
 
 
 def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> tuple[str, ...]:
-    for said in evidence.mentions:
-        of_page = said.topic == "build_tool" and said.source == "readme" and "/" not in said.file
-        if of_page and said.value == build_tool and not _NO_BUILD.match(said.text) and not config.compatible:
-            words = said.text.replace(" -D ", " -D").split()
-            return tuple(word for word in words if _OWN.fullmatch(word) and not _GPU.match(word))
-    return ()
+    calls = () if config.compatible else builds(evidence, build_tool)
+    words = (word for call in to_whole(calls) for word in call.text.replace(" -D ", " -D").split())
+    given = (word for word in words if _OWN.fullmatch(word) and not _GPU.match(word) and not ONLY.fullmatch(word))
+    return tuple({word.partition("=")[0].partition(":")[0]: word for word in given}.values())
 
 
 def options_of_program(
