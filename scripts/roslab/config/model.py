@@ -47,6 +47,21 @@ class Base:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class Patch:
+    """A patch of the repository that is applied to a source."""
+
+    path: str
+    """Of its file, from the root of the repository."""
+    command: tuple[str, ...]
+    """``git apply`` or ``patch`` with its options, without the file."""
+    below: str = ""
+    """The folder of the source in which it is applied."""
+    stops: bool = False
+    """The build stops where it fails, as the author's does."""
+    place: Place | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Source:
     """A library or ROS package that is built from its source; exactly one of ``repo`` and ``zip`` is set."""
 
@@ -83,6 +98,8 @@ class Source:
     """A list or a page names it: where its host asks for a password, or has it no longer, the image goes without."""
     holding: tuple[str, ...] = ()
     """Packages that nothing else brings, of which it may hold some: it is kept where it does."""
+    patches: tuple[Patch, ...] = ()
+    """Patches of the repository that its author applies to it."""
     place: Place | None = None
 
 

@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.patched import with_patches
 from roslab.decide.ros.source_names import address, drifts, fixed
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
@@ -25,12 +26,12 @@ _LINE = pattern(r"v?\d+(?:\.\d+)*\.x")
 
 
 def authors_clones(sources: Choice[Sources], evidence: Evidence, dockerfile: str | None) -> Choice[Sources]:
-    """Return the sources as they are, or those that a ``dockerfile`` clones, as it says.
+    """Return the sources with the patches of the tree for them, or those that a ``dockerfile`` clones, as it says.
 
     Old code is told of each clone at a head: the build takes the newest commit.
     """
     if dockerfile is None:
-        return sources
+        return with_patches(sources, evidence)
     told: dict[str, GitSource] = {}
     for git in _clones(evidence, dockerfile):
         if "$" not in git.url and not git.removed:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.by_page import by_own_source
+from roslab.decide.ros.patched import told_by
 from roslab.decide.ros.source_names import address, akin, itself_in, plain
 from roslab.decide.ros.vcs_files import spelling
 from roslab.decide.system.by_everybody import PAGES
@@ -50,20 +51,25 @@ def decide_steps(
     if config.compatible or config.custom:
         return Choice(answer=None)
     names = {plain(name) for name in (*taken, *by_own_source((git.name for git in evidence.sources), evidence))}
+    addresses = tuple(addresses)
     there = {address(each) for each in addresses}
+    done = told_by(evidence, addresses)
     lists = _lists(evidence) if config.vcs is None else ()
     cloned = _cloned(evidence, kind, names, there, itself)
     data = _data(evidence, names, {*fetched})
     ros = kind in {"ros1", "ros2"}
-    return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}, ros=ros), *lists, *cloned, *data))
+    return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}, done, ros=ros), *lists, *cloned, *data))
 
 
-def _fetched(evidence: Evidence, names: set[str], added: set[str], *, ros: bool) -> Iterator[Warning_]:
+def _fetched(
+    evidence: Evidence, names: set[str], added: set[str], done: Collection[tuple[str, int]], *, ros: bool
+) -> Iterator[Warning_]:
     told: dict[str, Warning_] = {}
     for mention in evidence.mentions:
         if (
             mention.topic == "step"
             and mention.source in {"readme", "script"}
+            and (mention.file, mention.line) not in done
             and not places.vendored(mention.file)
             and not (ros and _OF_ROS.search(mention.value))
             and not (_answered(mention.value, names) or added & {*mention.value.split()})

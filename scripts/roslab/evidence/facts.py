@@ -14,6 +14,7 @@ from roslab.evidence.locked import Locked
 from roslab.evidence.makefile import Makefile
 from roslab.evidence.old_code import OldCode
 from roslab.evidence.own_key import OwnKey
+from roslab.evidence.patch import Patch
 from roslab.evidence.program import Program
 from roslab.evidence.removed_name import Removed
 from roslab.evidence.service import Service
@@ -134,6 +135,8 @@ class AuthorDockerfile:
     base_line: int
     copies_repository: bool
     clones: tuple[GitSource, ...]
+    patches: tuple[Mention, ...] = ()
+    """What it applies to them."""
     dependencies: tuple[Dependency, ...]
     """What it installs with apt."""
     requirements: tuple[Requirement, ...]
@@ -185,7 +188,7 @@ class Mention:
         "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld", "entered",
         "parameter", "other_builder", "conflict", "made", "unlaunched", "machine", "own_setup", "demanded",
         "cloned_head", "at_top", "sibling", "contained", "weights", "port", "listens", "own_package", "opened", "above",
-        "companion", "home_archive", "compiled_for", "torch_on_gpu", "index_link", "template",
+        "companion", "home_archive", "compiled_for", "torch_on_gpu", "index_link", "template", "patched",
     ]  # fmt: skip
     value: str
     source: Literal[
@@ -250,6 +253,8 @@ class Evidence:
     listed: tuple[Requirement, ...] = ()
     """What the pages at the root of a repository without ROS packages list as needed, or name with a version."""
     sources: tuple[GitSource, ...] = ()
+    patches: tuple[Patch, ...] = ()
+    """Patches of the tree that its author applies to what is cloned."""
     origin: str = ""
     """Where the checkout was cloned from, as git's configuration has it."""
     own_keys: tuple[OwnKey, ...] = ()

@@ -18,6 +18,7 @@ from roslab.render.layers import (
     locks,
     manifests,
     native_parts,
+    patched,
     program,
     python,
     python_clones,
@@ -84,6 +85,7 @@ TODAY = Order(
         cloned.large_files,
         cloned.sister_sources,
         cloned.submodules,
+        patched.of_clones,
         building.variables,  # conditions of a package.xml read them, too
         workspace.rosdep,  # 4. what the manifests name
         cloned.plain_clones,

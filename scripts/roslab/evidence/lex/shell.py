@@ -67,6 +67,10 @@ class Command(NamedTuple):
     lines: tuple[int, ...]
     assigned: tuple[str, ...] = ()
     """The variables that stand before it, ``NAME=VALUE``; not those whose value only a running shell knows."""
+    given: str = ""
+    """The file that it reads, by ``<``."""
+    may_fail: bool = False
+    """Another one is run where it fails, by ``||``."""
 
     @property
     def line(self) -> int:
@@ -135,8 +139,8 @@ def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
 def commands(text: str, line: int = 1, variables: Mapping[str, str] | None = None) -> Iterator[Command]:
     """Yield the simple commands of one logical line; ``variables`` are filled in, and assignments are added to them."""
     known = dict(variables or {})
-    for words in _split(_filled(fill_placeholders(_with_values(text, known))), line, known):
-        yield from _unwrapped(words, known)
+    for simple in _split(_filled(fill_placeholders(_with_values(text, known))), line, known):
+        yield from _unwrapped(simple, known)
 
 
 def _with_values(text: str, known: Mapping[str, str]) -> str:
@@ -158,8 +162,9 @@ class _Words:
     words: list[tuple[str, int]] = field(default_factory=list)
     word: str = ""
     started: int = 0
-    redirected: bool = False
-    """The next word is the file of a redirection, not a word of the command."""
+    redirected: str = ""
+    """The sign of a redirection whose file the next word is: it is no word of the command."""
+    given: str = ""
 
     def take(self, pieces: list[str], line: int) -> None:
         for index, piece in enumerate(pieces):
@@ -169,18 +174,29 @@ class _Words:
 
     def finish(self) -> None:
         if self.started:
+            word = self.word.replace("\x02", "{").replace("\x03", "}")
             if not self.redirected:
-                self.words.append((self.word.replace("\x02", "{").replace("\x03", "}"), self.started))
-            self.redirected = False
+                self.words.append((word, self.started))
+            self.given = word if self.redirected == "<" else self.given
+            self.redirected = ""
         self.word, self.started = "", 0
 
-    def end(self) -> list[tuple[str, int]]:
+    def end(self, separator: str = "") -> _Simple:
         self.finish()
-        words, self.words = self.words, []
-        return words
+        found = _Simple(self.words, self.given, separator == "||")
+        self.words, self.given = [], ""
+        return found
 
 
-def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[list[tuple[str, int]]]:
+class _Simple(NamedTuple):
+    """One simple command with its wrappers: each word with its line."""
+
+    words: list[tuple[str, int]]
+    given: str
+    may_fail: bool
+
+
+def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[_Simple]:
     now, comment = _Words(), False
     for match in _TOKEN.finditer(text):
         kind, token = match.lastgroup, match[0]
@@ -193,10 +209,10 @@ def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[list[tupl
         if comment:
             continue
         if kind == "separator":
-            yield now.end()
+            yield now.end(token)
         elif kind == "redirect" or (kind == "version" and not now.started):
             now.finish()
-            now.redirected = not token.endswith(("&1", "&2", "&"))
+            now.redirected = "" if token.endswith(("&1", "&2", "&")) else token
         else:
             now.take(_pieces(kind or "other", token, known), line)
             line += token.count("\n")
@@ -264,7 +280,8 @@ def _start(words: list[tuple[str, int]], known: dict[str, str]) -> int:
     return index
 
 
-def _unwrapped(words: list[tuple[str, int]], known: dict[str, str], depth: int = 0) -> Iterator[Command]:
+def _unwrapped(simple: _Simple, known: dict[str, str], depth: int = 0) -> Iterator[Command]:
+    words = simple.words
     index = _start(words, known)
     rest = words[index:]
     if not rest:
@@ -278,4 +295,5 @@ def _unwrapped(words: list[tuple[str, int]], known: dict[str, str], depth: int =
                 yield from _unwrapped(inner, known, depth + 1)
             return
     assigned = (word for word, _ in words[:index] if _ASSIGNMENT.match(word) and UNKNOWN not in word)
-    yield Command(tuple(word for word, _ in rest), tuple(line for _, line in rest), tuple(assigned))
+    found = (tuple(word for word, _ in rest), tuple(line for _, line in rest))
+    yield Command(*found, tuple(assigned), given=simple.given, may_fail=simple.may_fail)

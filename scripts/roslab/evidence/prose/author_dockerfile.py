@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Set
 from typing import TYPE_CHECKING
 
 from roslab.evidence.dependency import GitSource
@@ -36,7 +37,7 @@ _PRIVATE = pattern(
     re.IGNORECASE,
 )
 _MOUNT = pattern(r"--mount=(\S*\btype=(?:ssh|secret)\b\S*)")
-_COMPILES = pattern(r"\b(?:cmake|make|ninja)\b")
+_COMPILES = pattern(r"\b(?:cmake|make|ninja|git\s+(?:apply|am)|patch)\b")
 _OPTIONS = pattern(r"^(?:--\S+\s+)+")
 """Options of RUN."""
 _COMMENT = pattern(r"^[ \t]*#.*$", re.MULTILINE)
@@ -112,7 +113,7 @@ class _Reading:
     needs: str | None = None
     """What it needs that a build cannot give it."""
     inside: str = ""
-    """The folder of something cloned that WORKDIR names."""
+    """The folder of something cloned that WORKDIR names, or one below, from that folder on."""
 
     def take(self, instruction: Instruction) -> None:
         """Read one instruction."""
@@ -145,7 +146,7 @@ class _Reading:
             self._start(name, body, line)
 
     def _enter(self, body: str, line: int) -> None:
-        """Go where a line begins that may compile something cloned."""
+        """Go where a line begins that may compile something cloned, or change it."""
         if self.inside:
             self.collector.folder = ""
             if _COMPILES.search(body):
@@ -158,7 +159,7 @@ class _Reading:
         if name == "WORKDIR":
             start.workdir = posixpath.join(start.workdir, expand(body.strip().strip("\"'"), self.known))
             cloned = {clone.folder for clone in self.collector.sources}
-            left, self.inside = self.inside, "" if cloned.isdisjoint(start.workdir.split("/")) else start.workdir
+            left, self.inside = self.inside, _from_one(cloned, start.workdir)
             self.collector.folder = "" if left else self.collector.folder
         elif name == "ENTRYPOINT":
             start.entrypoint, start.line = argv(body), start.line or line
@@ -244,6 +245,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         bases=tuple(reading.bases),
         copies_repository=copies or itself,
         clones=tuple(collector.sources),
+        patches=tuple(each for each in collector.mentions if each.topic == "patched"),
         dependencies=tuple(dict.fromkeys(collector.dependencies)),
         requirements=tuple(dict.fromkeys(collector.requirements)),
         command=start.command,
@@ -268,6 +270,12 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         hides=hides(written),
         built=None if taken_there else built(repository, written),
     )
+
+
+def _from_one(folders: Set[str], path: str) -> str:
+    """Return the end of a path from the last of the folders on that it names, ``""`` where it names none."""
+    parts = path.split("/")
+    return next(("/".join(parts[at:]) for at in reversed(range(len(parts))) if parts[at] in folders), "")
 
 
 def _from_start(start: _Start) -> str:

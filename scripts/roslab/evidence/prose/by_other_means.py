@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Literal
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
-from roslab.evidence.prose import downloads, own_packages
+from roslab.evidence.prose import downloads, own_packages, patches
 from roslab.evidence.prose.archives import is_release
 from roslab.evidence.prose.entered import entered
 from roslab.evidence.python.install_lines import builds_in_place
@@ -25,6 +25,7 @@ Topic = Literal[
     "entered",
     "made",
     "own_package",
+    "patched",
 ]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
@@ -58,6 +59,7 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
     script = called and _SCRIPT.match(called[0]) and (called is not words or "/" in called[0])
     yield from _entering(words)
     yield from (("own_package", path) for path in own_packages.called(words, folder))
+    yield from (("patched", call) for call in patches.called(command, folder))
     if program in downloads.PROGRAMS:
         yield from downloads.told(words, folder)
     if script or (called is not words and builds_in_place(called)):

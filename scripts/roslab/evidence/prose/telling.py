@@ -46,6 +46,8 @@ SIGNS: Signs = tuple(
         ("ppa:", r"\bppa:"),
         ("dpkg", r"\bdpkg\s"),
         (".deb", r"\.deb\b"),
+        (".patch", r"\b(?:git|patch)\s"),
+        (".diff", r"\b(?:git|patch)\s"),
         (".t", r"\.t(?:ar|gz)\b"),
         ("wget", r"\bwget\s"),
         ("gdown", r"\bgdown\s"),

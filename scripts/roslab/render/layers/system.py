@@ -9,7 +9,7 @@ from roslab.config.model import Source
 from roslab.plan.packages import own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import caches, locks, required, secrets, shell
+from roslab.render.layers import caches, locks, patches, required, secrets, shell
 from roslab.values.pattern import pattern
 from roslab.values.secret import NETRC, SSH
 
@@ -162,8 +162,8 @@ def library_stages(plan: Plan) -> str:
         ]
         fetched, given = _fetch(plan, library), secrets.for_git(plan)
         reads = required.reads(library)
-        if given.mounts or reads:  # what is compiled has no part in them
-            lines.append(shell.run(*_told(library, fetched, "cloned"), secrets=given))
+        if given.mounts or reads or library.patches:  # what is compiled has no part in them
+            lines.append(shell.run(*_told(library, fetched, "cloned"), secrets=patches.mounted(library, given)))
             fetched = []
         if reads:
             lines.append(required.of_library(plan, library, f"{SOURCES}/{library.name}"))
@@ -242,7 +242,8 @@ def _folder(library: Source) -> str:
 
 
 def _fetch(plan: Plan, library: Source) -> list[str]:
-    return [f"mkdir --parents {SOURCES}", *prepared(plan, library, _folder(library))]
+    folder = _folder(library)
+    return [f"mkdir --parents {SOURCES}", *prepared(plan, library, folder), *patches.applied(library, folder)]
 
 
 def prepared(plan: Plan, source: Source, folder: str) -> list[str]:

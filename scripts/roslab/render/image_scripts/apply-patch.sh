@@ -1,0 +1,37 @@
+#!/bin/bash
+# usage: apply-patch [--stops] FOLDER PATCH COMMAND...
+# Applies a patch of the repository to a clone, by the command of its author. Where it does not fit, that is told; a clone
+# that has what the patch changes already, or that could not be cloned, stops nothing.
+#   --stops   the author's build stops where the patch does not fit, and so does this one
+set -eo pipefail
+
+stops=''
+if [ "$1" = --stops ]; then
+  stops=yes
+  shift
+fi
+folder="$1" patch="$2" name="${2##*/}"
+shift 2
+if [ ! -d "${folder}" ]; then
+  echo "roslab: left out: ${name}, as ${folder} is not there"
+  exit 0
+fi
+cd "${folder}"
+
+run() { # OPTION...
+  if [ "${command[0]}" = git ]; then "${command[@]}" "$@" "${patch}"; else "${command[@]}" "$@" --force --input "${patch}"; fi
+}
+command=("$@")
+try=--dry-run
+if [ "$1" = git ]; then try=--check; fi
+if run "${try}"; then
+  run
+  echo "roslab: ${name} is applied to ${folder##*/}"
+elif run "${try}" --reverse >/dev/null 2>&1; then
+  echo "roslab: ${folder##*/} has what ${name} changes already"
+elif [ -n "${stops}" ]; then
+  echo "roslab: ${name} does not fit ${folder##*/}: the build stops there, as its author's does" >&2
+  exit 1
+else
+  echo "roslab: left out: ${name}, which does not fit ${folder##*/}"
+fi
