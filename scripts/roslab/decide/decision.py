@@ -97,6 +97,8 @@ class Download:
     """The folder of the repository that it is unpacked to."""
     home: bool = False
     """Both paths are below the home of the image's user, not in the repository."""
+    system: bool = False
+    """The path begins at the root of the image, without its slash."""
     strip: int = 0
     """How many folders of the paths in the archive are left out."""
 

@@ -14,6 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.downloads import stem_of
 from roslab.evidence.prose.home_archives import name_of
+from roslab.evidence.prose.single_headers import placed
 from roslab.evidence.x86_only import X86Only
 from roslab.values.native_part import NativePart
 from roslab.values.pattern import pattern
@@ -23,6 +24,8 @@ _ASSIGNS = pattern(r":?=")
 _LETTERS = pattern(r"[A-Za-z][A-Za-z_-]*")
 _X86 = pattern(r"(?<![a-z0-9])(?:x86[_-]64|amd64|x64|linux64)(?![a-z0-9])")
 _BUILD = ("CMakeLists.txt", ".cmake", "Makefile", ".mk", "setup.py")
+
+_READ = frozenset({"readme", "script", "dockerfile"})
 
 WEIGHT = 300
 """Files do not compete, so it only orders the report."""
@@ -43,7 +46,8 @@ def decide_downloads(
     An archive that a page unpacks is meant where the command names a path in it, or in the folder that it goes to, and
     so is what the last script of the tree fetches which the ``page`` runs before the command in the same section: its
     configuration may name it. An archive for the user's home comes where the build or the code names its folder there,
-    but for those of the ``parts`` of pip's packages. ``folder_name`` is the repository's.
+    but for those of the ``parts`` of pip's packages. So does a header that is put where every compiler looks.
+    ``folder_name`` is the repository's.
     """
     if config.compatible:
         return Choice(answer=())
@@ -64,7 +68,7 @@ def decide_downloads(
             why = f"{reader} names it, and the page fetches it" if reader else "the page fetches it before the command"
             reason = because("downloads", mention.value, why, mention, weight=WEIGHT)
             found.setdefault(path, (Download(url=mention.value, path=path, unpack=folder), reason))
-    chosen = [*_for_home(evidence, parts), *found.values()][:MOST]
+    chosen = [*_headers(evidence), *_for_home(evidence, parts), *found.values()][:MOST]
     return Choice(answer=tuple(each for each, _ in chosen), reasons=tuple(reason for _, reason in chosen))
 
 
@@ -95,6 +99,17 @@ def _for_home(evidence: Evidence, parts: Iterable[NativePart]) -> Iterator[tuple
             yield download, because("downloads", mention.value, why, mention, weight=WEIGHT)
 
 
+def _headers(evidence: Evidence) -> Iterator[tuple[Download, Reason]]:
+    """Yield the libraries of one header, each path once."""
+    said = (m for m in evidence.mentions if m.topic == "single_header" and m.source in _READ and not _aside(m))
+    found: dict[str, tuple[Mention, str]] = {}
+    for mention, url, path in placed(tuple(said)):
+        found.setdefault(path, (mention, url))
+    for path, (mention, url) in found.items():
+        download = Download(url=url, path=path.removeprefix("/"), system=True)
+        yield download, because("downloads", url, f"the page puts it to {path}", mention, weight=WEIGHT)
+
+
 def _before(fetched: list[Mention], page: Candidate | None) -> int:
     """Return the line of the last script that fetches in the section of a command, before it; 0 for none."""
     if page is None or not page.heading:
@@ -104,8 +119,11 @@ def _before(fetched: list[Mention], page: Candidate | None) -> int:
 
 
 def _near(mention: Mention) -> bool:
-    aside = places.vendored(mention.file) or places.test(mention.file)
-    return mention.source == "readme" and mention.file.count("/") <= 1 and not aside
+    return mention.source == "readme" and not _aside(mention)
+
+
+def _aside(mention: Mention) -> bool:
+    return places.vendored(mention.file) or places.test(mention.file) or mention.file.count("/") > 1
 
 
 def _named(command: str) -> Iterator[str]:

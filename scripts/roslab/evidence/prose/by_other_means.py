@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Literal
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
-from roslab.evidence.prose import downloads, own_packages, patches
+from roslab.evidence.prose import downloads, own_packages, patches, single_headers
 from roslab.evidence.prose.archives import is_release
 from roslab.evidence.prose.entered import entered
 from roslab.evidence.python.install_lines import builds_in_place
@@ -26,6 +26,7 @@ Topic = Literal[
     "made",
     "own_package",
     "patched",
+    "single_header",
 ]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
@@ -60,6 +61,7 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
     yield from _entering(words)
     yield from (("own_package", path) for path in own_packages.called(words, folder))
     yield from (("patched", call) for call in patches.called(command, folder))
+    yield from (("single_header", each) for each in single_headers.called(words))
     if program in downloads.PROGRAMS:
         yield from downloads.told(words, folder)
     if script or (called is not words and builds_in_place(called)):

@@ -19,12 +19,12 @@ _URL = pattern(rf"https?://[^\s\"'<>{UNKNOWN}]+/[^\s\"'<>{UNKNOWN}]+$")
 _FILE = pattern(r"[\w][\w.,=+ -]*\.\w{1,10}$")
 _PATH = pattern(r"(?!/|~)[\w./,=+-]+$")
 _ARCHIVE = pattern(r"\.(?:zip|tar|tgz|tbz2|tar\.(?:gz|bz2|xz))$")
-_INTO = {"wget": ("-O", "--output-document"), "curl": ("-o", "--output")}
-_BELOW = {
+INTO = {"wget": ("-O", "--output-document"), "curl": ("-o", "--output")}
+BELOW = {
     "wget": ("-P", "--directory-prefix"), "curl": ("--output-dir",), "unzip": ("-d",), "tar": ("-C", "--directory"),
 }  # fmt: skip
 _BUILD_FILES = ("setup.py", "CMakeLists.txt", "Makefile")
-PROGRAMS = frozenset(_BELOW)
+PROGRAMS = frozenset(BELOW)
 
 
 def told(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, str]]:
@@ -33,11 +33,11 @@ def told(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, str]]:
     ``folder``: where the page is by then. Paths are relative to where it began, ``.`` for that.
     """
     program = words[0].rpartition("/")[2]
-    below = option(words, _BELOW[program]) or "."
-    if program in _INTO:
+    below = option(words, BELOW[program]) or "."
+    if program in INTO:
         url = next((word for word in words[1:] if _URL.match(word)), "")
         name = url.partition("?")[0].rpartition("/")[2]
-        named = option(words, _INTO[program])
+        named = option(words, INTO[program])
         if program == "curl" and not (named or {"-O", "--remote-name"} & set(_letters(words))):
             return
         path = posixpath.join(below, named or (name if _FILE.match(name) else ""))

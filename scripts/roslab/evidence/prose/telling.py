@@ -56,6 +56,7 @@ SIGNS: Signs = tuple(
         ("docker", r"\bdocker\s"),
         ("mkdir", r"\bmkdir\s"),
         ("_IGNORE", r"\btouch\s"),
+        ("/include", r"\b(?:mv|cp|install)\s"),
         ("./", r"(?:^|[\s`$])\.{1,2}/\w"),
         ("build/", r"(?:^|[\s`$])build/\w"),
         ("/lib/", r"\b(?:install|devel)/(?:[\w-]+/)?lib/[\w-]+/[\w.]"),

@@ -10,6 +10,7 @@ from roslab.render.layers.workspace import HOME, source_folder
 STAGE = "downloads"
 FOLDER = "/fetched"
 AT_HOME = "/fetched-home"
+AT_ROOT = "/fetched-system"
 
 
 def stage(plan: Plan) -> str:
@@ -19,7 +20,7 @@ def stage(plan: Plan) -> str:
         return ""
     fetched = []
     for file in files:
-        below = f"{AT_HOME}/" if file.home else ""
+        below = f"{AT_HOME}/" if file.home else f"{AT_ROOT}/" if file.system else ""
         into = () if file.unpack is None else (f"{below}{file.unpack}", *((str(file.strip),) if file.strip else ()))
         fetched.append(f"fetch-optional{shell.words((file.url, f'{below}{file.path}', *into))}")
     lines = [f"FROM base AS {STAGE}"]
@@ -30,9 +31,9 @@ def stage(plan: Plan) -> str:
 
 
 def bring(plan: Plan) -> str:
-    """Bring the files to where the source is copied afterwards, and those for the home to it."""
+    """Bring the files to where the source is copied afterwards, and those for the home or for the compiler there."""
     blocks = []
-    if any(not file.home for file in plan.workspace.downloads):
+    if any(not (file.home or file.system) for file in plan.workspace.downloads):
         folder = source_folder(plan)
         copy = f"COPY --from={STAGE} --chown=${{NB_UID}}:${{NB_UID}} {FOLDER}/ {quote.docker_path(folder)}/"
         made = shell.run(f"mkdir --parents {quote.shell_with_user(folder)}")
@@ -41,4 +42,6 @@ def bring(plan: Plan) -> str:
     if any(file.home for file in plan.workspace.downloads):
         copy = f"COPY --from={STAGE} --chown=${{NB_UID}}:${{NB_UID}} {AT_HOME}/ {HOME}/"
         blocks.append(f"# What the program or its build looks for in the home of its user\n{copy}")
+    if any(file.system for file in plan.workspace.downloads):
+        blocks.append(f"# Headers that the README fetches\nCOPY --from={STAGE} {AT_ROOT}/ /")
     return "\n".join(blocks)
