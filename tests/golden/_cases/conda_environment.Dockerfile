@@ -95,5 +95,5 @@ USER ${NB_USER}
 WORKDIR /home/${NB_USER}/conda_environment
 COPY --chown=${NB_UID}:${NB_UID} . .
 
-ENV HOME=/home/${NB_USER}
+ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 CMD ["python", "reach.py"]

@@ -107,6 +107,6 @@ WORKDIR /home/${NB_USER}/ws
 COPY --chown=${NB_UID}:${NB_UID} . .
 COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/built/ /home/${NB_USER}/ws/
 
-ENV HOME=/home/${NB_USER}
+ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 ENTRYPOINT ["roslab-entrypoint"]
 CMD ["rosrun", "robot", "talk"]

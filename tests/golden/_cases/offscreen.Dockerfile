@@ -127,5 +127,5 @@ USER ${NB_USER}
 WORKDIR /home/${NB_USER}/offscreen
 COPY --chown=${NB_UID}:${NB_UID} . .
 
-ENV HOME=/home/${NB_USER}
+ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 CMD ["python", "draw.py"]

@@ -176,6 +176,6 @@ WORKDIR /home/${NB_USER}/ws/src/python2_node
 COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/built/ /home/${NB_USER}/ws/
 COPY --chown=${NB_UID}:${NB_UID} . .
 
-ENV HOME=/home/${NB_USER}
+ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 ENTRYPOINT ["roslab-entrypoint"]
 CMD ["roslaunch", "battery_watch", "watch.launch"]

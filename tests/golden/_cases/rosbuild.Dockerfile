@@ -95,7 +95,7 @@ source "/opt/ros/${ROS_DISTRO}/setup.bash" --
 source "/home/${NB_USER}/ws/setup.bash" --
 EOF
 
-ENV HOME=/home/${NB_USER}
+ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/ws/src/drift_counter
 ENTRYPOINT ["roslab-entrypoint"]

@@ -124,6 +124,6 @@ WORKDIR /home/${NB_USER}/source_library
 COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/source_library-build/ /home/${NB_USER}/source_library-build/
 COPY --chown=${NB_UID}:${NB_UID} . .
 
-ENV HOME=/home/${NB_USER}
+ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 ENV PATH="/home/${NB_USER}/source_library-build:${PATH}"
 CMD ["viewer"]

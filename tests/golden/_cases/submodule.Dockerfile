@@ -90,6 +90,6 @@ RUN mkdir --parents /home/${NB_USER}/submodule-build \
  && make --jobs="$(compile-jobs)" \
  && find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
 
-ENV HOME=/home/${NB_USER}
+ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 ENV PATH="/home/${NB_USER}/submodule-build:${PATH}"
 CMD ["neighbours"]

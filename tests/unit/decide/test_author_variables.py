@@ -44,6 +44,24 @@ def test_what_the_tree_reads(tree: Tree) -> None:
     assert _set(tree, "ENV GRIPPER=soft OTHER=hard\n", **launch) == {"GRIPPER": "soft"}
 
 
+@pytest.mark.parametrize(
+    ("program", "there"),
+    [
+        ({"scripts/grip.py": "import os\nprint(os.getenv('GRIPPER'))\n"}, True),
+        ({"src/grip.cpp": '#include <cstdlib>\nint main() { std::getenv("GRIPPER"); }\n'}, True),
+        ({"scripts/grip.py": "print('GRIPPER')\n"}, False),
+        (
+            {"scripts/grip.py": "import os\nos.environ['GRIPPER']\n", "setup.py": "import os\nos.getenv('GRIPPER')\n"},
+            False,
+        ),
+    ],
+)
+def test_what_programs_read(tree: Tree, program: dict[str, str], *, there: bool) -> None:
+    assert _set(tree, "ENV GRIPPER=soft USER=root OMP_NUM_THREADS=4\n", **program) == (
+        {"GRIPPER": "soft"} if there else {}
+    )
+
+
 def test_what_cmake_reads_is_a_switch_of_that_image(tree: Tree) -> None:
     switch = 'project(demo)\nif("$ENV{WITH_CUDA}" STREQUAL "ON")\nfind_package(CUDA REQUIRED)\nendif()\n'
     assert _set(tree, "ENV WITH_CUDA=ON CXX=clang++\n", **{"CMakeLists.txt": switch}) == {}

@@ -36,6 +36,7 @@ def told(tree: Tree, launch: str, more: dict[str, str] | None = None) -> list[tu
         ('<arg name="robot" default="$(optenv ROBOT)"/>\n<param name="a" value="$(arg robot)"/>\n', []),
         ('<arg name="real" default="0"/><group if="$(arg real)"><param name="a" value="$(env ROBOT)"/></group>\n', []),
         ('<!-- $(env ROBOT) -->\n<param name="a" value="$(env HOME)/$(env ROS_DISTRO)"/>\n', []),
+        ('<param name="a" value="/home/$(env USER)/$(env LOGNAME)"/>\n', []),
     ],
 )
 def test_what_nothing_sets(tree: Tree, launch: str, found: list[tuple[str, int]]) -> None:

@@ -298,7 +298,7 @@ def test_the_image_runs_as_the_user_with_the_source_at_hand() -> None:
         "COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/built/ /home/${NB_USER}/ws/",
         "COPY --chown=${NB_UID}:${NB_UID} . .",
         "",
-        "ENV HOME=/home/${NB_USER}",
+        "ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}",
         'ENTRYPOINT ["roslab-entrypoint"]',
         'CMD ["roslaunch", "talker", "a b.launch"]',
     ]

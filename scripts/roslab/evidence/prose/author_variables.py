@@ -1,11 +1,11 @@
-"""Variables of an author's Dockerfile and its service that ROS, a robot's packages or the tree's launch files read."""
+"""Variables of an author's Dockerfile and its service that ROS, a robot's packages or the tree's programs read."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.exports import read_by_launch
+from roslab.evidence.prose.exports import read_by_launch, read_by_program
 from roslab.evidence.service import Service
 from roslab.knowledge.robot_variables import of_robots
 from roslab.repository.checkout import Repository
@@ -30,5 +30,9 @@ def set_for_ros(
     return tuple(
         Mention(topic="variable", value=f"{name}={value}", source="dockerfile", file=where, line=line, text=name)
         for name, (value, where, line) in found.items()
-        if _NAME.fullmatch(name) and _VALUE.fullmatch(value) and (of_robots(name) or read_by_launch(name, repository))
+        if _NAME.fullmatch(name) and _VALUE.fullmatch(value) and _is_read(name, repository)
     )
+
+
+def _is_read(name: str, repository: Repository) -> bool:
+    return of_robots(name) or read_by_launch(name, repository) or read_by_program(name, repository)

@@ -29,12 +29,13 @@ _OF_OTHERS = pattern(
     r"CC|CXX|LANG|HOME|USER|DISPLAY|DISTRO|VERSION|MAKEFLAGS|MASTER_ADDR|\w*_(?:IP|HOST|PORT|URI)"
 )
 """Variables of ROS, of build tools and of one machine."""
+_PROGRAMS = (".py", ".cpp", ".cc", ".cxx")
 _READS = (
     r"\$ENV\{%s\}|\$\((?:opt)?env\s+%s\b|\b(?:environ|getenv)\b[^\n]{0,8}['\"]%s['\"]|"
     r"EnvironmentVariable\(\s*(?:name\s*=\s*)?['\"]%s['\"]|\bcondition\s*=\s*['\"][^'\"<>]*\$%s\b"
 )
 """``$ENV{NAME}`` of CMake; of launch files ``$(env NAME)``, ``environ['NAME']``, ``EnvironmentVariable('NAME')``; of a
-package.xml ``condition="$NAME == …"``."""
+package.xml ``condition="$NAME == …"``; ``getenv("NAME")`` of C++."""
 
 
 def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
@@ -84,8 +85,20 @@ def read_by_launch(name: str, repository: Repository) -> bool:
 
     if name in build_variables() or not read_by_tree(name, repository):
         return False
-    cmake = [file for file in _readers(repository) if file.name.endswith((".txt", ".cmake"))]
-    return not _reading(name, cmake, repository)
+    return not _reading(name, _of_cmake(repository), repository)
+
+
+def read_by_program(name: str, repository: Repository) -> bool:
+    """Tell whether programs of the tree read a variable, and no file that builds them, whose switches need more."""
+    if _OF_OTHERS.fullmatch(name) or of_one_machine(name) or of_every_image(name):
+        return False
+    building = [*_of_cmake(repository), *repository.named("setup.py")]
+    files = nearest([file for file in repository.suffixed(*_PROGRAMS) if not places.vendored(file.path)])[:MAX_READERS]
+    return not _reading(name, building, repository) and _reading(name, files, repository)
+
+
+def _of_cmake(repository: Repository) -> list[File]:
+    return [file for file in _readers(repository) if file.name.endswith((".txt", ".cmake"))]
 
 
 def _is_read(name: str, repository: Repository) -> bool:

@@ -54,8 +54,11 @@ def start(plan: Plan) -> str:
 
 
 def _variables(plan: Plan) -> str:
-    """Set the environment variables of roslab.yaml and those that a GPU needs."""
-    home = "ENV HOME=/home/${NB_USER}"
+    """Set what every login has, the environment variables of roslab.yaml and those that a GPU needs.
+
+    https://man7.org/linux/man-pages/man1/login.1.html (Environment), 2026-11-27: launch files and programs read USER.
+    """
+    home = "ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}"
     pairs: list[tuple[str, str, bool]] = []
     if plan.run.gpu:
         pairs += [("NVIDIA_VISIBLE_DEVICES", "all", True), ("NVIDIA_DRIVER_CAPABILITIES", "all", True)]
