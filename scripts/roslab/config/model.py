@@ -100,6 +100,8 @@ class Source:
     """Packages that nothing else brings, of which it may hold some: it is kept where it does."""
     patches: tuple[Patch, ...] = ()
     """Patches of the repository that its author applies to it."""
+    marked: tuple[str, ...] = ()
+    """Folders of it that the author has the build tool pass over, ``""`` for all of it."""
     place: Place | None = None
 
 

@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.marked_clones import with_marks
 from roslab.decide.ros.patched import with_patches
 from roslab.decide.ros.source_names import address, drifts, fixed
 from roslab.evidence.dependency import GitSource
@@ -26,12 +27,12 @@ _LINE = pattern(r"v?\d+(?:\.\d+)*\.x")
 
 
 def authors_clones(sources: Choice[Sources], evidence: Evidence, dockerfile: str | None) -> Choice[Sources]:
-    """Return the sources with the patches of the tree for them, or those that a ``dockerfile`` clones, as it says.
+    """Return the sources as the author changes them, or those that a ``dockerfile`` clones, as it says.
 
     Old code is told of each clone at a head: the build takes the newest commit.
     """
     if dockerfile is None:
-        return with_patches(sources, evidence)
+        return with_marks(with_patches(sources, evidence), evidence)
     told: dict[str, GitSource] = {}
     for git in _clones(evidence, dockerfile):
         if "$" not in git.url and not git.removed:

@@ -1,10 +1,11 @@
-"""Packages that the author's own build leaves out, as its page, its pixi tasks or its CI say."""
+"""Packages that the author's own build leaves out, as its page, its pixi tasks, its CI or its Dockerfile say."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
 from roslab.config.model import BuildTool
+from roslab.decide.ros.marked_clones import by_author
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.dataclass import dataclass
@@ -13,6 +14,11 @@ from roslab.values.origin import Place
 _SKIP = frozenset({"--packages-skip", "--packages-ignore"})
 _PART = frozenset({"--packages-select", "--packages-up-to"})
 """https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html"""
+_BY = {
+    "ci": "CI takes it out of the workspace",
+    "readme": "the page takes it out",
+    "dockerfile": "the author's Dockerfile takes it out",
+}
 _SOURCES = frozenset({"", ".", "..", "src", "~", "…"})
 """What may stand before a path in the tree: the ``src`` of a workspace, or a folder that is not known."""
 
@@ -28,7 +34,7 @@ class Skipped:
 def skipped(
     evidence: Evidence, packages: Packages, build_tool: BuildTool, started: Collection[str]
 ) -> dict[str, Skipped]:
-    """Return the packages of the tree that a page at the root, a task of pixi's, or all of CI's builds leave out.
+    """Return the packages of the tree that a page at the root, a task of pixi's, a Dockerfile or all of CI leave out.
 
     Not those that the default command, whose words are ``started``, or what else is built needs.
     """
@@ -39,12 +45,10 @@ def skipped(
                 found.setdefault(name, Skipped(place, "the author's build skips it"))
         for name, place in _by_ci(evidence).items():
             found.setdefault(name, Skipped(place, "CI's build skips it"))
-    for mention in evidence.mentions:
-        if mention.topic == "skipped" and (mention.source == "ci" or "/" not in mention.file):
-            why = "CI takes it out of the workspace" if mention.source == "ci" else "the page takes it out"
-            place = Place(file=mention.file, line=mention.line)
-            for name in _below(mention.value, evidence, packages):
-                found.setdefault(name, Skipped(place, f"{why} before it builds"))
+    for mention in by_author(evidence):
+        place = Place(file=mention.file, line=mention.line)
+        for name in _below(mention.value, evidence, packages):
+            found.setdefault(name, Skipped(place, f"{_BY[mention.source]} before it builds"))
     found = {name: said for name, said in found.items() if name in packages.names}
     needed = _needed(packages, found.keys(), {*started})
     return {name: said for name, said in found.items() if name not in needed}
