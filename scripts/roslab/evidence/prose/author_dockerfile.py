@@ -15,6 +15,7 @@ from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
+from roslab.evidence.prose.other_dockerfiles import source_of, text_of
 from roslab.evidence.ros import vcs
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
@@ -51,9 +52,9 @@ def read(repository: Repository) -> tuple[AuthorDockerfile, ...]:
 def prose(repository: Repository) -> Prose:
     """Return the versions and build commands that the Dockerfiles name."""
     return merge(
-        Prose(mentions=(*mentions.read(_COMMENT.sub("", text), file.path, "dockerfile"), *_built(text, file.path)))
+        Prose(mentions=_said(text, file.path))
         for file in files(repository)
-        if (text := repository.read(file, limit=MAX_SIZE))
+        if (text := text_of(repository, file, MAX_SIZE))
     )
 
 
@@ -68,14 +69,14 @@ def _files(repository: Repository) -> list[File]:
     return sorted((file for file in found if file.size < 4 * MAX_SIZE), key=lambda file: file.path)[:200]
 
 
-def _built(text: str, path: str) -> tuple[Mention, ...]:
+def _said(text: str, path: str) -> tuple[Mention, ...]:
     from roslab.evidence.lex.dockerfile import instructions  # noqa: PLC0415 - most trees have no Dockerfile
 
-    collector = Collector(path, "dockerfile")
+    collector = Collector(path, source_of(path))
     for instruction in instructions(text):
         if instruction.name in {"RUN", "CMD"}:
             _collect(collector, instruction)
-    return tuple(collector.mentions)
+    return (*mentions.read(_COMMENT.sub("", text), path, source_of(path)), *collector.mentions)
 
 
 @dataclass
@@ -214,7 +215,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
 
     known: dict[str, str] = {}
     reading = _Reading(collector=Collector(file.path, "dockerfile", known), known=known)
-    text = repository.read(file, limit=MAX_SIZE)
+    text = text_of(repository, file, MAX_SIZE)
     for instruction in (written := tuple(instructions(text))):
         reading.take(instruction)
     problem = reading.problem or (None if reading.base else "no FROM")

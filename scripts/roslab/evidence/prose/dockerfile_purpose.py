@@ -8,6 +8,7 @@ from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.lex.dockerfile import Instruction
+from roslab.evidence.prose.definitions import is_definition
 from roslab.evidence.service import Service
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -42,9 +43,12 @@ def purpose_of(
 ) -> Literal["project", "documentation", "vendored", "ci", "deploy", "broken"]:
     """Return what a Dockerfile at a path with this base is for; one with a problem is broken.
 
+    What a definition of Singularity or Apptainer sets up is an environment, as that of CI is: no image is made with it.
+
     ``service``: that of Docker Compose which a page has started from it, if any.
     """
-    if problem:
+    definition = is_definition(path)
+    if problem and not (definition and base):
         return "broken"
     if places.vendored(path):
         return "vendored"
@@ -58,7 +62,7 @@ def purpose_of(
         or re.search(r"l4t|jetson|arm32v7|arm64v8|ursim", base)
     ):
         return "deploy"
-    return "project"
+    return "ci" if definition else "project"
 
 
 def removes_its_copy(runs: Iterable[str], source: str | None) -> bool:

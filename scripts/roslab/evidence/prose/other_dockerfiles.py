@@ -1,9 +1,14 @@
-"""Dockerfiles under names of their own, in a folder of Dockerfiles: ``dockerfiles/base``, ``docker/ros-noetic``."""
+"""Dockerfiles under names of their own, in a folder of Dockerfiles: ``dockerfiles/base``, ``docker/ros-noetic``.
+
+And definitions of Apptainer and Singularity.
+"""
 
 from __future__ import annotations
 
 import re
+from typing import Literal
 
+from roslab.evidence.prose import definitions
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -19,9 +24,21 @@ _BEGINS = pattern(
 
 
 def read(repository: Repository) -> list[File]:
-    """Return the files without an ending in such folders whose text begins like that of a Dockerfile."""
+    """Return definitions, and files without an ending in such folders that begin like a Dockerfile."""
     found = (file for file in repository.suffixed("") if "." not in file.name and 0 < file.size <= MAX_SIZE)
-    return [file for file in found if named_otherwise(file) and _BEGINS.match(repository.read(file))]
+    named = [file for file in found if named_otherwise(file) and _BEGINS.match(repository.read(file))]
+    return [*named, *definitions.read(repository)]
+
+
+def text_of(repository: Repository, file: File, limit: int) -> str:
+    """Return the text of a Dockerfile, or the one that a definition amounts to."""
+    text = repository.read(file, limit=limit)
+    return definitions.as_dockerfile(text) if definitions.is_definition(file.path) else text
+
+
+def source_of(path: str) -> Literal["dockerfile", "script"]:
+    """Return what a file is quoted as: a definition of an image tells less than a Dockerfile."""
+    return "script" if definitions.is_definition(path) else "dockerfile"
 
 
 def named_otherwise(file: File) -> bool:
