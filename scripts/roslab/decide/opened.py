@@ -1,21 +1,26 @@
-"""Files that the default command opens as soon as it is loaded, and that nothing brings."""
+"""Files that the default command opens as soon as it is loaded, and programs that it calls, that nothing brings."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.config.model import Config
-from roslab.decide.decision import Choice, Download
+from roslab.decide.decision import Choice, Download, Warning_
 from roslab.decide.reasons import warn
+from roslab.decide.system.guards import runs
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.unpackaged_programs import unpackaged_programs
 
 
 def decide_opened(
     evidence: Evidence, config: Config, command: tuple[str, ...] | str, downloads: Iterable[Download]
 ) -> Choice[None]:
     """Return a warning for each; what is downloaded is there, and a command of roslab.yaml is its author's."""
-    if isinstance(command, str) or config.compatible or config.custom or config.command is not None:
+    if config.compatible or config.custom or config.command is not None:
         return Choice(answer=None)
+    called = tuple(_called(evidence, command.split() if isinstance(command, str) else command))
+    if isinstance(command, str):
+        return Choice(answer=None, warnings=called)
     started = {word for word in command if word.endswith(".py")}
     there = {each.path for each in downloads}
     told = []
@@ -23,4 +28,13 @@ def decide_opened(
         if mention.topic == "opened" and started & {*mention.files} and mention.value not in there:
             message = f"the default command opens {mention.value} as soon as it is loaded, which the tree does not have"
             told.append(warn(f"{message}: it stops without it; add the file, or make it by `custom`", mention))
-    return Choice(answer=None, warnings=tuple(told))
+    return Choice(answer=None, warnings=(*told, *called))
+
+
+def _called(evidence: Evidence, words: Sequence[str]) -> Iterator[Warning_]:
+    """Yield a warning for each program that its script calls and that no package of Ubuntu brings."""
+    for mention in evidence.mentions:
+        if mention.topic == "unpackaged" and runs(words, mention.file):
+            message = f"the script of the default command calls {mention.value}, which no package of Ubuntu brings"
+            releases = unpackaged_programs()[mention.value]
+            yield warn(f"{message}: bring it from {releases} by `custom` in roslab.yaml", mention)

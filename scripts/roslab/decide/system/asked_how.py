@@ -19,6 +19,7 @@ _HOW = {
     "program": "CMake stops without a program of {}",
     "cuda": "CMake compiles for CUDA, which needs {}",
     "called": "a Python file calls a program of {}",
+    "in_script": "the script of the default command calls a program of {}",
     "typelib": "a program asks for a library of GObject, which needs {}",
     "python3": "a program whose first line asks for Python 3 imports what {} has",
     "shebang": "the first line of a program names {}",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from roslab.config.model import Kind
 from roslab.decide.programs import compiled
 from roslab.evidence import places
@@ -9,20 +11,31 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.lex.truth import workspace_holds
+from roslab.evidence.prose.called_in_scripts import IN_SCRIPT
 from roslab.values.dataclass import replace
 
 
 def required_by_command(evidence: Evidence, command: tuple[str, ...] | str, kind: Kind) -> Evidence:
     """Return the evidence with what guards the command's program as needed: ``if(X_FOUND) add_executable(…)``.
 
-    What guards every program of a C++ project is needed as well: without it none is compiled.
+    What guards every program of a C++ project is needed as well: without it none is compiled. What shell scripts call
+    is needed of the command's own alone.
     """
     words = command.split() if isinstance(command, str) else command
+    if any(each.role == IN_SCRIPT for each in evidence.code):
+        code = tuple(each for each in evidence.code if each.role != IN_SCRIPT or runs(words, each.file))
+        evidence = replace(evidence, code=code)
     started = {word.rpartition("/")[2] for word in words}
     everywhere = _of_all_programs(evidence) if kind in {"cpp", "cuda"} else frozenset()
     if not everywhere and not any(program in started for project in evidence.cmake for program, _ in project.guards):
         return evidence
     return replace(evidence, cmake=tuple(_required(project, started, everywhere) for project in evidence.cmake))
+
+
+def runs(words: Sequence[str], file: str) -> bool:
+    """Tell whether the words of a command, or of the line that a shell is given, name a file of the tree."""
+    paths = (path.removeprefix("./") for word in words for path in word.split())
+    return any(path and (file == path or file.endswith(f"/{path}")) for path in paths)
 
 
 def _of_all_programs(evidence: Evidence) -> frozenset[str]:

@@ -1,0 +1,66 @@
+"""Programs that the shell scripts call which pages run: ``tmuxinator``, ``jq``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Mention
+from roslab.knowledge.compiled import programs
+from roslab.knowledge.unpackaged_programs import unpackaged_programs
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+IN_SCRIPT = "in_script"
+"""The role of what such a script needs."""
+MAX_SIZE = 64 * 1024
+_SCRIPT = (".sh", ".bash", ".zsh")
+_CALLED = pattern(
+    r"(?:^|[;&|(`{]|\b(?:then|do|else|if|elif|while|until|sudo|exec|time|nohup|command)[ \t]|![ \t])"
+    r"[ \t]*(?!(?:then|do|else|if|elif|while|until|sudo|exec|time|nohup|command)\b)([A-Za-z][\w.+-]*)(?=[ \t;&|]|$)",
+    re.MULTILINE,
+)
+"""A word where a command begins, also in ``$(…)``."""
+_NOT_RUN = pattern(
+    r"(?m)(?:^|(?<=\s))#.*$|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\\n]|\\.)*\"|'[^'\n]*'|[^;&|\"'\n])*"
+)
+"""A comment, and what a line prints."""
+_EVERYWHERE = frozenset({"file", "ip", "ping", "ps", "python", "python2", "python3", "pip", "pip3", "sed"})
+"""Every image of this program's has them, or what has them depends on the Python that is taken."""
+
+
+def read(repository: Repository, said: Iterable[Mention]) -> tuple[Dependency, ...]:
+    """Return the packages of apt with these programs, each once for a script."""
+    return tuple(
+        Dependency(namespace="apt", name=programs()[name], strength="used", file=file, line=line, role=IN_SCRIPT)
+        for name, file, line in _calls(repository, said)
+        if name in programs()
+    )
+
+
+def unpackaged(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]:
+    """Return where they call what no package brings."""
+    return tuple(
+        Mention(topic="unpackaged", value=name, source="script", file=file, line=line, text=name)
+        for name, file, line in _calls(repository, said)
+        if name in unpackaged_programs()
+    )
+
+
+def _calls(repository: Repository, said: Iterable[Mention]) -> Iterator[tuple[str, str, int]]:
+    """Yield each program with its script and the first line that calls it; functions of the script are none."""
+    commands = (mention for mention in said if mention.topic == "command" and mention.source == "readme")
+    files = dict.fromkeys(file for mention in commands for file in mention.files if file.endswith(_SCRIPT))
+    known = (programs().keys() | unpackaged_programs().keys()) - _EVERYWHERE
+    for file in files:
+        if not repository.has(file) or places.vendored(file):
+            continue
+        text = _NOT_RUN.sub("", repository.read(file, limit=MAX_SIZE))
+        seen: set[str] = set()
+        for match in _CALLED.finditer(text):
+            name = match[1]
+            if name in known and name not in seen and not re.search(rf"\b{re.escape(name)}[ \t]*\(\)", text):
+                seen.add(name)
+                yield name, file, text.count("\n", 0, match.start(1)) + 1

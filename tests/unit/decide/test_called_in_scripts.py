@@ -1,0 +1,52 @@
+"""Programs that the shell script of the default command calls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PROGRAMS = {"tmux", "tmuxinator", "jq", "xterm", "screen"}
+FILES = {
+    "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+}
+PAGE = "ROS Noetic\n## Usage\n```\n./run.sh\n```\n"
+
+
+def decided(tree: Tree, script: str, **more: str) -> Decision:
+    return tree(FILES | {"README.md": PAGE, "run.sh": f"#!/bin/bash\n{script}\n"} | more)
+
+
+@pytest.mark.parametrize(
+    ("script", "asked"),
+    [
+        ("tmuxinator start -p a.yml", {"tmuxinator"}),
+        ("tmux new-session -d -s demo; jq . a.json", {"tmux", "jq"}),
+        ("names=$(tmux list-sessions | jq -r .)", {"tmux", "jq"}),
+        ("if ! screen -ls; then xterm -e roscore & fi", {"screen", "xterm"}),
+        ("echo 'tmux attach; jq .'\n# tmux attach\nprintf \"a; tmux b\"", set()),
+        ("tmux() { true; }\ntmux new", set()),
+        ("session=tmux\nrun-tmux a\n./tmux b", set()),
+    ],
+)
+def test_what_it_calls(tree: Tree, script: str, asked: set[str]) -> None:
+    decision = decided(tree, script)
+    assert decision.command == ("bash", "run.sh")
+    assert {*decision.apt_guessed} & PROGRAMS == asked
+
+
+def test_what_another_script_calls_is_not_needed(tree: Tree) -> None:
+    page = f"{PAGE}## Evaluation\n```\n./tools/plot.sh\n```\n"
+    decision = decided(tree, "roscore", **{"README.md": page, "tools/plot.sh": "#!/bin/bash\ntmux new\nyq r a.yml\n"})
+    assert not {*decision.apt_guessed} & PROGRAMS
+    assert not any("yq" in each.message for each in decision.warnings)
+
+
+def test_what_no_package_brings_is_told(tree: Tree) -> None:
+    told = [each for each in decided(tree, "roscore &\na=$(yq r a.yml b)\nyq v a.yml").warnings if "yq" in each.message]
+    assert [(each.file, each.line) for each in told] == [("run.sh", 3)]
+    assert "bring it from https://github.com/mikefarah/yq/releases" in told[0].message
