@@ -27,6 +27,13 @@ _NAME = pattern(
     r"catkin|apt|init|configure|compile|make|third"
 )
 _ROBOT = pattern(r"jetson|tegra|raspberry|nvidia[-_]?driver|udev|kernel|windows|macos?|osx|homebrew|uninstall")
+_ENGINES = r"(?:docker|podman|singularity|apptainer|nvidia[-_]?(?:docker|container)\w*)"
+_ENGINE = pattern(rf"(?:install|setup|get|build)[-_]?{_ENGINES}[\w.-]*|{_ENGINES}[-_](?:install|setup)[\w.-]*")
+"""The name of a script that installs what runs containers."""
+_BRINGS_ENGINE = pattern(
+    r"docker-(?:ce|engine)\b|docker\.io\b|get\.docker\.com|nvidia-(?:docker|container)|podman|"
+    r"singularity(?:-ce)?[-/]|(?:sylabs|hpcng|apptainer)/(?:singularity|apptainer)|install[^\n]*\bapptainer\b"
+)
 _LIST = pattern(
     r"^(?:apt|debian|ubuntu|system|os)?[-_]?(?:additional[-_]?)?(?:apt|debs?|packages|"
     r"dependencies)(?:[-_]?(?:packages|requirements|dependencies|list|deps))?\.txt$"
@@ -63,6 +70,7 @@ def read(repository: Repository) -> Prose:
         and not places.vendored(file.path)
         and not of_tests(repository, file.path)
         and file.size < MAX_SIZE
+        and (file.name in by_images or not _of_host(repository, file))
     ]
     given = _given(repository)
     for file in nearest(shells)[:MAX_SCRIPTS]:
@@ -92,6 +100,11 @@ def read(repository: Repository) -> Prose:
     ]
     parts += (package_lists.listed(repository.read(file), file.path) for file in dict.fromkeys((*lists, *given)))
     return merge(parts)
+
+
+def _of_host(repository: Repository, file: File) -> bool:
+    """Tell whether a script brings what runs containers to the machine that they run on: no container needs that."""
+    return bool(_ENGINE.fullmatch(file.name.lower()) and _BRINGS_ENGINE.search(repository.read(file)))
 
 
 def _run_by_images(repository: Repository) -> frozenset[str]:
