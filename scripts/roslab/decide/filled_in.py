@@ -6,6 +6,7 @@ import itertools
 import re
 from typing import NamedTuple
 
+from roslab.decide.bare_options import ROS_ARGUMENTS, RULES, without_bare
 from roslab.decide.blank_launches import BLANK
 from roslab.decide.candidate import is_component
 from roslab.decide.outputs import names_output, written_below
@@ -65,12 +66,13 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
     """Return a command without the values that the reader fills in.
 
     ``map:=PATH`` is left out whole, as the launch file may have a default, and its name returned; an option goes with
-    its value, and what follows an argument that is left out, with it. Words that name the program stay, and so do
-    ``files``, which the tree has.
+    its value, and what follows an argument that is left out, with it; one that has several, and ``--ros-args``, with
+    the last of them. Words that name the program stay, and so do ``files``, which the tree has.
     """
     kept: list[str] = []
     blanks: list[str] = []
     gap: list[str] = []
+    emptied: set[int] = set()
     positional = False
     words = _BRACKETS.sub(_blank, command).split()
     words = words[1:] if words[:1] == words[1:2] else words  # ``roslaunch roslaunch``
@@ -78,7 +80,7 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
     for said, following in itertools.zip_longest(words, words[1:], fillvalue=""):
         word = written_below(kept[-1] if kept else "", said)
         blank = bool(PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
-        value = bool(kept) and kept[-1].startswith("-") and not word.startswith("-")
+        value = kept[-1:] != [ROS_ARGUMENTS] and bool(kept) and kept[-1][:1] == "-" != word[:1]
         blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
         unknown = word not in files and bool(_SAYS_WHAT.search(word) or _STANDS_FOR.search(word))
         blank = blank or (value and word in {"N", "X"}) or unknown
@@ -93,14 +95,17 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
         override = not value and bool(colon or _OVERRIDE.match(word))
         option = word.partition("=")[0] if word.startswith("-") or override else kept[-1] if value else ""
         option = colon[1] if colon else option
-        if keyed or (value and (":=" not in word or kept[-1] in {"-p", "-r"})):
+        if keyed or (value and (":=" not in word or kept[-1] in RULES)):
             kept.pop()  # the option goes with it: ``-p map:=PATH``, and ``MODEL.WEIGHTS PATH``
+            emptied.discard(len(kept))
+        if keyed and kept[-1].startswith("-"):
+            emptied.add(len(kept) - 1)  # ``--opts MODEL.WEIGHTS PATH``, unless another key follows
         if ":=" not in word:
             gap.append(option)
             positional = positional or not (value or keyed or override or word.startswith("-"))
         else:
             blanks.append(word.partition(":=")[0])
-    return Filled(tuple(kept), tuple(gap), tuple(blanks))
+    return Filled(without_bare(kept, emptied), tuple(gap), tuple(blanks))
 
 
 def _paired(words: list[str]) -> frozenset[str]:
