@@ -12,6 +12,7 @@ from roslab.decide.contained import contained
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
+from roslab.decide.reasons import page_of
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import NOTEBOOK
 from roslab.decide.startable_launches import unstartable
@@ -70,7 +71,7 @@ def _explained(evidence: Evidence) -> Iterator[Candidate]:
         if said.topic == "pointed" and said.value.endswith(".py") and not said.value.endswith(".launch.py"):
             yield Candidate(
                 argv=("python3", said.value),
-                why="the README says what it shows",
+                why=f"{page_of(said.file)} says what it shows",
                 file=said.file,
                 line=said.line,
                 strong=True,

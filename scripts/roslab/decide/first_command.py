@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from roslab.decide.absent import variant
 from roslab.decide.candidate import Candidate, is_python, program_of
+from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running, shows, starts
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.values.dataclass import replace
@@ -90,13 +91,13 @@ _HUMP = pattern(r"(?<=[a-z])(?=[A-Z])")
 def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     """Return the command that a page of the author runs first, ``None`` if no page runs any.
 
-    Pages nearer to the root come first, then sections about running it, then the order of the page. What needs a file
-    that the tree lacks comes after what needs none, except for Python, whose READMEs usually name data; another
-    that is given with blanks to fill in comes last, one of Python after what other sections of its page run whole;
-    programs that only serve others are never returned. What is named like a test is returned where a section about
-    running it has nothing else: the purpose may be to test. A quick start may evaluate. Of two calls of a program in
-    one section, the one that needs no file which nothing brings. What starts a node that nothing installs comes last,
-    if another is whole.
+    Pages nearer to the root come first, of them the README, then sections about running it, then the order of the
+    page. What needs a file that the tree lacks comes after what needs none, except for Python, whose READMEs usually
+    name data; another that is given with blanks to fill in comes last, one of Python after what other sections of its
+    page run whole; programs that only serve others are never returned. What is named like a test is returned where a
+    section about running it has nothing else: the purpose may be to test. A quick start may evaluate. Of two calls of a
+    program in one section, the one that needs no file which nothing brings. What starts a node that nothing installs
+    comes last, if another is whole.
     """
     written = [c for c in candidates if c.strong and not helps(c) and not upkeep(c)]
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in LAUNCHERS]
@@ -191,7 +192,7 @@ def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, b
         candidate.argv[0] == "jupyter",  # of a page that runs programs, too, notebooks explain them
         candidate.cut and not python,
         _lacks(candidate) and not python,
-        candidate.file.count("/"),
+        candidate.file.count("/") - of_readme(candidate.file),  # pages beside the README come after it
         -_meant(candidate),
         page,
         gap,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
+from roslab.decide.reasons import page_of
 from roslab.evidence.facts import Evidence
 
 
@@ -23,5 +24,6 @@ def included(evidence: Evidence, kind: Kind) -> Candidate | None:
         given = {word.partition(":=")[0]: word for word in rest}
         if asked is not None and given.keys() >= set(asked):
             argv = (*start, package, name, *(given[each] for each in asked))
-            return Candidate(argv=argv, why="the README includes it", file=said.file, line=said.line, strong=True)
+            why = f"{page_of(said.file)} includes it"
+            return Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True)
     return None

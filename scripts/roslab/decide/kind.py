@@ -11,7 +11,7 @@ from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_o
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.last_signs import OTHER_BUILDER, last_signs
 from roslab.decide.programs import top_of
-from roslab.decide.reasons import Placed, because, configured, ranked, strongest, warn
+from roslab.decide.reasons import Placed, because, configured, page_of, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import built_by_cmake_alone, built_together, parts_of_cmake
 from roslab.decide.ros.without_manifest import CLIENTS, by_catkin, client_of
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
@@ -101,7 +101,7 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
         weight = Weight.ROSBUILD if built_by_rosbuild(evidence) else Weight.ROSBUILD_PART
         reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
     if not reasons and (said := built_together(evidence)):
-        why = "packages of plain CMake, which the README has colcon build together"
+        why = f"packages of plain CMake, which {page_of(said.file)} has colcon build together"
         reasons.append(because("kind", "ros2", why, said, weight=Weight.PACKAGES))
     if not (reasons or rosbuild) and (made := by_catkin(evidence)):
         why = "its CMake requires packages of ROS, and nothing is a package"
@@ -250,7 +250,11 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     if root and said and mostly_cpp(evidence):
         return [
             because(
-                "kind", answer, "a CMake project, which the README builds with CMake alone", said, weight=Weight.BUILT
+                "kind",
+                answer,
+                f"a CMake project, which {page_of(said.file)} builds with CMake alone",
+                said,
+                weight=Weight.BUILT,
             )
         ]
     most = (mostly_cpp(evidence) or with_helpers(evidence)) and not places.sample(top.file)

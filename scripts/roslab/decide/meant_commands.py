@@ -10,6 +10,7 @@ from roslab.decide.brought_launches import Brings, all_brought
 from roslab.decide.candidate import Candidate
 from roslab.decide.first_command import LAUNCHERS
 from roslab.decide.launch_calls import launch_calls, started_launch
+from roslab.decide.reasons import page_of
 from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
 from roslab.decide.startable_launches import known
@@ -72,7 +73,7 @@ def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
         elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):
             argv = (*NOTEBOOK, said.value)
         if argv:
-            why = "the README names it"
+            why = f"{page_of(said.file)} names it"
             candidate = Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True, heading=said.heading)
             yield candidate, said.text
 

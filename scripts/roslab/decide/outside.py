@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.programs import outside_of_packages
-from roslab.decide.reasons import warn
+from roslab.decide.reasons import page_of, warn
 from roslab.evidence.facts import Evidence
 
 
@@ -17,6 +17,7 @@ def decide_outside(evidence: Evidence, config: Config, kind: Kind) -> Choice[Non
     if run is None or config.compatible:
         return Choice(answer=None)
     name = run.value.split()[0].rpartition("/")[2]
-    message = f"the README runs {name}, which CMake compiles only outside of a workspace of ROS: it is not in the image"
+    message = f"{page_of(run.file)} runs {name}, which CMake compiles only outside of a workspace of ROS"
+    message += ": it is not in the image"
     hint = "give `kind: cpp` in roslab.yaml to build the project by CMake alone"
     return Choice(answer=None, warnings=(warn(f"{message}; {hint}", run),))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import Protocol
 
@@ -9,9 +10,13 @@ from roslab.config.model import Config
 from roslab.decide.decision import Reason, Warning_
 from roslab.values.dataclass import replace
 from roslab.values.origin import Input, Option, Place
+from roslab.values.pattern import pattern
 
 CONFIGURED = 1000
 """The weight of what roslab.yaml, an input or an option says."""
+
+_README = pattern(r"readme(?:\.\w+)?", re.IGNORECASE)
+"""The page at the root that is called so, in no other language: not ``README_CN.md``."""
 
 
 class Placed(Protocol):
@@ -36,6 +41,16 @@ def because(
         weight=weight,
         decisive=decisive,
     )
+
+
+def of_readme(file: str) -> bool:
+    """Tell whether a file is the README at the root, in any language, and no other page beside it."""
+    return "/" not in file and file.lower().startswith("readme")
+
+
+def page_of(file: str) -> str:
+    """Return what a reason calls a page of the repository: the README at the root, any other by its path."""
+    return "the README" if _README.fullmatch(file) else file
 
 
 def warn(message: str, at: Placed | None = None) -> Warning_:

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from roslab.config.model import Kind
+from roslab.decide.reasons import page_of
 from roslab.evidence.facts import Mention
 
 
 def why_run(argv: tuple[str, ...], mention: Mention, kind: Kind) -> str:
     """Return the reason, with what the command says otherwise: a program of almost its name, or another ending."""
-    own = kind != "cpp" or argv[0].rpartition("/")[2] in mention.value
+    own, page = kind != "cpp" or argv[0].rpartition("/")[2] in mention.value, page_of(mention.file)
     if not own:
-        return "the README runs one of almost this name, which nothing compiles"
+        return f"{page} runs one of almost this name, which nothing compiles"
     said = mention.text.split()
     other = next((file for file in mention.files if file in argv and _other_ending(file) in said), "")
-    return f"the README runs it with {_other_ending(other)}, which the tree lacks" if other else "the README runs it"
+    return f"{page} runs it with {_other_ending(other)}, which the tree lacks" if other else f"{page} runs it"
 
 
 def _other_ending(file: str) -> str:

@@ -22,6 +22,7 @@ from roslab.decide.made_folders import made_before
 from roslab.decide.pages_of_tools import of_a_tool
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
+from roslab.decide.reasons import of_readme
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.run_by_page import why_run
 from roslab.decide.scripts import bare, script_of, task_of
@@ -94,6 +95,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
     )
     said = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     said = [m for m in said if not (places.vendored(m.file) or about_trouble(m.heading))]
+    said.sort(key=lambda m: not of_readme(m.file))
     of_python = {m.value for m in evidence.mentions if m.topic == "runs"} if not (ros or compiled) else set()
     elsewhere = {m.value for m in evidence.mentions if m.topic == "elsewhere"}
     tried, withheld = (

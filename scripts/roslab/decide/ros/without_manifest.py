@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from roslab.decide.cuda.signs import sign_of_cuda
+from roslab.decide.reasons import page_of
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
@@ -53,7 +54,7 @@ def run_by_page(evidence: Evidence) -> tuple[Mention, str, str] | None:
         for start, ros in ((["roslaunch"], 1), (["ros2", "launch"], 2)):
             file = next(iter(words[len(start) :]), "")
             if words[: len(start)] == start and alone.get(file) == ros:
-                return mention, f"ros{ros}", f"the README starts {file}, which belongs to no package"
+                return mention, f"ros{ros}", f"{page_of(mention.file)} starts {file}, which belongs to no package"
     clients = {d.name for d in evidence.code if d.name in CLIENTS and d.strength == "used" and not places.aside(d.file)}
     started = list(_started(evidence, said))
     nodes = {program.file for program in evidence.programs if program.kind == "node"}

@@ -12,7 +12,7 @@ from roslab.decide.beside_cpp import of_cpp
 from roslab.decide.decision import Choice, OwnScript
 from roslab.decide.linked_projects import linked_projects
 from roslab.decide.programs import beside_top, found_by, names_of
-from roslab.decide.reasons import because, warn
+from roslab.decide.reasons import because, page_of, warn
 from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.by_make import builds_all
@@ -101,7 +101,7 @@ def decide_scripts(
     ]
     beside = [(_part(project, found=False, options=m.text), m) for project, m, lacks in said_so if not lacks]
     built = list(_by_install(evidence, projects))
-    why, other = "the README runs it to compile", "a CMake project beside the one that is compiled"
+    other = "a CMake project beside the one that is compiled"
     return Choice(
         answer=(
             *built,
@@ -112,7 +112,10 @@ def decide_scripts(
         ),
         reasons=(
             *(because("source", s.path, _INSTALL, Place(file=s.path, line=1), weight=WEIGHT) for s in built),
-            *(because("source", script.path, why, mention, weight=WEIGHT) for script, mention in chosen),
+            *(
+                because("source", script.path, f"{page_of(mention.file)} runs it to compile", mention, weight=WEIGHT)
+                for script, mention in chosen
+            ),
             *(because("source", p.folder, f"what is built links {a.name}", a, weight=WEIGHT) for p, a in linked),
             *(because("source", part.folder, other, Place(file=part.path, line=1), weight=WEIGHT) for part in parts),
             *(because("source", part.folder, "the page has CMake compile it", m, weight=WEIGHT) for part, m in beside),
@@ -197,7 +200,7 @@ def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
             for each in made
         ),
         reasons=tuple(
-            because("source", each.file, "the README runs it to compile" if each.script else why, each, weight=WEIGHT)
+            because("source", each.file, "a page runs it to compile" if each.script else why, each, weight=WEIGHT)
             for each in made
         ),
     )
