@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from roslab.evidence.prose.headings import WITHOUT
 from roslab.values.pattern import pattern
 
 _USAGE = pattern(
@@ -45,7 +46,7 @@ _TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNOR
 
 def about_running(heading: str) -> int:
     """Return 1 for a section about running it, -1 for one about something else, else 0; the innermost title counts."""
-    for title in reversed(heading.split(" / ")):
+    for title in reversed(WITHOUT.sub("", heading).split(" / ")):
         if _TRIED.search(title):
             return 1
         if _ASIDE.search(_AND_TEST.sub(r"\1", _TO_TEST.sub(r"\1\2", _TEST_SET.sub("", title)))):

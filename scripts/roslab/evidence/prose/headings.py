@@ -19,6 +19,11 @@ _ELSEWHERE = pattern(
     r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
     re.IGNORECASE,
 )
+WITHOUT = pattern(
+    r"\b(?:no|without(?: an?y?)?|fake|mock(?:ed)?|simulated|virtual)[ -](?:real[ -])?(?:hardware|robots?)\b",
+    re.IGNORECASE,
+)
+"""What needs no other machine: ``Simulation (no hardware)``."""
 _SYSTEM = pattern(rf"\b(?:{_SYSTEMS})", re.IGNORECASE)
 """What the title of a whole page may be about; other words tell what the code is for: ``Policies for Real Robots``."""
 _LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
@@ -108,4 +113,4 @@ def section_of(heading: tuple[int, str] | None, elsewhere: int) -> int:
         return elsewhere
     if _LEAF.search(title):
         return DEEPEST
-    return level if _ELSEWHERE.search(title) else 0
+    return level if _ELSEWHERE.search(WITHOUT.sub("", title)) else 0
