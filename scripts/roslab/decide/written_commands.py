@@ -98,8 +98,9 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
     said.sort(key=lambda m: not of_readme(m.file))
     of_python = {m.value for m in evidence.mentions if m.topic == "runs"} if not (ros or compiled) else set()
     elsewhere = {m.value for m in evidence.mentions if m.topic == "elsewhere"}
-    tried, withheld = (
-        {(m.file, m.line, m.value) for m in evidence.mentions if m.topic == topic} for topic in ("tried", "withheld")
+    tried, withheld, named = (
+        {(m.file, m.line, m.value) for m in evidence.mentions if m.topic == topic}
+        for topic in ("tried", "withheld", "said_run")
     )
     made = [m for m in evidence.mentions if m.topic == "made" and m.source == "readme"]
     options = {(m.file, m.value): m.text for m in evidence.mentions if m.topic == "option"}
@@ -116,10 +117,11 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
         if argv is not None and not fetching & {*argv[:2]}:
             strong = not compiled or not any(places.example(part) for part in program_of(argv))
-            once = (mention.file, mention.line, mention.value) in tried
+            place = (mention.file, mention.line, mention.value)
+            once = place in tried
             strong = strong and (once or not (compiled and argv[0].startswith("python")))
-            strong = strong and (ros or mention.file.count("/") == nearest) and not _tests(argv)
-            strong = strong and (mention.file, mention.line, mention.value) not in withheld
+            strong = strong and (ros or mention.file.count("/") == nearest) and (place in named or not _tests(argv))
+            strong = strong and place not in withheld
             strong = strong and not copies.below(mention.file, evidence.copies)
             yield Candidate(
                 argv=tuple(map(as_written, argv)),

@@ -29,6 +29,7 @@ from roslab.evidence.prose import (
     mentions,
     octave,
     python_path,
+    said_runs,
 )
 from roslab.evidence.prose.absent_launches import absent_launch
 from roslab.evidence.prose.blanks import BLANK, distros_of, with_examples
@@ -171,6 +172,8 @@ def of_page(repository: Repository, file: File) -> Prose:
     """Return what a page says; in its commands, files of the tree are relative to the root: ``../map.yaml``."""
     prose = _read(text_of(repository, file), file)
     told = tuple(each for m in prose.mentions for each in _checked(m, repository))
+    named = said_runs.read(repository, file, text_of(repository, file), told)
+    told += tuple(each for m in named for each in (_done_by(m, repository) if m.topic == "command" else (m,)))
     asked = (each for mention in told for each in (*called(mention, repository), *octave.asked(mention, repository)))
     return replace(prose, mentions=told, dependencies=(*prose.dependencies, *asked))
 
@@ -194,12 +197,18 @@ def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         yield from _compiled(mention, repository) if mention.topic == "compiled" else (mention,)
     elif started := in_container(told := with_files(mention, repository), repository):
         yield from (with_files(started, repository),) if started.value else ()
-    elif not leads_elsewhere(told, repository):
-        yield told
-        yield from absent_launch(told, repository)
-        yield from fetched_by(told, repository)
-        yield from of_python(told, repository)
-        yield from elsewhere(told, repository)
+    else:
+        yield from _done_by(told, repository)
+
+
+def _done_by(command: Mention, repository: Repository) -> Iterator[Mention]:
+    """Yield a command with what it asks for, unless it leads away from the tree."""
+    if not leads_elsewhere(command, repository):
+        yield command
+        yield from absent_launch(command, repository)
+        yield from fetched_by(command, repository)
+        yield from of_python(command, repository)
+        yield from elsewhere(command, repository)
 
 
 def _read(text: str, file: File) -> Prose:

@@ -25,7 +25,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
 
     Programs are what a page runs and what has a ``__main__`` guard. Python looks into a program's own folder, not where
     it is started (https://docs.python.org/3/library/sys.html#sys.path, read 2026-11-25), unless the program or a module
-    beside it adds to that path.
+    beside it adds to that path before.
     """
     if _installs(repository):
         return
@@ -33,10 +33,8 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     names = _at_root(repository)
     for module in modules(repository) if names else ():
         file = module.file
-        if not file.folder or places.test(file.path) or not (file.path in run or "__main__" in module.words):
-            continue
-        text = module.text
-        if _PATH in text or not any(name in text for name in names):
+        started = "__main__" in module.words and not places.test(file.path)
+        if not file.folder or not (file.path in run or started) or not any(name in module.text for name in names):
             continue
         if found := _from_root(module, repository, names):
             name, line = found
@@ -65,11 +63,13 @@ def _from_root(module: Module, repository: Repository, names: frozenset[str]) ->
     folder = module.file.folder
     first: tuple[str, int] | None = None
     for number, line in enumerate(module.text.splitlines(), start=1):
+        if _PATH in line:
+            return first
         match = _IMPORT.match(line) if line.startswith(("from ", "import ")) else None
         if match is None:
             continue
         name, inner = match[1] or match[4], match[2] or match[3] or match[5]
-        if repository.has(f"{folder}/{name}.py"):
+        if first is None and repository.has(f"{folder}/{name}.py"):
             if _PATH in repository.read(f"{folder}/{name}.py"):
                 return None
         elif name in names and f"{folder}/{name}" not in repository.folders and first is None:

@@ -1,0 +1,133 @@
+"""Scripts of the tree that a sentence says are to be run, without a command: ``The script to run is `demo/a.py```."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Collection, Iterable, Iterator
+
+from roslab.evidence.facts import Mention
+from roslab.evidence.prose.headings import MAX_LINE, Line, lines_of
+from roslab.evidence.prose.own_files import with_files
+from roslab.evidence.prose.started_in import started_in
+from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
+from roslab.values.pattern import pattern
+from roslab.values.words import joined
+
+_FILE = r"(?<!`)`{1,2}(?P<path>(?:\./)?(?:[\w.-]+/)*[\w-]+\.(?:py|sh))(?P<rest>(?: [^`<\n]{1,200})?)`{1,2}(?!`)"
+_SPAN = pattern(_FILE)
+_THING = r"(?:scripts?|files?|programs?|modules?|code|entry[- ]?points?)"
+_RUN = r"(?:run|execut\w+|start\w*|launch\w*)\b(?! by\b)"
+_ITS = rf"(?:(?:the|our|this)\s+)?(?:(?:[\w-]+\s+)?{_THING}\s+)?{_FILE}"
+_WHO = r"\b(?:to|must|should|can|need)\b[^.`]{0,12}"
+_SAID = tuple(
+    pattern(form, re.IGNORECASE)
+    for form in (
+        rf"\b{_THING}\b[^.`]{{0,40}}\b{_RUN}[^.`]{{0,20}}(?:\bis\b|:)[^.`]{{0,15}}{_FILE}",
+        rf"\b(?:is|are|be)\s+(?:run|executed|started|launched)\s+(?:by|using|via|through)\s+{_ITS}",
+        rf"{_FILE}\s+is\s+(?:the|our|an?)\s+(?:[\w-]+\s+){{0,2}}{_THING}\b[^.`]{{0,20}}{_WHO}\b{_RUN}",
+    )
+)
+"""A sentence that runs a script by its path."""
+_TESTS = pattern(r"\b(?:unit)?tests?\b|\bCI\b", re.IGNORECASE)
+"""What such a sentence runs for those who work on the code."""
+_TITLE = pattern(
+    r"^\W*(?:\d[\d.]*\W*)?(?:how to (?:run|use|start|launch|execute)|"
+    r"(?:run|runn?ing|usage|execution)\b(?! (?:the )?tests?\b))",
+    re.IGNORECASE,
+)
+"""A section that has one script run, if it names no other and gives no command."""
+_SET = pattern(
+    r"\b(?:edit|modif|chang|adjust|configur|adapt|tun(?:e|ing)|set|sets|setting|open|inspect|implement|defin|written|"
+    r"found|locat|instead|not|n't|cannot|refactor|replac|import)",
+    re.IGNORECASE,
+)
+"""A sentence that speaks of what the file holds, or of what it is no more."""
+_IN = pattern(
+    r"\b(?:in|into|inside|of|from|at|like|as|with|see also)\s+(?:the\s+)?(?:(?:file|script)\s+)?\Z", re.IGNORECASE
+)
+
+
+def read(repository: Repository, page: File, text: str, mentions: Iterable[Mention]) -> Iterator[Mention]:
+    """Yield the command that starts each such script: by its path from the root, or in its folder.
+
+    It starts in its folder where it, or a module beside it, names a path that is in the tree from there alone.
+    ``mentions``: what the page runs by commands.
+    """
+    if "`" not in text or not (".py" in text or ".sh" in text):
+        return
+    commands = [m for m in mentions if m.topic == "command"]
+    known = {word for m in commands for word in m.value.split()}
+    lines = [line for line in lines_of(text) if not line.elsewhere and len(line.text) <= MAX_LINE]
+    found: dict[str, Mention] = {}
+    for line in lines:
+        named = () if line.fenced or line.heading or "`" not in line.text else _named(line.text)
+        for written, rest in named:
+            _keep(found, _mention(written, rest, line, page, repository), known)
+    taken = {m.heading for m in (*commands, *found.values())}
+    for line, written, rest in _alone(lines, taken, page, repository):
+        _keep(found, _mention(written, rest, line, page, repository), known)
+    for each in found.values():
+        yield each
+        yield Mention(
+            topic="said_run", value=each.value, source="readme", file=each.file, line=each.line, text=each.text
+        )
+
+
+def _keep(found: dict[str, Mention], mention: Mention | None, known: set[str]) -> None:
+    if mention and not {*mention.files, *(posixpath.basename(file) for file in mention.files)} & known:
+        found.setdefault(mention.value, mention)
+
+
+def _named(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the path and the arguments of each script that a line says is to be run."""
+    for form in _SAID:
+        for match in form.finditer(text):
+            if not _TESTS.search(_SPAN.sub("", match[0])):
+                yield match["path"], match["rest"]
+
+
+def _alone(
+    lines: Iterable[Line], taken: Collection[str], page: File, repository: Repository
+) -> Iterator[tuple[Line, str, str]]:
+    """Yield the one script that a section on running names, where it has neither a block nor a command."""
+    sections: dict[str, list[Line]] = {}
+    for line in lines:
+        sections.setdefault(" / ".join(line.titles.values()), []).append(line)
+    for heading, section in sections.items():
+        title = heading.rpartition(" / ")[2]
+        if heading in taken or not _TITLE.search(title) or any(line.fenced for line in section):
+            continue
+        spans = [(line, span) for line in section if not line.heading for span in _SPAN.finditer(line.text)]
+        if len({_path(span["path"], page, repository) for _, span in spans}) != 1:
+            continue
+        line, span = spans[0]
+        if not any(_SET.search(each.text) or _IN.search(each.text[: it.start()]) for each, it in spans):
+            yield line, span["path"], span["rest"]
+
+
+def _mention(written: str, rest: str, line: Line, page: File, repository: Repository) -> Mention | None:
+    """Return the command that starts a script of the tree, ``None`` for one that the tree lacks."""
+    path = _path(written, page, repository)
+    if path is None:
+        return None
+    program = "python" if path.endswith(".py") else "bash"
+    value = joined((program, path, *rest.split()))
+    heading = " / ".join(line.titles.values())
+    said = Mention(
+        topic="command", value=value, source="readme", file=page.path, line=line.number, text=value, heading=heading
+    )
+    said = with_files(said, repository)
+    folder, name = posixpath.split(path)
+    if said.inside or not folder or program != "python":
+        return said
+    there = replace(said, value=joined((program, name, *rest.split())), inside=folder)
+    return replace(said, inside=started_in(there, said.value.split(), repository))
+
+
+def _path(written: str, page: File, repository: Repository) -> str | None:
+    """Return the path of a script from the root, or from the folder of its page."""
+    path = posixpath.normpath(written)
+    below = posixpath.join(page.folder, path)
+    return path if repository.has(path) else below if repository.has(below) else None

@@ -1,0 +1,83 @@
+"""A script that a sentence says is to be run, without a command, and the folder that it starts in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PLAN = "import numpy\nif __name__ == '__main__':\n    main()\n"
+FILES = {"requirements.txt": "numpy\n", "test/test_plan.py": PLAN, "demo/plan.py": PLAN, "demo/settings.py": "A = 1\n"}
+
+
+@pytest.mark.parametrize(
+    ("sentence", "file"),
+    [
+        ("The script you need run is `./test/test_plan.py`. It takes long.", "test/test_plan.py"),
+        ("The main file to start is `demo/plan.py`.", "demo/plan.py"),
+        ("Script to execute: `demo/plan.py`", "demo/plan.py"),
+        ("Experiments are run using `demo/plan.py`.", "demo/plan.py"),
+        ("`demo/plan.py` is the entry point that you have to run.", "demo/plan.py"),
+        ("`demo/plan.py` is the script to run.", "demo/plan.py"),
+        ("The script that is run by the server is `demo/plan.py`.", None),
+        ("The script to run all tests is `test/test_plan.py`.", None),
+        ("The file to run is `demo/gone.py`.", None),
+        ("Running it reads `demo/settings.py`.", None),
+    ],
+)
+def test_a_sentence_runs_it(tree: Tree, sentence: str, file: str | None) -> None:
+    decision = tree({**FILES, "README.md": f"# Demo\n\n## Plans\n\n{sentence}\n"})
+    said = [each for each in decision.reasons if each.question == "command" and "README" in each.reason]
+    assert [each.answer for each in said if not each.decisive] == ([f"python {file}"] if file else [])
+
+
+@pytest.mark.parametrize(
+    ("title", "text", "runs"),
+    [
+        ("How to run", "It is all in one script, `./demo/plan.py`.", True),
+        ("Usage", "- `demo/plan.py`", True),
+        ("Usage", "Please refer to `demo/plan.py`", True),
+        ("Usage", "Please refer to `demo/plan.py` and `demo/settings.py`", False),
+        ("Usage", "First edit `demo/plan.py`", False),
+        ("Usage", "The size is defined in `demo/plan.py`", False),
+        ("Usage", "`demo/plan.py`\n\n```\nmake\n```", False),
+        ("Structure", "- `demo/plan.py`", False),
+        ("Running the tests", "- `test/test_plan.py`", False),
+    ],
+)
+def test_a_section_names_it_alone(tree: Tree, title: str, text: str, runs: bool) -> None:
+    decision = tree({**FILES, "README.md": f"# Demo\n\n## {title}\n\n{text}\n"})
+    said = [each.answer for each in decision.reasons if each.question == "command" and "README" in each.reason]
+    assert ("python demo/plan.py" in said) is runs
+    assert runs or not any("test_plan" in each for each in said)
+
+
+@pytest.mark.parametrize(
+    ("opens", "settings", "command"),
+    [
+        ("conf/a.yaml", ("test/conf/a.yaml",), "cd test && exec python test_plan.py"),
+        ("conf/a.yaml", ("test/conf/a.yaml", "conf/a.yaml"), ("python", "test/test_plan.py")),
+        ("conf/a.yaml", ("conf/a.yaml",), ("python", "test/test_plan.py")),
+    ],
+)
+def test_it_starts_where_what_it_opens_is(tree: Tree, opens: str, settings: tuple[str, ...], command: object) -> None:
+    script = f"from planner.core import Planner\nimport sys\nsys.path.append('..')\nopen('{opens}')\n{PLAN}"
+    files = {
+        "planner/core.py": "class Planner:\n    pass\n",
+        "test/test_plan.py": script,
+        "requirements.txt": "numpy\n",
+    }
+    page = "# Demo\n\n## How to run\n\nThe script you need to run is `./test/test_plan.py`.\n"
+    decision = tree({**files, **dict.fromkeys(settings, "a: 1\n"), "README.md": page})
+    assert decision.command == command
+    assert decision.python_path == (".",)
+
+
+def test_a_path_that_is_added_before_the_import_is_enough(tree: Tree) -> None:
+    script = f"import sys\nsys.path.append('..')\nfrom planner.core import Planner\n{PLAN}"
+    files = {"planner/core.py": "", "test/test_plan.py": script, "requirements.txt": "numpy\n"}
+    page = "# Demo\n\nThe script you need to run is `./test/test_plan.py`.\n"
+    assert tree({**files, "README.md": page}).python_path == ()
