@@ -536,6 +536,8 @@ def test_packages_of_ros_that_a_page_names_by_a_pattern(tmp_path: Path, line: st
         ('<launch><node pkg="demo" type="a" launch-prefix="nice" /></launch>', []),
         ('<launch><node if="$(arg d)" pkg="demo" type="a" launch-prefix="gdb --args" /></launch>', []),
         ('<launch><!-- <node pkg="demo" type="a" launch-prefix="xterm -e" /> --></launch>', []),
+        ('<launch><node pkg="demo" type="a"> #launch-prefix="xterm -e"\n</node></launch>', []),
+        ('<launch><node pkg="demo" type="a" args="a > b" launch-prefix="xterm -e" /></launch>', ["xterm"]),
     ],
 )
 def test_a_program_that_starts_a_node_in_its_place(tmp_path: Path, launch: str, apt: list[str]) -> None:

@@ -34,6 +34,7 @@ from roslab.decide.system.requested import requested
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.debugging import debugging
 from roslab.knowledge.never import never
 from roslab.knowledge.recipes import beside, recipe
 from roslab.knowledge.released import rosdep_keys
@@ -133,7 +134,7 @@ def decide_system(
     known = frozenset({key.name for key in keys} - in_apt | packages.names | sisters | set(config.skip_keys))
     of_pip = imported_from_pip(evidence, installed)
     for dependency, trusted in needed:
-        if dependency.name in known or of_another_python(dependency, target.ubuntu):
+        if dependency.name in known or of_another_python(dependency, target.ubuntu) or _for_debugging(dependency):
             continue
         if not only_imported(dependency, of_pip):
             _add(dependency, target, found, known, trusted=trusted, by_hand=by_hand)
@@ -256,6 +257,12 @@ def _add(
     if dependency.strength != "optional":
         for apt in meant.beside:
             found.guessed.setdefault(apt, dependency)
+
+
+def _for_debugging(dependency: Dependency) -> bool:
+    """Tell whether a page or a script installs a debugger or its symbols, as people do on their own machines."""
+    said = dependency.namespace == "apt" and dependency.strength == "prose"
+    return said and bool(debugging().match(dependency.name))
 
 
 def _written(library: str, target: Target, by_hand: frozenset[str]) -> bool:

@@ -14,6 +14,8 @@ from roslab.values.pattern import pattern
 
 _PREFIX = pattern(r"\b(?:launch-)?prefix\s{0,9}=\s{0,9}\[?\s{0,9}[\"']\s{0,9}([a-z][\w.-]{1,40})(?=[\s\"'])")
 """A program that starts a node in its place: ``launch-prefix="xterm -e"``."""
+_QUOTED = pattern(r"\"[^\"]*\"|'[^']*'")
+"""A value, which may hold what ends a tag elsewhere: an attribute behind the tag is a remark."""
 _DEBUGS = pattern(r"(?:^|[-_.])(?:gdb|debug\w*|valgrind|perf|profil\w*)(?:[-_.]|$)", re.IGNORECASE)
 """The name of a launch file for those who look for a fault."""
 _COMMAND = pattern(
@@ -35,8 +37,10 @@ _ARGUMENT = pattern(r"\$\(\s*arg\s+(\w+)\s*\)")
 
 def started_first(text: str, file: File, conditional: Callable[[str, int, int], bool]) -> Iterator[Dependency]:
     """Yield the programs of apt that start a node in its place, whatever the arguments are, and what opens a window."""
+    xml = text.lstrip().startswith("<")
     for match in matches_at(_PREFIX, text, "launch-prefix", "prefix") if not _DEBUGS.search(file.name) else ():
-        if (name := programs().get(match[1])) and not conditional(text, match.start(), match.end()):
+        aside = xml and ">" in _QUOTED.sub("", text[text.rfind("<", 0, match.start()) : match.start()])
+        if (name := programs().get(match[1])) and not (aside or conditional(text, match.start(), match.end())):
             line = text.count("\n", 0, match.start()) + 1
             yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="exec")
     yield from _window_of_joints(text, file)
