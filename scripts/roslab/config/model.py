@@ -112,6 +112,8 @@ class Volume:
     host_path: str
     container_path: str
     options: str = ""
+    made: bool = False
+    """The folder of the host is made where it is absent, as Docker Compose makes those that it mounts."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -11,7 +11,7 @@ from roslab.decide.command import Command
 from roslab.decide.conflicts import decide_conflicts
 from roslab.decide.cuda.cpu_releases import without_cuda
 from roslab.decide.cuda.version import Cuda
-from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript, Warning_
+from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript
 from roslab.decide.foreign_interpreters import decide_interpreters
 from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.nodes_without_ros import decide_nodes
@@ -19,6 +19,7 @@ from roslab.decide.old_compiler import decide_compiler
 from roslab.decide.opened import decide_opened
 from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import Platforms
+from roslab.decide.processor import compiles_for_here, problems
 from roslab.decide.proof import compiled, rostests, runs_ctest
 from roslab.decide.python.at_top import imported_by_command
 from roslab.decide.python.compiling import Compiling
@@ -48,7 +49,6 @@ from roslab.decide.system.spare import most, spare
 from roslab.decide.uncopied_packages import copied_names
 from roslab.decide.unknown_packages import decide_unknown_packages
 from roslab.evidence.facts import Evidence
-from roslab.evidence.native.cpu import told
 from roslab.evidence.prose.large_files import PACKAGE as LARGE_FILES
 from roslab.knowledge.distros import Distro
 from roslab.values.dataclass import dataclass, replace
@@ -264,7 +264,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         header_links=linked_headers(evidence, of.base.answer.ubuntu),
         interpreters=() if of.own.answer else interpreters.answer,
         author_folders=() if of.own.answer else folders.answer,
-        native=told(evidence.problems) and not config.compatible,
+        native=compiles_for_here(evidence) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if of.build_tool.answer == "cmake" else (),
         dockerfile=of.dockerfile,
         context=of.own.answer.context if of.own.answer else None,
@@ -290,8 +290,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         gpu=of.on_cuda if config.gpu is None else config.gpu,
         gui=of.command.answer.gui,
         ports=of.command.answer.ports,
+        volumes=of.command.answer.volumes,
         warnings=(
-            *(Warning_(message=message, file=file, line=line) for message, file, line in evidence.problems),
+            *problems(evidence, of.dockerfile),
             *(warn(message, origin) for message, origin in config.warnings),
             *(warning for choice in choices for warning in choice.warnings),
             *(() if of.on_cuda or of.own.answer or config.gpu is not None else without_cuda(evidence, of.everything)),

@@ -74,6 +74,19 @@ def startable(candidate: Candidate, authored: AuthorDockerfile) -> bool:
     return not in_tree or bool((authored.starts_in_source or authored.source) and not authored.context)
 
 
+def there_in(candidate: Candidate, authored: AuthorDockerfile) -> bool:
+    """Tell whether an image may have the script that a command starts: of the tree it may have only some parts.
+
+    Docker Compose may mount others.
+    """
+    script = program_of(candidate.argv)[-1]
+    of_tree = candidate.argv[0] in _SHELLS or is_python(candidate)
+    if authored.kept is None or not (of_tree and script.endswith((".py", ".sh"))):
+        return True
+    mounted = [host for host, _, _ in authored.service.volumes] if authored.service else []
+    return any(f"{script}/".startswith(f"{part}/") for part in (*authored.kept, *mounted))
+
+
 def folder_of(candidate: Candidate, authored: AuthorDockerfile) -> str:
     """Return the folder to go to for a script of the tree, ``""`` where a container starts in it."""
     script = candidate.argv[0] in _SHELLS or is_python(candidate)

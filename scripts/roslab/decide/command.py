@@ -5,8 +5,17 @@ from __future__ import annotations
 import posixpath
 import shlex
 
-from roslab.config.model import Config, Kind
-from roslab.decide.author_command import composed, entry_point, folder_of, given, left_to_base, startable, started
+from roslab.config.model import Config, Kind, Volume
+from roslab.decide.author_command import (
+    composed,
+    entry_point,
+    folder_of,
+    given,
+    left_to_base,
+    startable,
+    started,
+    there_in,
+)
 from roslab.decide.brought_launches import brought
 from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
@@ -61,6 +70,8 @@ class Command:
     gui: bool = False
     ports: tuple[str, ...] = ()
     """Where it listens."""
+    volumes: tuple[Volume, ...] = ()
+    """Folders of the host that Docker Compose mounts into containers of the author's image."""
     given: bool = False
     """A container of the author's image has to be given it, as the image does not start it by itself."""
     entrypoint: bool = True
@@ -80,15 +91,16 @@ def decide_command(
     by_argv: dict[tuple[str, ...], Candidate] = {}
     lacking = unbuilt(evidence, authored) if authored else frozenset()
     for candidate in (_started_by(python, each, kind) for each in candidates_of(evidence, kind)):
-        if not starts_one(candidate, lacking):
+        if not starts_one(candidate, lacking) and (authored is None or there_in(candidate, authored)):
             by_argv.setdefault(candidate.argv, candidate)
     found = list(by_argv.values())
     candidates = tuple(by_argv)[:MAX_CANDIDATES]
+    volumes = _volumes(authored, config)
     if config.command is not None:
         text = line_of(config.command)
         said = configured(config, "command", text, "command")
         gui = config.gui if config.gui is not None else opens_windows(evidence, text)
-        chosen = Command(command=config.command, candidates=candidates, gui=gui)
+        chosen = Command(command=config.command, candidates=candidates, gui=gui, volumes=volumes)
         return Choice(answer=_given(chosen, dockerfile, authored), reasons=(said,))
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = config.gui if config.gui is not None else opens_windows(evidence, shlex.join(command))
@@ -104,6 +116,7 @@ def decide_command(
         candidates=candidates,
         gui=gui,
         ports=ports,
+        volumes=volumes,
         page=page,
     )
     if (authored and composed(authored)) or (not (authored and started(authored)) and command != ("bash",)):
@@ -186,7 +199,8 @@ def _obvious(
         why = f"the only one: {only.why}"
         argv = given(only, authored) if dockerfile and authored else only.argv
         return argv, because("command", shlex.join(argv), why, only, weight=Weight.ONLY_ONE)
-    why = f"{len(found)} programs could be the default" if len(found) > 1 else "no program stands out"
+    programs = len({program_of(c.argv) for c in found})
+    why = f"{programs} programs could be the default" if programs > 1 else "no program stands out"
     said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said
 
@@ -260,6 +274,13 @@ def _barest(candidates: list[Candidate]) -> list[Candidate]:
         if known is None or len(argv) < len(known.argv):
             programs[program] = candidate
     return list(programs.values())
+
+
+def _volumes(authored: AuthorDockerfile | None, config: Config) -> tuple[Volume, ...]:
+    """Return the folders that Docker Compose mounts, without those for which roslab.yaml has another."""
+    taken = {each.container_path for each in config.volume}
+    mounted = authored.service.volumes if authored and authored.service else ()
+    return tuple(Volume(host_path=h, container_path=c, options=o, made=True) for h, c, o in mounted if c not in taken)
 
 
 def _ports(page: Candidate, evidence: Evidence) -> tuple[str, ...]:

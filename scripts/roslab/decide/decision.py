@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Generic, Literal, TypeVar
 
-from roslab.config.model import BuildTool, Kind
+from roslab.config.model import BuildTool, Kind, Volume
 from roslab.config.model import Source as SourceDependency
 from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.decide.python.image_python import Python
@@ -241,6 +241,8 @@ class Decision:
     gpu: bool = False
     gui: bool = False
     ports: tuple[str, ...] = ()
+    volumes: tuple[Volume, ...] = ()
+    """What Docker Compose mounts into containers of the author's image."""
     """Where the command listens."""
     warnings: tuple[Warning_, ...] = ()
     reasons: tuple[Reason, ...] = ()

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide import downloads
+from roslab.decide.decision import Warning_
 from roslab.decide.python.image_python import Python
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system import own_packages
 from roslab.evidence.facts import Evidence
+from roslab.evidence.native.cpu import told
 from roslab.evidence.x86_only import X86Only
 from roslab.values.dataclass import dataclass
 
@@ -46,6 +48,28 @@ def decide_processor(
         return OnX86()
     needed = [each for each in compiled if each.source != "cmake" or as_it_is or not by_cmake]
     return OnX86(needed=needed[0]) if needed else OnX86(left_out=tuple(compiled))
+
+
+def compiles_for_here(evidence: Evidence) -> bool:
+    """Tell whether a build file has the compiler make programs for the processor of the machine that builds."""
+    return told(evidence.problems)
+
+
+def problems(evidence: Evidence, dockerfile: str | None) -> tuple[Warning_, ...]:
+    """Return what the readers found wrong as warnings; of an option for one machine also what the build does about it.
+
+    ``dockerfile``: the author's own, if that is built.
+    """
+    does = "; a generated Dockerfile compiles for usual PCs since 2013, or for ARM of 64 bits, in its place"
+    does = (
+        f"; {dockerfile}, which is the author's, compiles with it as it stands: take it out here"
+        if dockerfile
+        else does
+    )
+    return tuple(
+        Warning_(message=f"{message}{does if told([(message, file, line)]) else ''}", file=file, line=line)
+        for message, file, line in evidence.problems
+    )
 
 
 def _below(file: str, folders: set[str]) -> bool:

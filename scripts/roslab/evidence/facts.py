@@ -173,6 +173,7 @@ class AuthorDockerfile:
     ] = ()  # ``NAME=VALUE`` of it and of its service, for ROS and for what the tree reads
     hides: bool = False  # its steps may install more than its lines say
     built: tuple[str, ...] | None = None  # names and folders of packages that it builds, ``None`` for maybe any
+    kept: tuple[str, ...] | None = None  # all that its last stage has of the tree; ``None`` where it may be anything
     service: Service | None = None  # the service of Docker Compose that a page at the root starts from it
 
 

@@ -16,5 +16,9 @@ class Service:
     command: tuple[str, ...] = ()
     """Takes the place of the Dockerfile's CMD; ``()`` for that."""
     ports: tuple[str, ...] = ()
+    volumes: tuple[tuple[str, str, str], ...] = ()
+    """Folders of the tree, or beside it, that the container sees: by the path from the root, where, and ``ro``."""
+    target: str = ""
+    """The stage of the Dockerfile that it builds, ``""`` for the last one."""
     environment: tuple[tuple[str, str], ...] = ()
     """Variables whose value is known: written there, or the default of what the reader may set."""

@@ -182,7 +182,7 @@ def make_plan(
         candidates=decision.command_candidates,
         gui=decision.gui,
         gpu=decision.gpu,
-        volumes=config.volume,
+        volumes=(*config.volume, *decision.volumes),
         ports=config.ports or decision.ports,
         matlab=config.matlab,
         given=given(decision),

@@ -19,6 +19,8 @@ gpu=yes
 notebook=yes
 # Of each volume: the folder here, the folder in the container, options
 volumes=()
+# The folders in the container whose folder here is made where it is absent, as Docker Compose does
+made=()
 ports=()
 # Where this machine has MATLAB, and the address that its licence is for
 matlab=''
@@ -133,6 +135,14 @@ replaced() {
   return 1
 }
 
+is_made() {
+  local each
+  for each in ${made[@]+"${made[@]}"}; do
+    if [[ "${each}" == "$1" ]]; then return 0; fi
+  done
+  return 1
+}
+
 add_volumes() {
   local i host real target writable=no
   for ((i = 0; i < ${#own_volumes[@]}; i++)); do
@@ -147,6 +157,7 @@ add_volumes() {
     target="${volumes[i + 1]}"
     if replaced "${target}"; then continue; fi
     host="$(host_path "${volumes[i]}")"
+    if [[ ! -e "${host}" ]] && is_made "${target}"; then mkdir -p -- "${host}"; fi
     if [[ ! -e "${host}" ]]; then
       fail 2 "roslab.yaml wants ${volumes[i]} at ${target} in the container, and there is no ${host} here: make it, or give another folder with --volume FOLDER:${target}"
     fi

@@ -47,6 +47,7 @@ def run_script(plan: Plan, *, context: str) -> str:
             "gpu": _word(run.gpu),
             "notebook": "unknown" if plan.author_dockerfile else _word(plan.notebook),
             "volumes": [_volume(volume) for volume in run.volumes],
+            "made": [[volume.container_path] for volume in run.volumes if volume.made],
             "ports": [[_port(port)] for port in run.ports],
             "matlab": _place(run.matlab.host_path) if run.matlab else "",
             "mac_address": _mac(run.matlab.mac_address) if run.matlab and run.matlab.mac_address else "",

@@ -19,6 +19,8 @@ gpu=no
 notebook=no
 # Of each volume: the folder here, the folder in the container, options
 volumes=()
+# The folders in the container whose folder here is made where it is absent, as Docker Compose does
+made=()
 ports=()
 # Where this machine has MATLAB, and the address that its licence is for
 matlab=''

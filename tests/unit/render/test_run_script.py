@@ -172,6 +172,14 @@ def test_a_folder_that_is_not_there_is_named(plan: Plans, call: Call) -> None:
     assert "--volume FOLDER:/EuRoC" in called.err
 
 
+def test_a_folder_that_docker_compose_makes_is_made(plan: Plans, call: Call, tmp_path: Path) -> None:
+    made = Volume(host_path="data/kitti", container_path="/data", options="ro", made=True)
+    called = call(run_script(plan(volumes=(made,)), context="."))
+    there = called.values("--volume")[0].removesuffix(":/data:ro")
+    assert there.endswith("data/kitti")
+    assert Path(there).is_dir()
+
+
 def test_a_reader_has_the_data_elsewhere(plan: Plans, call: Call, tmp_path: Path) -> None:
     (tmp_path / "bags").mkdir()
     text = run_script(plan(volumes=(volume("/media/me/EuRoC", "/EuRoC"),)), context=".")

@@ -17,7 +17,7 @@ _NATIVE = pattern(r"^[^#\n]*?(-m(?:arch|cpu)=native)\b", re.MULTILINE)
 
 _WHY = (
     " compiles for the processor of the machine that builds the image: on another one its programs may stop with an "
-    "illegal instruction; a generated Dockerfile compiles for usual PCs since 2013, or for ARM of 64 bits, in its place"
+    "illegal instruction"
 )
 
 

@@ -89,6 +89,8 @@ class _Start:
     workdir: str = "/"
     source: str | None = None
     """The folder that the whole context is copied to."""
+    kept: tuple[str, ...] | None = ()
+    """What it has of the tree, as far as that comes from other stages; ``None`` where it may be all."""
     environment: tuple[tuple[str, str, int], ...] = ()
     """Its variables, each with its value and the line that sets it."""
 
@@ -132,6 +134,7 @@ class _Reading:
             self._set(name, body, line)
         elif name == "RUN":
             self._enter(body, line)
+            self.start.kept = None if "type=bind" in body else self.start.kept
             _collect(self.collector, instruction)
             if wrong := "" if instruction.script else unbalanced(_OPTIONS.sub("", body)):
                 self.problem = self.problem or f"line {line} is nothing that a shell reads: {wrong}"
@@ -169,8 +172,10 @@ class _Reading:
 
     def _copy(self, body: str, line: int) -> None:
         from roslab.evidence.lex.dockerfile import sources  # noqa: PLC0415 - as above
+        from roslab.evidence.prose.stages import kept  # noqa: PLC0415 - as above
 
         copied = sources(body)
+        self.start.kept = None if copied else kept(body, self.start, self.starts)
         self.copied += [(source, line) for source in copied]
         words = [word for word in body.split() if not word.startswith("--")]
         if copied in ([""], ["."]) and len(words) == 2:
@@ -270,6 +275,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         enters=entered(written, repository.once(vcs.missing)),
         hides=hides(written),
         built=None if taken_there else built(repository, written),
+        kept=start.kept,
     )
 
 

@@ -24,6 +24,7 @@ _CALL = pattern(r"\bdocker[- ]compose((?:[ \t]+-\S+(?:[ \t]+[^-\s]\S*)??)*)[ \t]
 _FILE = pattern(r"(?:-f|--file)(?:[ \t]+|=)(\S+)")
 _DEFAULTS = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
 _PORTS = 1 << 16
+_STAGE = pattern(r"^[ \t]*FROM[ \t]+(?:--\S+[ \t]+)*\S+(?:[ \t]+AS[ \t]+(\S+))?", re.MULTILINE | re.IGNORECASE)
 _VALUE = pattern(r"\$(?:\{(\w+)(?::?-([^}]*))?\}|(\w+))")
 _OF_HOST = pattern(
     r"(?:DISPLAY|XAUTHORITY|QT_X11_NO_MITSHM|ROS_(?:MASTER_URI|HOSTNAME|IP)|NVIDIA_\w+)$"
@@ -47,13 +48,18 @@ def _services(repository: Repository) -> dict[str, Service]:
                 found.setdefault(dockerfile, []).append(service)
         if found:
             break
-    return {path: _only(made) for path, made in found.items()}
+    return {path: _only(made, repository.read(path, limit=MAX_SIZE)) for path, made in found.items()}
 
 
-def _only(made: list[Service]) -> Service:
-    """Return the service; of several with one Dockerfile none tells how its container is started."""
-    first = made[0]
-    alone = all((each.file, each.line) == (first.file, first.line) for each in made)
+def _only(made: list[Service], text: str) -> Service:
+    """Return the service that is built from the last stage of a Dockerfile, which is what ``docker build`` makes.
+
+    Of several such none tells how its container is started.
+    """
+    last = next(reversed(_STAGE.findall(text)), "").lower()
+    of_last = [each for each in made if each.target.lower() in {"", last}]
+    first = (of_last or made)[0]
+    alone = bool(of_last) and all((each.file, each.line) == (first.file, first.line) for each in of_last)
     return first if alone else Service(file=first.file, line=first.line, said=first.said)
 
 
@@ -80,7 +86,7 @@ def _built(repository: Repository, file: File, page: File) -> Iterator[tuple[str
             made = {"context": made}
         if not isinstance(made, dict):
             continue
-        where = (str(made.get("context") or "."), str(made.get("dockerfile") or "Dockerfile"))
+        where = (_filled(str(made.get("context") or ".")) or ".", str(made.get("dockerfile") or "Dockerfile"))
         line = text[: match.start()].count("\n") + 1 if (match := _key(str(name)).search(text)) else 1
         own = not said.get("entrypoint")
         yield (
@@ -92,6 +98,8 @@ def _built(repository: Repository, file: File, page: File) -> Iterator[tuple[str
                 command=_argv(said.get("command")) if own else (),
                 ports=tuple(_filled(str(port)) or "" for port in _items(said.get("ports")) if _plain(port)),
                 environment=tuple(_environment(said.get("environment"), listed or ())),
+                volumes=tuple(_volumes(said.get("volumes"), file.folder)),
+                target=str(made.get("target") or ""),
             ),
         )
 
@@ -128,6 +136,26 @@ def _environment(said: Any, services: Iterable[str]) -> Iterator[tuple[str, str]
         filled = _filled("" if value is None else str(value).lower() if isinstance(value, bool) else str(value))
         if filled and not _OF_HOST.match(str(name)) and not any(other in filled for other in others):
             yield str(name), filled
+
+
+def _volumes(said: Any, folder: str) -> Iterator[tuple[str, str, str]]:
+    """Yield the folders below that of the file that are mounted, ``./data:/data:ro``; not the whole of it.
+
+    https://docs.docker.com/reference/compose-file/services/#volumes, read 2026-11-27.
+    """
+    for each in _items(said):
+        if isinstance(each, dict) and each.get("type") == "bind":
+            words = [
+                str(each.get("source") or ""),
+                str(each.get("target") or ""),
+                "ro" if each.get("read_only") else "",
+            ]
+        else:
+            words = [*(_filled(str(each)) or "").split(":"), "", ""] if isinstance(each, str) else ["", ""]
+        host, there, options = (_filled(word) or "" for word in (*words, "")[:3])
+        path = posixpath.normpath(posixpath.join(folder, host))
+        if host.startswith("./") and path != (folder or ".") and ".." not in path and there.startswith("/"):
+            yield path, posixpath.normpath(there), "ro" if "ro" in options.split(",") else ""
 
 
 def _filled(text: str) -> str | None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Mapping, Sequence
+from typing import Protocol
 
 from roslab.evidence.lex.dockerfile import Instruction
 from roslab.evidence.lex.shell import expand
@@ -62,6 +64,35 @@ def only_files(written: Sequence[Instruction], base: str | None) -> str | None:
         return None
     line = next((each.line for each in reversed(written) if each.name == "FROM"), 1)
     return f"its last stage, line {line}, starts from scratch and holds some files and no system that runs a command"
+
+
+class _Stage(Protocol):
+    source: str | None
+    kept: tuple[str, ...] | None
+
+
+def kept(body: str, into: _Stage, stages: Mapping[str, _Stage]) -> tuple[str, ...] | None:
+    """Return what a stage has of the tree after it copied from another one, by the paths from the root.
+
+    ``body``: that COPY; ``None`` where it may be anything, as the place of the tree in the other stage is not known.
+    """
+    named = _COPIED.search(body)
+    stage = stages.get(named[1].lower()) if named else None
+    if into.kept is None or named is None or named[1].isdigit():
+        return None
+    if stage is None or (stage.source is None and stage.kept == ()):
+        return into.kept  # another image, or a stage without any of the tree
+    words = [word for word in body.split() if not word.startswith("--")]
+    if stage.source is None or "$" in stage.source or any(mark in body for mark in '$*["'):
+        return None
+    found: list[str] = []
+    tree = posixpath.normpath(stage.source)
+    for word in words[:-1]:
+        path = posixpath.normpath(posixpath.join("/", word))
+        if f"{tree}/".startswith(f"{path.rstrip('/')}/"):
+            return None
+        found += [posixpath.relpath(path, tree)] if path.startswith(f"{tree}/") else []
+    return (*into.kept, *found)
 
 
 def _last(written: Sequence[Instruction]) -> list[Instruction]:
