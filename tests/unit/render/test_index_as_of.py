@@ -177,10 +177,11 @@ def index() -> Iterator[str]:
 @pytest.fixture
 def step(tmp_path: Path, index: str) -> Iterator[list[subprocess.Popen[str]]]:
     """Have the scripts under the names that they have in an image; what they start ends with the test."""
-    if shutil.which("bash") is None or not Path("/dev/shm").is_dir():
-        pytest.skip("a step of a build has bash and /dev/shm")
+    if shutil.which("bash") is None:
+        pytest.skip("a step of a build has bash")
     for name in ("index-as-of", "ask-pip-again", "git-as-of"):
-        shutil.copy(SCRIPTS / f"{name}.sh", tmp_path / name)
+        text = (SCRIPTS / f"{name}.sh").read_text(encoding="utf-8")
+        (tmp_path / name).write_text(text.replace("/dev/shm", str(tmp_path)))  # other tests have theirs
         (tmp_path / name).chmod(0o755)
     started: list[subprocess.Popen[str]] = []
     yield started
