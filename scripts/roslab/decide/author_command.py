@@ -8,6 +8,7 @@ import shlex
 from typing import Literal
 
 from roslab.decide.candidate import Candidate, is_python, program_of
+from roslab.evidence.entry_script import Taken
 from roslab.evidence.facts import AuthorDockerfile
 from roslab.knowledge.distros import codename_of
 from roslab.values.pattern import pattern
@@ -29,8 +30,8 @@ _LAST = pattern(r"&&|\|\||;|\n")
 def started(authored: AuthorDockerfile) -> tuple[str, ...]:
     """Return the program that a container starts by itself, ``()`` for a shell."""
     entry, command = authored.entrypoint, _command(authored)
-    if entry_point(entry) == "program":
-        return entry if entry[1:2] == ("-c",) or idle(command) else (*entry, *command)
+    if entry_point_of(authored) == "program":
+        return entry if taken_by(authored) == "nothing" or idle(command) else (*entry, *command)
     return () if idle(command) else command
 
 
@@ -67,7 +68,7 @@ def startable(candidate: Candidate, authored: AuthorDockerfile) -> bool:
     A program of ROS is found by its package, a compiled one by its name; a file of the tree only where the folder that
     the tree was copied to is known.
     """
-    if entry_point(authored.entrypoint) == "program" or started(authored):
+    if entry_point_of(authored) == "program" or started(authored):
         return False
     in_tree = candidate.argv[0].startswith("python") or candidate.argv[0] in _SHELLS
     in_tree = in_tree or not {*candidate.files}.isdisjoint(candidate.argv[len(program_of(candidate.argv)) :])
@@ -104,6 +105,30 @@ def given(candidate: Candidate, authored: AuthorDockerfile) -> tuple[str, ...]:
     words = candidate.argv[len(named) :]
     inside = (posixpath.normpath(posixpath.join(authored.source, w)) if w in candidate.files else w for w in words)
     return (*named, *inside)
+
+
+def entry_point_of(authored: AuthorDockerfile) -> EntryPoint:
+    """Return what the ENTRYPOINT of a Dockerfile does, by the text of its script where the tree has it."""
+    if (entry := authored.entry) is None or _started_by_script(authored):
+        return entry_point(authored.entrypoint)
+    if entry.takes == "nothing":
+        return "shell" if entry.shell else "program"
+    return "wrapper" if entry.takes == "commands" else entry_point(authored.entrypoint)
+
+
+def taken_by(authored: AuthorDockerfile) -> Taken:
+    """Return what becomes of the words behind the image's name: a line of ``sh -c`` without ``$@`` never sees them."""
+    entry = authored.entrypoint
+    if entry_point_of(authored) in {"none", "wrapper"}:
+        return "commands"
+    if authored.entry and not _started_by_script(authored):
+        return authored.entry.takes
+    return "nothing" if _name(entry[0]) in _SHELLS and any(_runs(word) for word in entry[1:]) else "arguments"
+
+
+def _started_by_script(authored: AuthorDockerfile) -> bool:
+    """Tell whether the ENTRYPOINT stands for the program that its script hands all arguments to."""
+    return authored.entry is not None and not authored.entrypoint[-1].endswith(posixpath.basename(authored.entry.file))
 
 
 def entry_point(argv: tuple[str, ...]) -> EntryPoint:

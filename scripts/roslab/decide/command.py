@@ -8,12 +8,13 @@ import shlex
 from roslab.config.model import Config, Kind, Volume
 from roslab.decide.author_command import (
     composed,
-    entry_point,
+    entry_point_of,
     folder_of,
     given,
     left_to_base,
     startable,
     started,
+    taken_by,
     there_in,
 )
 from roslab.decide.brought_launches import brought
@@ -21,6 +22,7 @@ from roslab.decide.candidate import Candidate, is_component, is_python, program_
 from roslab.decide.candidates import candidates_of
 from roslab.decide.contained import only_contained
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.entry_scripts import stops, told
 from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upkeep
 from roslab.decide.gone_programs import gone_programs
 from roslab.decide.included import included
@@ -36,6 +38,7 @@ from roslab.decide.sections import about_running
 from roslab.decide.unbuilt_packages import starts_one, unbuilt
 from roslab.decide.windows import opens_windows
 from roslab.decide.written_commands import TOOLS
+from roslab.evidence.entry_script import Taken
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.evidence.prose.copies import below
 from roslab.values.dataclass import dataclass, replace
@@ -76,6 +79,8 @@ class Command:
     """A container of the author's image has to be given it, as the image does not start it by itself."""
     entrypoint: bool = True
     """It is given through the entry point of that image."""
+    entrypoint_takes: Taken = "commands"
+    """What that entry point does with words that a container is given."""
     page: Candidate | None = None
     """What a page runs, if that is the command."""
 
@@ -90,6 +95,7 @@ def decide_command(
     authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
     by_argv: dict[tuple[str, ...], Candidate] = {}
     lacking = unbuilt(evidence, authored) if authored else frozenset()
+    taken = taken_by(authored) if authored else "commands"
     for candidate in (_started_by(python, each, kind) for each in candidates_of(evidence, kind)):
         if not starts_one(candidate, lacking) and (authored is None or there_in(candidate, authored)):
             by_argv.setdefault(candidate.argv, candidate)
@@ -101,7 +107,8 @@ def decide_command(
         said = configured(config, "command", text, "command")
         gui = config.gui if config.gui is not None else opens_windows(evidence, text)
         chosen = Command(command=config.command, candidates=candidates, gui=gui, volumes=volumes)
-        return Choice(answer=_given(chosen, dockerfile, authored), reasons=(said,))
+        chosen = replace(_given(chosen, dockerfile, authored), entrypoint_takes=taken)
+        return Choice(answer=chosen, reasons=(said,), warnings=told(authored, chosen.command) if authored else ())
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = config.gui if config.gui is not None else opens_windows(evidence, shlex.join(command))
     inside = next((c for c in found if c.argv == command and (c.inside or (c.makes and not dockerfile))), None)
@@ -123,9 +130,15 @@ def decide_command(
         chosen = _given(chosen, dockerfile, authored)
     elif authored and command == ("bash",) and kind not in {"ros1", "ros2"} and left_to_base(authored):
         chosen = replace(chosen, given=True, entrypoint=False)  # the base's own program is none of the repository
+    elif authored and command == ("bash",) and stops(authored):
+        chosen = replace(chosen, given=True, entrypoint=False)
+    chosen = replace(chosen, entrypoint_takes=taken)
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
     gone = tuple(gone_programs(evidence, kind)) if command == ("bash",) and not dockerfile else ()
-    return Choice(answer=chosen, reasons=reasons, warnings=left_to_reader(page, evidence) if page else gone)
+    said_of = told(authored, chosen.command) if authored else ()
+    return Choice(
+        answer=chosen, reasons=reasons, warnings=(*said_of, *(left_to_reader(page, evidence) if page else gone))
+    )
 
 
 def _started_by(version: str | None, candidate: Candidate, kind: Kind) -> Candidate:
@@ -140,7 +153,7 @@ def _given(chosen: Command, dockerfile: str | None, authored: AuthorDockerfile |
 
     One that the author set in roslab.yaml replaces an entry point that is a program, or a shell.
     """
-    through = authored is None or entry_point(authored.entrypoint) in {"none", "wrapper"}
+    through = authored is None or entry_point_of(authored) in {"none", "wrapper"}
     return replace(chosen, given=True, entrypoint=through) if dockerfile else chosen
 
 

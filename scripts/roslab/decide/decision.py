@@ -8,6 +8,7 @@ from roslab.config.model import BuildTool, Kind, Volume
 from roslab.config.model import Source as SourceDependency
 from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.decide.python.image_python import Python
+from roslab.evidence.entry_script import Taken
 from roslab.evidence.facts import TestFile
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
@@ -219,6 +220,8 @@ class Decision:
     """A container of the author's image has to be given the command, as the image does not start it by itself."""
     command_through_entrypoint: bool = True
     """It is given through the entry point of that image."""
+    entrypoint_takes: Taken = "commands"
+    """What that entry point does with words that a container is given."""
     command_named: bool = False
     """roslab.yaml, an input or an option names the command: it must start."""
     command_imports: tuple[str, ...] = ()

@@ -9,6 +9,7 @@ from roslab.evidence.author_path import AuthorPath
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.entry_script import EntryScript
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.locked import Locked
 from roslab.evidence.makefile import Makefile
@@ -151,6 +152,7 @@ class AuthorDockerfile:
     """The line of ``command``, else of ``entrypoint``."""
     entrypoint: tuple[str, ...] = ()
     """Its ENTRYPOINT; ``()`` for that of its base."""
+    entry: EntryScript | None = None  # the script of the tree that this names
     starts_in_source: bool = False
     """A container starts in the folder that the whole build context was copied to."""
     source: str = ""

@@ -186,6 +186,7 @@ def make_plan(
         ports=config.ports or decision.ports,
         matlab=config.matlab,
         given=given(decision),
+        entrypoint_takes=decision.entrypoint_takes,
     )
     sources = package_sources(decision)
     tools = python_tools(decision.python.version, decision.ubuntu)

@@ -20,7 +20,8 @@ def proofs(decision: Decision, place: Workspace) -> tuple[Proof, ...]:
     if not decision.test:
         return (*below, start, *found_tests(decision, place))
     command = ("bash", "-c", decision.test) if isinstance(decision.test, str) else decision.test
-    test = Proof(name="the repository's test", command=command, display=decision.gui, rung=4)
+    through = decision.entrypoint_takes == "commands"  # else it would be arguments of the program, or nothing
+    test = Proof(name="the repository's test", command=command, display=decision.gui, rung=4, entrypoint=through)
     told = (replace(proof, required=False) for proof in (*below, *([start] if start.rung else [])))
     return (*told, test)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.config.model import Matlab, Volume
 from roslab.decide.decision import Decision
+from roslab.evidence.entry_script import Taken
 from roslab.values.dataclass import dataclass
 
 WORKSPACES = (
@@ -42,6 +43,8 @@ class Run:
     matlab: Matlab | None
     given: Given | None = None
     """What a container of the author's image has to be given; ``None``: the image starts the command by itself."""
+    entrypoint_takes: Taken = "commands"
+    """What the image's entry point does with words that a container is given."""
 
 
 def given(decision: Decision) -> Given | None:

@@ -11,6 +11,9 @@ default_command=bash
 given=()
 # Whether that goes through the image's entry point, or the first word takes its place
 own_entrypoint=yes
+# What that entry point does with the words that a container is given: it starts them (commands), hands them to its own
+# program (arguments), or never looks at them (nothing)
+entrypoint_takes=commands
 # The number of the container's user; empty where only the image knows it
 image_user=1000
 # Whether it opens windows, computes on the graphics card, has JupyterLab
@@ -308,6 +311,12 @@ add_notebook() {
   echo "JupyterLab: http://127.0.0.1:${port}/lab/tree/README.ipynb?token=${JUPYTER_TOKEN}"
 }
 
+# start_in_place WORD ...: in place of an entry point that would not start it
+start_in_place() {
+  arguments+=(--entrypoint "$1")
+  command=("${@:2}")
+}
+
 # ---- the command line ----
 
 while (($#)); do
@@ -380,18 +389,19 @@ case "${mode}" in
     if ((${#command[@]})); then fail 2 "--notebook takes no command"; fi
     if [[ "${notebook}" == no ]]; then fail 2 "the image has no JupyterLab: write \`notebook: true\` in roslab.yaml and build it again"; fi
     add_notebook
+    if [[ "${entrypoint_takes}" != commands ]]; then start_in_place "${command[@]}"; fi
     ;;
   shell)
     if ((${#command[@]})); then fail 2 "--shell takes no command"; fi
     command=(bash)
+    if [[ "${entrypoint_takes}" != commands ]]; then start_in_place bash; fi
     ;;
   *)
     if ((${#command[@]} == 0 && ${#given[@]})); then
       command=("${given[@]}")
-      if [[ "${own_entrypoint}" == no ]]; then
-        arguments+=(--entrypoint "${given[0]}")
-        command=("${given[@]:1}")
-      fi
+      if [[ "${own_entrypoint}" == no ]]; then start_in_place "${given[@]}"; fi
+    elif ((${#command[@]})) && [[ "${entrypoint_takes}" == nothing ]]; then
+      start_in_place "${command[@]}"
     fi
     ;;
 esac

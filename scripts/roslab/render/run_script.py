@@ -42,6 +42,7 @@ def run_script(plan: Plan, *, context: str) -> str:
             "default_command": command,
             "given": [list(given.command)] if given else [],
             "own_entrypoint": _word(not given or given.entrypoint),
+            "entrypoint_takes": run.entrypoint_takes,
             "image_user": "" if plan.author_dockerfile else IMAGE_USER,  # the author's Dockerfile sets its own user
             "gui": _word(run.gui),
             "gpu": _word(run.gpu),

@@ -280,6 +280,12 @@ add_notebook() {
   echo "JupyterLab: http://127.0.0.1:${port}/lab/tree/README.ipynb?token=${JUPYTER_TOKEN}"
 }
 
+# start_in_place WORD ...: in place of an entry point that would not start it
+start_in_place() {
+  arguments+=(--entrypoint "$1")
+  command=("${@:2}")
+}
+
 # ---- the command line ----
 
 while (($#)); do
@@ -352,18 +358,19 @@ case "${mode}" in
     if ((${#command[@]})); then fail 2 "--notebook takes no command"; fi
     if [[ "${notebook}" == no ]]; then fail 2 "the image has no JupyterLab: write \`notebook: true\` in roslab.yaml and build it again"; fi
     add_notebook
+    if [[ "${entrypoint_takes}" != commands ]]; then start_in_place "${command[@]}"; fi
     ;;
   shell)
     if ((${#command[@]})); then fail 2 "--shell takes no command"; fi
     command=(bash)
+    if [[ "${entrypoint_takes}" != commands ]]; then start_in_place bash; fi
     ;;
   *)
     if ((${#command[@]} == 0 && ${#given[@]})); then
       command=("${given[@]}")
-      if [[ "${own_entrypoint}" == no ]]; then
-        arguments+=(--entrypoint "${given[0]}")
-        command=("${given[@]:1}")
-      fi
+      if [[ "${own_entrypoint}" == no ]]; then start_in_place "${given[@]}"; fi
+    elif ((${#command[@]})) && [[ "${entrypoint_takes}" == nothing ]]; then
+      start_in_place "${command[@]}"
     fi
     ;;
 esac

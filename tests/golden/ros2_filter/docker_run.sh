@@ -11,6 +11,9 @@ default_command=filter_report
 given=()
 # Whether that goes through the image's entry point, or the first word takes its place
 own_entrypoint=yes
+# What that entry point does with the words that a container is given: it starts them (commands), hands them to its own
+# program (arguments), or never looks at them (nothing)
+entrypoint_takes=commands
 # The number of the container's user; empty where only the image knows it
 image_user=1000
 # Whether it opens windows, computes on the graphics card, has JupyterLab

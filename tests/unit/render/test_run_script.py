@@ -15,10 +15,12 @@ import pytest
 
 from roslab.config.model import Matlab, Volume
 from roslab.errors import ConfigurationError
+from roslab.evidence.entry_script import Taken
 from roslab.plan.author_dockerfile import AuthorDockerfile
 from roslab.plan.plan import Plan
 from roslab.plan.run import Given
 from roslab.render.run_script import run_script
+from roslab.values.dataclass import replace
 
 Plans = Callable[..., Plan]
 Call = Callable[..., Any]
@@ -40,6 +42,25 @@ def test_without_arguments_the_image_runs_its_own_command(plan: Plans, call: Cal
 def test_arguments_replace_the_command(plan: Plans, call: Call) -> None:
     called = call(run_script(plan(), context="."), "python3", "demo.py", "--noise", "1", "a b", "$(x)")
     assert called.arguments[-7:] == ["filter", "python3", "demo.py", "--noise", "1", "a b", "$(x)"]
+
+
+@pytest.mark.parametrize(
+    ("takes", "arguments", "end"),
+    [
+        ("nothing", ("python3", "demo.py"), ["--entrypoint", "python3", "filter", "demo.py"]),
+        ("nothing", ("--shell",), ["--entrypoint", "bash", "filter"]),
+        ("arguments", ("--shell",), ["--entrypoint", "bash", "filter"]),
+        ("arguments", ("--", "--noise"), ["filter", "--noise"]),
+        ("commands", ("--shell",), ["filter", "bash"]),
+        ("nothing", (), ["--pull", "never", "filter"]),
+    ],
+)
+def test_a_command_takes_the_place_of_an_entry_point_that_would_not_start_it(
+    plan: Plans, call: Call, takes: Taken, arguments: tuple[str, ...], end: list[str]
+) -> None:
+    run = replace(plan().run, entrypoint_takes=takes)
+    called = call(run_script(replace(plan(), run=run), context="."), *arguments)
+    assert called.arguments[-len(end) :] == end
 
 
 def test_a_command_may_begin_with_a_dash(plan: Plans, call: Call) -> None:

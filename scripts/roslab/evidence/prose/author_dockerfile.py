@@ -212,7 +212,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.built_packages import built  # noqa: PLC0415 - as above
     from roslab.evidence.prose.composed import services  # noqa: PLC0415 - as above
     from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
-    from roslab.evidence.prose.entry_scripts import started_by  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.entry_scripts import entry_script, started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
     from roslab.evidence.prose.stages import copied_from, entered, only_files, taken  # noqa: PLC0415 - as above
@@ -257,6 +257,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         command=start.command,
         command_line=start.line,
         entrypoint=started_by(repository, start.entrypoint),
+        entry=entry_script(repository, start.entrypoint, written, (name for name, _, _ in start.environment)),
         starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
         source=_from_start(start),
         purpose="vendored"
