@@ -13,7 +13,7 @@ from roslab.decide.last_signs import OTHER_BUILDER, last_signs
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, page_of, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import built_by_cmake_alone, built_together, parts_of_cmake
-from roslab.decide.ros.without_manifest import CLIENTS, by_catkin, client_of
+from roslab.decide.ros.without_manifest import CLIENTS, by_catkin, client_of, installed_by_author
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import run_by_page, wraps
@@ -109,6 +109,9 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     if not reasons and (client := client_of(evidence)):
         why = f"its program imports {client.name}, which ROS alone brings"
         reasons.append(because("kind", CLIENTS[client.name], why, client, weight=Weight.ROS_ALONE))
+    if not reasons and (run := installed_by_author(evidence)):
+        at, kind, why = run
+        reasons.append(because("kind", kind, why, at, weight=Weight.ROS_ALONE))
     if not (reasons or evidence.manifests) and (run := ros_by_page(evidence)):
         at, kind, why = run
         reasons.append(because("kind", kind, why, at, weight=Weight.ROS_ALONE))

@@ -84,3 +84,30 @@ def test_cmake_that_always_requires_packages_of_ros(tree: Tree, top: str, node: 
     files = {"CMakeLists.txt": top, "a.cpp": "int main() {}\n", "README.md": page}
     found = tree({**files, **({"ros/CMakeLists.txt": node} if node else {})})
     assert (found.kind, found.build_tool) == built
+
+
+ON_CUDA = {
+    **CODE,
+    "setup.py": "from setuptools import setup\nsetup(name='demo', install_requires=['torch'])\n",
+    "ros2/run.py": f"import torch\nimport rclpy\n{GUARD}",
+}
+IMAGE = (
+    "FROM nvidia/cuda:12.1.1-cudnn8-devel-ubuntu22.04\nARG ROS_DISTRO=humble\n"
+    "RUN apt-get update && apt-get install -y ros-${ROS_DISTRO}-desktop\nCOPY . /app\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("changed", "kind", "distro"),
+    [
+        ({}, "ros2", "humble"),
+        ({"ros2/run.py": f"import torch\nimport numpy\n{GUARD}"}, "cuda", None),
+        ({"Dockerfile": IMAGE.replace("ros-${ROS_DISTRO}-desktop", "git")}, "cuda", None),
+        ({"Dockerfile": IMAGE.replace("humble", "noetic")}, "cuda", None),
+    ],
+)
+def test_the_image_of_the_author_has_ros_beside_cuda(
+    tree: Tree, changed: dict[str, str], kind: str, distro: str | None
+) -> None:
+    decision = tree(ON_CUDA | {"Dockerfile": IMAGE} | changed)
+    assert (decision.kind, decision.ros_distro) == (kind, distro)

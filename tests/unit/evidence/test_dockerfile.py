@@ -219,3 +219,25 @@ def test_an_empty_line_does_not_end_a_continued_instruction_but_the_next_instruc
     ]  # fmt: skip
     assert [(asked.written, asked.line) for asked in authored.requirements] == [("numpy==1.2", 9)]
     assert not authored.problem
+
+
+@pytest.mark.parametrize(
+    ("text", "base", "names"),
+    [
+        ("ARG D=humble\nFROM ros:$D\nRUN apt install ros-${D}-a\n", "ros:humble", ["ros-humble-a"]),
+        ("ARG D=humble\nFROM a:1\nARG D=jazzy\nRUN apt install ros-${D}-a\n", "a:1", ["ros-jazzy-a"]),
+        ("FROM a:1\nARG D=humble\nFROM b:1\nARG D=jazzy\nRUN apt install lib$D\n", "b:1", ["libjazzy"]),
+        ("FROM a:1 AS c\nARG D=humble\nFROM c\nRUN apt install lib$D\n", "a:1", ["libhumble"]),
+        ("FROM a:1\nARG D=humble\nFROM b:1\nRUN apt install one lib$D\n", "b:1", ["one"]),
+        ("FROM a:1\nENV D=humble\nARG D=jazzy\nRUN apt install lib$D\n", "a:1", ["libhumble"]),
+        ("FROM a:1\nARG C=x D=jazzy\nRUN apt install lib$D\n", "a:1", ["libjazzy"]),
+    ],
+)
+def test_the_default_of_an_argument_holds_in_its_stage(tmp_path: Path, text: str, base: str, names: list[str]) -> None:
+    authored = read(tmp_path, {"Dockerfile": text})["Dockerfile"]
+    assert (authored.base, [each.name for each in authored.dependencies]) == (base, names)
+
+
+def test_a_copied_path_has_the_default_of_an_argument(tmp_path: Path) -> None:
+    text = "FROM ros:humble\nARG PART=robot\nCOPY ${PART}/src /ws/src\n"
+    assert read(tmp_path, {"Dockerfile": text, "robot/src/a.cpp": ""})["Dockerfile"].copied == ("robot/src",)

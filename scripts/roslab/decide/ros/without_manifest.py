@@ -11,8 +11,11 @@ from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.distros import distro
 from roslab.knowledge.frameworks import imports
+from roslab.values.pattern import pattern
 
+_PACKAGE = pattern(r"ros-([a-z]+)-[a-z0-9]")
 CLIENTS = {"rospy": "ros1", "rclpy": "ros2"}
 """ROS's own libraries, which pip's index has not, and the kind of what needs each."""
 
@@ -39,6 +42,22 @@ def client_of(evidence: Evidence) -> Dependency | None:
         return None
     of_pip = [each.file for each in used if each.name in imports()]
     return next((each for each in clients if 2 * of_pip.count(each.file) >= len(of_pip)), None)
+
+
+def installed_by_author(evidence: Evidence) -> tuple[Dependency, str, str] | None:
+    """Return the package of ROS that the project's Dockerfile installs, with the kind and why, if the code is of that.
+
+    The author's image has it beside CUDA; its programs import ROS's library.
+    """
+    used = [d for d in evidence.code if d.namespace == "import" and d.strength == "used" and not places.aside(d.file)]
+    clients = {CLIENTS[each.name]: each.name for each in used if each.name in CLIENTS}
+    for authored in evidence.dockerfiles if len(clients) == 1 and not evidence.manifests else ():
+        for each in authored.dependencies if authored.purpose == "project" else ():
+            named = _PACKAGE.match(each.name)
+            release = distro(named[1]) if named else None
+            if release and (client := clients.get(f"ros{release.ros}")):
+                return each, f"ros{release.ros}", f"the Dockerfile installs {each.name}, and programs import {client}"
+    return None
 
 
 def run_by_page(evidence: Evidence) -> tuple[Mention, str, str] | None:

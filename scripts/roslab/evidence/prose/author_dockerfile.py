@@ -11,6 +11,7 @@ from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import AuthorDockerfile, Mention
 from roslab.evidence.lex.shell import Command, expand
 from roslab.evidence.prose import mentions, other_dockerfiles
+from roslab.evidence.prose.build_scope import Scope
 from roslab.evidence.prose.build_values import Values, secret_of
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.installs import Collector
@@ -113,6 +114,7 @@ class _Reading:
     updates_rosdep: int | None = None
     secrets: list[tuple[str, int]] = field(default_factory=list)
     values: Values = field(default_factory=Values)
+    scope: Scope = field(default_factory=Scope)
     needs: str | None = None
     """What it needs that a build cannot give it."""
     inside: str = ""
@@ -174,7 +176,7 @@ class _Reading:
         from roslab.evidence.lex.dockerfile import sources  # noqa: PLC0415 - as above
         from roslab.evidence.prose.stages import kept  # noqa: PLC0415 - as above
 
-        copied = sources(body)
+        copied = sources(expand(body, self.known))
         self.start.kept = None if copied else kept(body, self.start, self.starts)
         self.copied += [(source, line) for source in copied]
         words = [word for word in body.split() if not word.startswith("--")]
@@ -186,6 +188,7 @@ class _Reading:
             if match[1].lower() not in self.stages and match[1] != "scratch":
                 self.bases.append((match[1], line))
             self.inside = ""
+            self.scope.enter(self.known, match[1].lower(), (match[2] or "").lower())
             self.base, self.base_line = self.stages.get(match[1].lower(), match[1]), line
             self.start = replace(self.starts.get(match[1].lower(), _Start()))
             if match[2]:
@@ -194,14 +197,14 @@ class _Reading:
 
     def _set(self, name: str, body: str, line: int) -> None:
         if name == "ARG":
-            variable, _, default = body.strip().partition("=")
-            if default:
-                self.known.setdefault(variable, expand(default.strip().strip("\"'"), self.known))
+            for variable, default in _PAIR.findall(body):
+                self.scope.argument(self.known, variable, expand(default.strip("\"'"), self.known))
             return
         words = body.split(None, 1)
         old = len(words) == 2 and "=" not in words[0]  # the form for one variable: ENV NAME VALUE
         pairs = [(words[0], words[1].strip())] if old else [(k, v.strip("\"'")) for k, v in _PAIR.findall(body)]
         self.known.update((key, expand(value, self.known)) for key, value in pairs)
+        self.scope.fixed.update(key for key, _ in pairs)
         self.start.environment += tuple((key, self.known.get(key, ""), line) for key, _ in pairs)
 
 
