@@ -198,3 +198,48 @@ def test_what_an_included_file_links_is_the_project_s(tree: Tree) -> None:
     found = tree({"CMakeLists.txt": top, "plain.cmake": made, "a.cpp": "int main() {}\n", "own.cpp": ""})
     assert "libqhull-dev" in (*found.apt, *found.apt_guessed)
     assert not found.warnings
+
+
+PATH = "find_path(ACME_INCLUDE NAMES acme/solve.h PATHS /usr/local/include)\n"
+STOP = 'if(NOT ACME_INCLUDE OR NOT SOLVER_LIBRARY)\nmessage(FATAL_ERROR "gone")\nendif()\n'
+
+
+def of_stops(decision: Decision) -> list[tuple[str, int | None]]:
+    return [(w.message.split(",")[0], w.line) for w in decision.warnings if w.message.startswith("CMake l")]
+
+
+@pytest.mark.parametrize(
+    ("files", "lines"),
+    [
+        (project(PATH + LOOK + STOP), [("CMake links acme81", 3)]),  # nothing links it by that variable
+        (
+            project(PATH + STOP.replace(" OR NOT SOLVER_LIBRARY", "")),
+            [("CMake looks for the header acme/solve.h and stops without it", 2)],
+        ),
+        (project(PATH + LOOK + STOP.replace("FATAL_ERROR", "STATUS")), []),
+        (project(PATH + LOOK + STOP.replace("OR", "AND")), []),  # one of the two will do
+        (project(PATH + STOP.replace(" OR NOT SOLVER_LIBRARY", ""), **{"lib/acme/solve.h": ""}), []),
+        (project(PATH.replace("acme/solve.h", "sys/mman.h") + STOP), []),
+        (project(PATH.replace("acme/solve.h", "solve.h") + STOP), []),
+        (project(PATH), []),
+        (project(f"option(WITH OFF)\nif(WITH)\n{PATH}endif()\n{STOP}"), []),
+    ],
+)
+def test_what_a_message_stops_without_is_required(
+    tree: Tree, files: dict[str, str], lines: list[tuple[str, int]]
+) -> None:
+    assert of_stops(tree(files)) == lines
+
+
+def test_a_header_that_a_message_stops_without_is_installed(tree: Tree) -> None:
+    stop = STOP.replace(" OR NOT SOLVER_LIBRARY", "")
+    decision = tree(project(PATH.replace("acme/solve.h", "yaml-cpp/yaml.h") + stop))
+    assert "libyaml-cpp-dev" in decision.apt_guessed
+    assert not of_stops(decision)
+
+
+def test_vdt_is_built_from_its_repository(tree: Tree) -> None:
+    looks = PATH.replace("acme/solve.h", "vdt/exp.h") + LOOK.replace("libacme81.so", "vdt")
+    decision = tree(project(looks + STOP))
+    assert [source.name for source in decision.source] == ["vdt"]
+    assert not of_stops(decision)

@@ -56,13 +56,16 @@ def not_found(
         of_build = not places.aside(asked.file) and (not folders or any(_below(asked.file, each) for each in folders))
         if not of_build or (given(f"lib{asked.name}.so") and not (shown and plain(asked.name) in cloned)):
             continue
-        word = re.split(r"[^a-z]", asked.name.lower(), maxsplit=1)[0]
+        own = asked.name.partition("/")[0].lower() if asked.namespace == "include" else asked.name.lower()
+        word = re.split(r"[^a-z]", own, maxsplit=1)[0]
         there = names if looked else compiled
         alike = len(word) >= SHORTEST and not asked.name.lower().endswith(_BY_HAND) and similar(word, there)
-        if not (alike or similar(asked.name.lower(), there) or resolve(asked, target).known):
+        if not (alike or similar(own, there) or resolve(asked, target).known):
             told.add(asked.name)
             why = "which find_library looks for and" if looked else f"of which the code includes {shown}, and which"
             what = f"CMake links {asked.name}, {why} nothing is known to bring"
+            if asked.namespace == "include":
+                what = f"CMake looks for the header {asked.name} and stops without it, and nothing is known to bring it"
             then = "install it under `custom` or give its repository under `source` in roslab.yaml"
             yield asked.file, warn(f"{what}: {_tool(build_tool)} will stop there; {then}", asked)
 
