@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import warn
+from roslab.decide.renamed_launches import renamings
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought import tried
@@ -48,6 +49,11 @@ def decide_unknown_packages(
     told = tuple(
         warn(f"the README runs {name}, and {near} of the tree is meant: correct the name there", found.pop(name))
         for name, near in slips.items()
+    )
+    taken = {name: file for name, file in renamings(evidence) if name in found}
+    told += tuple(
+        warn(f"the README launches from {name}, and no package is called so: {file} is taken", found.pop(name))
+        for name, file in taken.items()
     )
     if not found:
         return Choice(answer=None, warnings=told)

@@ -23,6 +23,7 @@ from roslab.decide.pages_of_tools import of_a_tool
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
 from roslab.decide.reasons import of_readme
+from roslab.decide.renamed_launches import Declared, declared_by, renamed
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.run_by_page import why_run
 from roslab.decide.scripts import bare, script_of, task_of
@@ -82,6 +83,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         launched=names_of_launch_files(evidence),
         calls=launch_calls(evidence),
         alone=frozenset(each.file for each in evidence.launch if not each.package),
+        declared=declared_by(evidence),
         simulators=simulators_of(evidence),
         packages=packages_of(evidence).names,
         clones=any(git.kind in {"vcs", "git_url", "upstream", "submodule"} or git.beside for git in evidence.sources),
@@ -161,6 +163,7 @@ class _Tree:
     """How each launch file of the tree is started, by its path."""
     alone: frozenset[str]
     """Launch files that belong to no package."""
+    declared: Declared
     simulators: frozenset[str]
     packages: frozenset[str]
     clones: bool
@@ -221,7 +224,8 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
         call = call_of(package, tree.calls, tree.alone)
         return (*start, *call, *rest) if call else None
     if package not in tree.packages:
-        return argv if _somewhere(package, tree) else None
+        other = () if _somewhere(package, tree) else renamed(tuple(words), tree.declared)
+        return (*start, *other) if other else argv if _somewhere(package, tree) else None
     file = next((word.rpartition("/")[2] for word in rest if not word.startswith("-")), "")
     return argv if file in tree.launched.get(package, ()) else None
 

@@ -36,6 +36,8 @@ class LaunchFile:
     """Package and program of each node that it starts."""
     unmade: tuple[tuple[str, str, str], ...] = ()
     """Of these the package, the program and the one most like it, where it is a package of the tree without that."""
+    arguments: tuple[str, ...] = ()
+    """Those that it declares."""
     demands: tuple[str, ...] = ()
     """Arguments without a default, without which it is not started."""
     switches: tuple[tuple[str, str], ...] = ()

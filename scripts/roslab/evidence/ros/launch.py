@@ -16,6 +16,7 @@ from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
+from roslab.evidence.ros.declared_arguments import declared_arguments
 from roslab.evidence.ros.included_launches import included
 from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES, conditional, kept_by, started
 from roslab.evidence.ros.launch_switches import switches
@@ -106,6 +107,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 viewers=_waiting(text),
                 includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
+                arguments=declared_arguments(text),
                 demands=_demanded(text) if xml else _declared(text) if python else (),
                 switches=switches(text) if old else (),
                 variables=launch_variables.needed(text, conditional) if xml else (),
