@@ -44,6 +44,8 @@ class Candidate:
     """A node that it starts is installed by no package, so that it stops."""
     contained: bool = False
     """A container of an author's Dockerfile starts it."""
+    session: bool = False
+    """A file of tmuxinator, or a script that is called after starting, runs it."""
     tried: bool = False
     """A page has the reader run it to see whether it works."""
     makes: tuple[str, ...] = ()

@@ -15,6 +15,7 @@ from roslab.decide.programs import in_packages
 from roslab.decide.reasons import page_of
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import NOTEBOOK
+from roslab.decide.sessions import in_sessions
 from roslab.decide.startable_launches import unstartable
 from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.switches import given
@@ -47,6 +48,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         told = _cut(_below(each, evidence) if compiled else each, demands)
         yield replace(told, unmade=_starts(each, stops))
     yield from contained(evidence, kind, compiled=compiled)
+    yield from () if any(each.strong for each in said) else in_sessions(evidence, kind, compiled=compiled)
     if not compiled and not any(each.strong for each in said):
         yield from _explained(evidence)
     if ros:

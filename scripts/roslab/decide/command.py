@@ -35,6 +35,7 @@ from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
 from roslab.decide.sections import about_running
+from roslab.decide.sessions import of_sessions
 from roslab.decide.unbuilt_packages import starts_one, unbuilt
 from roslab.decide.windows import opens_windows
 from roslab.decide.written_commands import TOOLS
@@ -193,9 +194,10 @@ def _obvious(
         argv = given(first, authored) if dockerfile and authored else first.argv
         return argv, because("command", shlex.join(argv), why, first, weight=Weight.FIRST)
     meant = None if dockerfile else only_contained(ours) or pointed_at(evidence, kind) or included(evidence, kind)
+    meant = meant or (None if dockerfile else of_sessions(ours))
     if meant and not upkeep(meant):
         return meant.argv, because("command", shlex.join(meant.argv), meant.why, meant, weight=Weight.FIRST)
-    ours = [c for c in ours if c.strong or not c.cut]
+    ours = [c for c in ours if c.strong or not (c.cut or c.session)]
     brings = brought(evidence) if kind in {"ros1", "ros2", "cpp"} else {}
     if kind in {"ros1", "ros2", "cpp"} and (named := named_like_it(ours, evidence, brings)):
         why = f"{named.why}, named like its package or like a demonstration"

@@ -109,9 +109,8 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     if not reasons and (client := client_of(evidence)):
         why = f"its program imports {client.name}, which ROS alone brings"
         reasons.append(because("kind", CLIENTS[client.name], why, client, weight=Weight.ROS_ALONE))
-    if not reasons and (run := installed_by_author(evidence)):
-        at, kind, why = run
-        reasons.append(because("kind", kind, why, at, weight=Weight.ROS_ALONE))
+    if not reasons and (has := installed_by_author(evidence)):
+        reasons.append(because("kind", has[1], has[2], has[0], weight=Weight.ROS_ALONE))
     if not (reasons or evidence.manifests) and (run := ros_by_page(evidence)):
         at, kind, why = run
         reasons.append(because("kind", kind, why, at, weight=Weight.ROS_ALONE))

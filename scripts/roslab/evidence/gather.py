@@ -65,6 +65,7 @@ from roslab.evidence.prose import (
     readme,
     ros_links,
     script_parameters,
+    sessions,
     tried,
     worked_on,
 )
@@ -223,6 +224,7 @@ def gather(repository: Repository) -> Evidence:
             *by_name,
             *said,
             *container_starts.read(own, dockerfiles),
+            *sessions.read(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
             *((*on_machines.read(own), *own_setup.read(own), *handed_lists.read(own)) if manifests else ()),
             *from_root.read(own, prose.mentions),

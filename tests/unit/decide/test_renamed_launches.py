@@ -38,8 +38,9 @@ def made(*files: str, said: str) -> dict[str, str]:
 def test_the_one_that_is_meant_is_taken_and_told(tree: Tree, files: tuple[str, ...], said: str, command: str) -> None:
     decision = tree(made(*files, said=said))
     assert " ".join(decision.command[2:]) == command
-    words = command.split()
-    told = f"the README launches from {said.partition(' ')[0]}, and no package is called so: {' '.join(words[:2])} is taken"
+    name, _, _ = said.partition(" ")
+    taken = " ".join(command.split()[:2])
+    told = f"the README launches from {name}, and no package is called so: {taken} is taken"
     assert [w.message for w in decision.warnings if "README" in w.message] == [told]
 
 
