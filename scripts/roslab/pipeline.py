@@ -78,12 +78,14 @@ def plan_repository(
         decision = decide(evidence, config, folder_name=name)
     except NothingToBuildError as error:
         from roslab.evidence import matlab  # noqa: PLC0415 - nearly every tree has something to build
+        from roslab.evidence.prose import named_branches  # noqa: PLC0415 - as above
 
         found = _what_is_there(repository) + nothing.of_ros(evidence, repository.suffixed(".rosinstall", ".repos"))
         if number := matlab.files(repository):
             octave = matlab.for_octave(repository)
             raise NothingToBuildError(nothing.of_matlab(number, found, octave=octave)) from None
-        raise NothingToBuildError(*(replace(p, message=f"{p.message}; {found}") for p in error.problems)) from None
+        said = tuple(replace(p, message=f"{p.message}; {found}") for p in error.problems)
+        raise NothingToBuildError(*nothing.with_branches(said, named_branches.others(repository))) from None
     decision, version = _with_version(decision, evidence, repository)
     plan = make_plan(
         decision,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from roslab.config.model import Config
 from roslab.decide.ros.source_names import plain
@@ -10,7 +10,11 @@ from roslab.errors import NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.octave import file_of
 from roslab.repository.checkout import File, printable
+from roslab.values.dataclass import replace
 
+ROOT = "is this the root of the repository? a roslab.yaml can say what it needs"
+MOST_BRANCHES = 8
+"""Most branches that are named."""
 MOST = 3
 """Most files that are named."""
 
@@ -30,7 +34,7 @@ def require_something(evidence: Evidence, config: Config, folder_name: str) -> N
     if any(found) or config.file:
         return
     tools = {each.value: each.file for each in evidence.mentions if each.topic == "other_builder"}
-    hint = "is this the root of the repository? a roslab.yaml can say what it needs"
+    hint = ROOT
     if tools:
         named = " and ".join(f"{tool} builds {file}" for tool, file in tools.items())
         hint = (
@@ -43,6 +47,20 @@ def require_something(evidence: Evidence, config: Config, folder_name: str) -> N
             hint=hint,
         )
     )
+
+
+def with_branches(problems: tuple[Problem, ...], branches: Sequence[str]) -> tuple[Problem, ...]:
+    """Return problems with the other branches of the repository in their hint, if there are any."""
+    if not branches:
+        return problems
+    more = f" and {len(branches) - MOST_BRANCHES} more" if len(branches) > MOST_BRANCHES else ""
+    named = ", ".join(map(printable, branches[:MOST_BRANCHES]))
+    first = printable(branches[0])
+    hint = (
+        f"the code may be on another branch: {named}{more}; check it out (`git checkout {first}`), or give a workflow"
+        f" `ref: {first}`"
+    )
+    return tuple(replace(each, hint=hint) if each.hint == ROOT else each for each in problems)
 
 
 def of_ros(evidence: Evidence, lists: Iterable[File]) -> str:

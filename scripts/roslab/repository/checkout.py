@@ -232,6 +232,11 @@ class Repository:
         return match[1].strip() if (match := _HEAD.match(head)) else None
 
     @cached_property
+    def branches(self) -> tuple[str, ...]:
+        """The names of the branches that git knows, those of remotes too."""
+        return git.branches(self.root) if self.git_folder else ()
+
+    @cached_property
     def origin(self) -> str | None:
         """URL of the remote ``origin``, as ``.git/config`` has it."""
         match = _ORIGIN.search(self._git_text("config"))

@@ -51,6 +51,13 @@ def entries(root: Path) -> dict[str, str]:
     return {name: what for what, name in pairs}
 
 
+def branches(root: Path) -> tuple[str, ...]:
+    """Return the names of the branches that a checkout knows, those of its remotes too, each once and sorted."""
+    lines = _read(root, "for-each-ref", "--format=%(refname)", "refs/heads", "refs/remotes").split("\n")
+    found = (re.fullmatch(r"refs/(?:heads|remotes/[^/]+)/(.+)", line) for line in lines)
+    return tuple(sorted({match[1] for match in found if match} - {"HEAD"}))
+
+
 def is_tag(root: Path, name: str) -> bool:
     """Tell whether the commit of a checkout has this git tag."""
     commit = _read(root, "rev-parse", "--quiet", "--verify", f"refs/tags/{name}^{{commit}}")
