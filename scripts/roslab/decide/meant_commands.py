@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
@@ -25,6 +26,8 @@ FEWEST_OTHERS = 3
 """Fewest packages beside a demonstration."""
 _SHOWS = pattern(r"(?:^|_)(?:demos?|tutorials?|examples?|samples?)(?:_|$)", re.IGNORECASE)
 """The name of a package that shows something."""
+FEWEST_OF_A_RIVAL = 3
+"""Fewest launch files of a package for its programs to be as much of the tree as another's."""
 FEWEST = 2
 """Fewest launch files that the one for the whole brings."""
 _LAUNCH_FILES = pattern(r"\blaunch[ -]?files?\b", re.IGNORECASE)
@@ -96,7 +99,32 @@ def named_like_it(candidates: Iterable[Candidate], evidence: Evidence, brings: B
     launched = [c for c in launched if not _shows_others(c.argv[-2], evidence)]
     own = [c for c in launched if _like_its_package(c)]
     shown = [c for c in launched if _stem(c) in _DEMONSTRATION]
+    if len(own) == 1 and _beside_others(own[0], launched, evidence):
+        return None
     return own[0] if len(own) == 1 else shown[0] if not own and len(shown) == 1 else None
+
+
+def _beside_others(candidate: Candidate, launched: Iterable[Candidate], evidence: Evidence) -> bool:
+    """Tell whether the name of a launch file is all that it has before those of other packages.
+
+    One of these has as many, and more than a driver's one or two. Its own neither needs or starts any of them, nor is
+    needed by one, nor has the name of the repository, of a metapackage or of the whole family: ``planner`` beside
+    ``planner_msgs``.
+    """
+    package = candidate.argv[-2]
+    counts = Counter(each.argv[-2] for each in launched)
+    fewest = max(counts[package], FEWEST_OF_A_RIVAL)
+    rivals = {name for name, count in counts.items() if name != package and count >= fewest}
+    whole = {manifest.name for manifest in evidence.manifests if manifest.metapackage}
+    whole |= {evidence.origin.rstrip("/").rpartition("/")[2].removesuffix(".git")}
+    if not rivals or package in whole or all(name.startswith(package) for name in rivals):
+        return False
+    asked = {m.name: {d.name for d in m.dependencies} for m in evidence.manifests if m.name and not m.metapackage}
+    started = {
+        d.name for each in evidence.launch if each.package == package for d in (*each.dependencies, *each.reached)
+    }
+    related = rivals & (asked.get(package, set()) | started)
+    return not related and not any(package in asked.get(name, ()) for name in rivals)
 
 
 def _shows_others(package: str, evidence: Evidence) -> bool:

@@ -26,17 +26,19 @@ def declared_by(evidence: Evidence) -> Declared:
 def renamed(words: tuple[str, ...], declared: Declared) -> tuple[str, ...]:
     """Return package, launch file and arguments of the tree for those that a page names, ``()`` where none is meant.
 
-    ``words`` are what follows ``roslaunch``, with a package that exists nowhere. The tree has one package with launch
-    files, or one launch file, and a single one of them is called like the page's, contains its name or ends with it,
-    and declares the arguments that the page gives.
+    ``words`` are what follows ``roslaunch``, with a package that exists nowhere, and that is no other one of a family
+    (``detection2``). The tree has one package with launch files, and a single one of them is called like the page's,
+    contains its name or ends with it, and declares the arguments that the page gives.
     """
     if len(words) < 2:
         return ()
     said, (file, *rest) = words[0], words[1:]
     stem = _ENDING.sub("", file)
     asked = {word.partition(":=")[0] for word in rest if ":=" in word}
-    alone = len(declared) == 1 or len({package for package, _ in declared}) == 1
-    if not (alone and stem) or meant(said, [package for package, _ in declared]):
+    alone = len({package for package, _ in declared}) == 1
+    packages = {package for package, _ in declared}
+    numbered = said.rstrip("0123456789") in {package.rstrip("0123456789") for package in packages}
+    if not (alone and stem) or numbered or meant(said, packages):
         return ()
     named = {each: _ENDING.sub("", each[1]) for each in declared}
     for fits in (str.__eq__, str.endswith, str.__contains__):
@@ -51,7 +53,8 @@ def renamings(evidence: Evidence) -> Iterator[tuple[str, str]]:
     declared = declared_by(evidence)
     own = {manifest.name for manifest in evidence.manifests}
     for mention in evidence.mentions:
-        words = tuple(mention.value.split()) if mention.topic == "command" and mention.source == "readme" else ()
+        at_root = mention.topic == "command" and mention.source == "readme" and "/" not in mention.file
+        words = tuple(mention.value.split()) if at_root else ()
         start = 1 if words[:1] == ("roslaunch",) else 2 if words[:2] == ("ros2", "launch") else 0
         package = words[start] if start and len(words) > start else ""
         nowhere = bool(package) and package not in own and not ever_released(package)

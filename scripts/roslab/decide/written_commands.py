@@ -224,8 +224,9 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
         call = call_of(package, tree.calls, tree.alone)
         return (*start, *call, *rest) if call else None
     if package not in tree.packages:
-        other = () if _somewhere(package, tree) else renamed(tuple(words), tree.declared)
-        return (*start, *other) if other else argv if _somewhere(package, tree) else None
+        there = _somewhere(package, tree)
+        other = () if there or "/" in mention.file else renamed(words, tree.declared)
+        return argv if there else (*start, *other) if other else None
     file = next((word.rpartition("/")[2] for word in rest if not word.startswith("-")), "")
     return argv if file in tree.launched.get(package, ()) else None
 

@@ -25,6 +25,8 @@ MAX_DEPTH = 2
 """Most folders above a script that starts the whole."""
 _PYTHON = pattern(r"python[23]?(?:\.\d+)?")
 _STARTS = pattern(r"(?:start|run)(?:[_-][\w-]*)?\.(?:sh|bash)")
+_CONTAINER = pattern(r"\b(?:docker|podman|singularity|apptainer)\b")
+"""A script that starts containers on the host is no program of the image."""
 _WORDS = ("roslaunch", "rosrun", "ros2", "python")
 
 
@@ -35,6 +37,8 @@ def read(repository: Repository) -> Iterator[Mention]:
     scripts = [f for f in repository.suffixed(".sh", ".bash") if _STARTS.fullmatch(f.name) and _near(f)]
     for file in nearest(scripts)[:MAX_FILES]:
         text = repository.read(file)
+        if _CONTAINER.search(text):
+            continue
         for line, logical in logical_lines(text) if any(word in text for word in _WORDS) else ():
             yield from _started(repository, file, logical, line)
 
