@@ -111,3 +111,10 @@ def test_the_image_of_the_author_has_ros_beside_cuda(
 ) -> None:
     decision = tree(ON_CUDA | {"Dockerfile": IMAGE} | changed)
     assert (decision.kind, decision.ros_distro) == (kind, distro)
+
+
+@pytest.mark.parametrize("title", ["Run:", "Usage", "How to run", "Quick start"])
+def test_a_bare_line_below_a_title_about_running_is_the_command(tree: Tree, title: str) -> None:
+    page = f"# Demo\nText.\n\n## {title}\npython3 ros2/run.py\n\nClick on it.\n"
+    files = {**ON_CUDA, "other.py": f"import numpy\n{GUARD}", "Dockerfile": IMAGE, "README.md": page}
+    assert tree(files | {"Dockerfile": IMAGE + "WORKDIR /app\n"}).command == ("python3", "ros2/run.py")
