@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 from typing import Literal
 
+from roslab.knowledge.cmake_calls import lines_of_calls
 from roslab.knowledge.table import cells, rows
 from roslab.values.dataclass import dataclass
 
@@ -117,7 +118,7 @@ def names(naming: Naming) -> Iterable[str]:
 def cmake_packages(ubuntu: str | None) -> str:
     """Return lines ``NAME... = PACKAGE...`` of what CMake finds on an Ubuntu, names in lower case.
 
-    A package of ROS that is preferred is the first, as ``ros:NAME``.
+    A package of ROS that is preferred is the first, as ``ros:NAME``. Programs that CMake files call are ``run:NAME``.
     """
     found: dict[str, str] = {}
     for name in _table("cmake")[1]:
@@ -128,7 +129,8 @@ def cmake_packages(ubuntu: str | None) -> str:
     names: dict[str, list[str]] = {}
     for name, packages in found.items():
         names.setdefault(packages, []).append(name)
-    return "".join(f"{' '.join(of)} = {packages}\n" for packages, of in names.items() if packages)
+    lines = "".join(f"{' '.join(of)} = {packages}\n" for packages, of in names.items() if packages)
+    return lines + lines_of_calls()
 
 
 @cache

@@ -42,6 +42,21 @@ SCRIPT = Path(image_scripts.__path__[0]) / "required-components.sh"
             ["libopencv-dev"],
         ),
         ("if(A)\nset(SHOW OFF)\nendif()\nif(SHOW)\nfind_package(OpenCV REQUIRED)\nendif()", ["libopencv-dev"]),
+        (
+            'ExternalProject_Add(a UPDATE_COMMAND ""\n CONFIGURE_COMMAND cd ../a && ./autogen.sh && ./configure --a)',
+            ["autoconf", "automake", "libtool", "pkg-config"],
+        ),
+        ('ExternalProject_Add(a PATCH_COMMAND bash -c "cd a; patch -p1 < b.patch")', ["patch"]),
+        (
+            "ExternalProject_Add(a SVN_REPOSITORY http://a.org/a)\nif(WIN32)\nexecute_process(COMMAND wget a)\nendif()",
+            ["subversion"],
+        ),
+        (
+            "find_program(BISON bison)\nadd_custom_command(OUTPUT a COMMAND ${CMAKE_COMMAND} -E env A=b ${BISON} a.y)",
+            ["bison"],
+        ),
+        ("add_custom_target(patch DEPENDS unzip)\nexecute_process(COMMAND git log curl)\n# COMMAND wget a", []),
+        ("exec_program(hg ARGS identify)", ["mercurial"]),
         ("project(mine)\n", []),
     ],
 )

@@ -15,6 +15,7 @@ _HOW = {
     "rosdep": "the key {} is named",
     "key": "the repository's own list for rosdep names {}",
     "fetch": "a CMake file clones, which needs {}",
+    "run": "a CMake file calls a program of {}",
     "configure": "CMake runs a configure that looks for {}",
     "program": "CMake stops without a program of {}",
     "cuda": "CMake compiles for CUDA, which needs {}",

@@ -30,7 +30,7 @@ from roslab.values.pattern import pattern
 
 TOOLKIT = "nvidia-cuda-toolkit"
 QMAKE = "qt5-qmake"
-_OF_CODE = frozenset({"called", "configure", "fetch", "in_script", "linked", "typelib"})
+_OF_CODE = frozenset({"called", "configure", "fetch", "in_script", "linked", "run", "typelib"})
 """Roles of packages that the code itself shows."""
 _HEADERS = pattern(r"lib[a-z-]+-dev")
 _STARTED = pattern(

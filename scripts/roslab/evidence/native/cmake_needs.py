@@ -234,6 +234,11 @@ def _finder(words: tuple[str, ...]) -> _Finder:
     return _Finder(components=tuple(components), optional=tuple(optional), version=version)
 
 
+def of_no_build(condition: str) -> bool:
+    """Tell whether a condition holds in no usual build on Linux: another system, an option that is off, tests."""
+    return bool(_ELSEWHERE.match(condition) or condition.startswith("OFF ") or _TEST.search(condition))
+
+
 def of_an_option(condition: str) -> bool:
     """Tell whether an option decides a condition, or whether it is about tests."""
     return bool(_SWITCH.match(condition) or _TEST.search(condition))

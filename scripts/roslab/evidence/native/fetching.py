@@ -1,4 +1,4 @@
-"""What build files clone while they configure or make: those of CMake, its templates, and Makefiles of rosbuild."""
+"""What build files clone and call while they configure or make: CMake's, its templates, Makefiles of rosbuild."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import first_line, matching_lines
+from roslab.evidence.native import called_programs
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -23,7 +24,7 @@ _UNSAFE = pattern(r"[^#\n]*?\bgit://([\w.-]+)/")
 
 @dataclass(frozen=True, slots=True)
 class Fetching:
-    """What a build needs to clone."""
+    """What a build needs to clone, and the programs that it calls."""
 
     programs: tuple[Dependency, ...] = ()
     hosts: tuple[str, ...] = ()
@@ -31,10 +32,11 @@ class Fetching:
 
 
 def read(repository: Repository) -> Fetching:
-    """Return the programs that clone, each where it is called first, and the hosts; nothing of copied code."""
+    """Return the programs that clone or are called, each where it is first, and the hosts not of copied code."""
     found: dict[str, Dependency] = {}
     hosts: dict[str, None] = {}
-    for file, makefile in (*_cmake(repository), *_makefiles(repository)):
+    of_cmake = _cmake(repository)
+    for file, makefile in (*((file, False) for file in of_cmake), *_makefiles(repository)):
         text = repository.read(file)
         for name, position in _called(text, makefile=makefile):
             line = text.count("\n", 0, position) + 1
@@ -42,13 +44,15 @@ def read(repository: Repository) -> Fetching:
             found.setdefault(name, asked)
         if not places.vendored(file.path):
             hosts |= dict.fromkeys(match[1] for match in matching_lines(_UNSAFE, text, "git://"))
+    for asked in called_programs.read(repository, of_cmake):
+        found.setdefault(asked.name, asked)
     return Fetching(tuple(found.values()), tuple(hosts))
 
 
-def _cmake(repository: Repository) -> Iterator[tuple[File, bool]]:
+def _cmake(repository: Repository) -> list[File]:
     files = [*repository.suffixed(".cmake"), *repository.named("CMakeLists.txt")]
     files += [file for file in repository.suffixed(".in") if _TEMPLATE.search(file.name)]
-    return ((file, False) for file in _nearest(files) if "/CMakeFiles/" not in file.path)
+    return [file for file in _nearest(files) if "/CMakeFiles/" not in file.path]
 
 
 def _makefiles(repository: Repository) -> Iterator[tuple[File, bool]]:

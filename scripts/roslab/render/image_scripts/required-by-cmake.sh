@@ -1,17 +1,20 @@
 #!/bin/bash
 # usage: required-by-cmake FILE...
+#        required-by-cmake --programs FILE...
 #        required-by-cmake --library FOLDER [OPTION...]
 # Prints the names of what CMakeLists.txt files require: components of catkin, and packages. What stands below a condition
 # that is off is left out: an option or variable that the file itself turns off, and systems that the image is not.
+#   --programs  run:NAME of each program that they call, also of a script that lies in what they fetch
 #   --library  of a library that CMake configures with these options: its CMakeLists.txt with the files that it adds and
 #              includes, without what its own projects are called. Also pkg:MODULE for a module of pkg-config, and
 #              link:NAME and header:NAME for what find_library and find_path look for and every build uses
 set -eu # a search that finds nothing is no failure
 
-# Each command on a line of its own, without comments and texts
+# Each command on a line of its own, without comments and texts; with the words of texts if TEXTS is set: FILE TEXTS
 commands() {
   sed 's/#.*//' "$1" | tr '\n\t\r' '   ' |
-    sed --regexp-extended 's/"[^"]*"/""/g; s/([A-Za-z_][A-Za-z0-9_]*) *\(/\n\1 (/g'
+    if [ -n "${2:-}" ]; then sed 's/[";]/ & /g; s/"//g'; else sed 's/"[^"]*"/""/g'; fi |
+    sed --regexp-extended 's/([A-Za-z_][A-Za-z0-9_]*) *\(/\n\1 (/g'
 }
 # The same, with the commands of a file that is added or included below that command: FILE ITS_FOLDER LEVEL
 with_added() {
@@ -38,9 +41,10 @@ with_added() {
   done
 }
 
-# Reads commands; GIVEN are the options of CMake, without which each name is printed as it comes
+# Reads commands; GIVEN are the options of CMake. What is looked for is a library, programs, or, if nothing is said, the
+# packages of a file; only those of a library are not printed as they come: WHAT GIVEN
 required() {
-  awk -v library="$1" -v given="${2:-}" '
+  awk -v library="${1#programs}" -v programs="${1#library}" -v given="${2:-}" '
     function truth(words, count,    name) { # 1 on, 0 off, -1 unknown
       name = words[count]
       if (count > 2 || (count == 2 && toupper(words[1]) != "NOT") || !(name in value)) return -1
@@ -86,6 +90,21 @@ required() {
     command == "set" && count > 1 && !(words[1] in set_outside && / CACHE /) {
       if (depth > 0) delete value[words[1]]; else note(words[1], words[2])
     }
+    programs && command == "find_program" { program["${" words[1] "}"] = words[words[2] == "NAMES" ? 3 : 2] }
+    programs && command ~ /^(externalproject_add(_step)?|execute_process|exec_program|add_custom_(command|target))$/ {
+      begins = command == "exec_program"
+      for (i = 1; i <= count; i++) {
+        if (words[i] ~ /^(SVN|HG)_REPOSITORY$/) print "run:" tolower(substr(words[i], 1, index(words[i], "_") - 1))
+        if (words[i] ~ /^([A-Za-z0-9_]+_)?COMMAND$/ || words[i] ~ /^(&&|[|][|]?|;)$/) begins = 1
+        else if (begins && words[i] !~ /^((.*\/)?(ba|da)?sh|env|sudo|cmake|[$][{]CMAKE_COMMAND[}]|-.*|[A-Za-z0-9_]+=.*)$/) {
+          name = words[i] in program ? program[words[i]] : words[i]
+          sub(/.*\//, "", name)
+          print "run:" name
+          begins = 0
+        }
+      }
+    }
+    programs { next }
     command == "find_package" {
       required = components = 0
       for (i = 2; i <= count; i++) {
@@ -129,8 +148,10 @@ if [ "$1" = --library ]; then
   top="$2" seen="$(mktemp)"
   trap 'rm -f "${seen}"' EXIT
   given="$(printf '%s\n' "${@:3}" | sed --quiet --regexp-extended 's/^-D([A-Za-z0-9_]+(:[A-Z]+)?=[A-Za-z0-9]+)$/\1/p' | tr '\n' ' ')"
-  with_added "${top}/CMakeLists.txt" "${top}" 0 | required 1 "${given}"
+  with_added "${top}/CMakeLists.txt" "${top}" 0 | required library "${given}"
+elif [ "$1" = --programs ]; then
+  for file in "${@:2}"; do commands "${file}" texts | required programs; done
 else
   for file in "$@"; do commands "${file}" | required ''; done
-fi | grep --line-regexp --extended-regexp '((pkg|link|header):)?[A-Za-z][A-Za-z0-9_+./-]*' |
+fi | grep --line-regexp --extended-regexp '((pkg|link|header|run):)?[A-Za-z][A-Za-z0-9_+./-]*' |
   grep --line-regexp --invert-match REQUIRED | LC_ALL=C sort --unique

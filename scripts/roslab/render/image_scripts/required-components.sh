@@ -1,8 +1,8 @@
 #!/bin/bash
 # usage: required-components WORKSPACE
 # Prints the names of the apt packages for what the CMakeLists.txt files of a workspace require and neither ROS nor the
-# workspace has: components of catkin, packages of ROS 2, and libraries that the table of the image's Ubuntu names. What
-# has no apt package is among them.
+# workspace has: components of catkin, packages of ROS 2, and libraries that the table of the image's Ubuntu names; and
+# for the programs that they call (ExternalProject_Add with autoreconf, bison ...). What has no apt package is among them.
 set -e # a search that finds nothing is no failure; not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 share="/opt/ros/${ROS_DISTRO}/share"
@@ -26,8 +26,9 @@ marked=()
 while read -r path; do marked+=(-path "${path}" -o); done < <(
   find "$1" -regextype posix-extended -regex '.*/(AMENT|CATKIN|COLCON)_IGNORE' -printf '%h\n'
 )
-find "$1" \( "${marked[@]}" -name .git \) -prune -o -name CMakeLists.txt -print0 |
-  xargs --null --no-run-if-empty required-by-cmake |
+files=/tmp/required-components
+find "$1" \( "${marked[@]}" -name .git \) -prune -o -name CMakeLists.txt -print0 >"${files}"
+for what in '' --programs; do xargs --null --no-run-if-empty required-by-cmake ${what} <"${files}"; done |
   while read -r name; do
     if [ -e "${share}/${name}" ] || installed "${name}"; then continue; fi
     if grep --quiet --ignore-case --line-regexp --fixed-strings "${name}" <<<"${own}"; then continue; fi
@@ -49,3 +50,4 @@ find "$1" \( "${marked[@]}" -name .git \) -prune -o -name CMakeLists.txt -print0
       of_ros "${name}"
     fi
   done | LC_ALL=C sort --unique
+rm "${files}"
