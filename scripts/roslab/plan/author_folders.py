@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from roslab.decide.decision import Decision
-from roslab.plan.workspace import WORKSPACE, Workspace
+from roslab.plan.ros_build import WORKSPACE
+from roslab.plan.workspace import Workspace
 
 
 def author_folders(decision: Decision, place: Workspace) -> tuple[tuple[str, str], ...]:

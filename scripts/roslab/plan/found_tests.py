@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from roslab.decide.decision import Decision
 from roslab.plan.proof import Proof
-from roslab.plan.workspace import ROS_TOOLS, Workspace
+from roslab.plan.ros_build import ROS_TOOLS
+from roslab.plan.workspace import Workspace
 
 ROSTEST_SCRIPT = 'failed=0; for file in "$@"; do rostest "$file" || failed=1; done; exit $failed'
 MOST_LAUNCHES = 3

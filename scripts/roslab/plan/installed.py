@@ -9,8 +9,9 @@ from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.not_importable import importable_below, importable_with_display
 from roslab.plan.compiled import compiled
 from roslab.plan.proof import Proof
+from roslab.plan.ros_build import ROS_TOOLS, WORKSPACE
 from roslab.plan.run import WORKSPACES
-from roslab.plan.workspace import ROS_TOOLS, WORKSPACE, Workspace
+from roslab.plan.workspace import Workspace
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement

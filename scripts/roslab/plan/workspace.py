@@ -2,62 +2,16 @@
 
 from __future__ import annotations
 
-import shlex
-from collections.abc import Iterator
-from typing import Literal, get_args
-
-from roslab.config.model import Config, Custom, Source, WorkspaceTool
+from roslab.config.model import Config, Custom, Source
 from roslab.decide.decision import Decision, Download
-from roslab.decide.ros.source_names import address
-from roslab.decide.system.missing import skipping
-from roslab.knowledge.ros_sources import alone
+from roslab.plan.own_options import own_options
+from roslab.plan.ros_build import ROS_TOOLS, WORKSPACE, RosBuild, ros_build
 from roslab.values.dataclass import dataclass, replace
 
-RosTool = Literal[WorkspaceTool, "rosmake"]
-ROS_TOOLS: tuple[RosTool, ...] = get_args(RosTool)
-"""Build tools of a ROS workspace."""
-WORKSPACE = "ws"
-"""The folder of the ROS workspace; as every folder of this module, relative to the home of the image's user."""
-
-
-_SETUP: dict[RosTool, str] = {
-    "catkin_make": "devel/setup.bash",
-    "catkin_make_isolated": "devel_isolated/setup.bash",
-    "catkin_tools": "devel/setup.bash",
-    "rosmake": "setup.bash",
-    "colcon": "install/setup.bash",
-}
 FEWEST_PROGRAMS = 3
 """Fewest programs of which one may be missing."""
 MAX_FOLDERS = 8
 """Most folders of programs on PATH beside the build folder itself."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class RosBuild:
-    """Compiling the ROS workspace: the repository's packages, or sisters alone."""
-
-    tool: RosTool
-    arguments: tuple[str, ...]
-    """For rosmake the packages too, as it builds only those that are named."""
-    cmake_options: tuple[str, ...]
-    """For all packages: a workspace has one set of them."""
-    setup: str
-    """The script that makes the compiled workspace known."""
-    ignored: tuple[str, ...] = ()
-    """Folders of the repository that the tool must not look into."""
-    named: tuple[str, ...] = ()
-    """Packages that are built with what they need; all of the workspace where none is named."""
-    jobs: int | None = None
-    """Most compilers that may run at once, where the author says so."""
-    unsure: tuple[str, ...] = ()
-    """Sisters whose packages are not known before they are cloned: one may have the name of one in the repository."""
-    lacking: tuple[tuple[str, tuple[str, ...]], ...] = ()
-    """Packages that a clone may bring, each with the folders that the tool must not look into without it."""
-    not_there: tuple[str, ...] = ()
-    """Folders (``a/b/``) and files of the repository that its packages install, made empty where they are not there."""
-    undeclared: bool = False
-    """Packages may require others of the workspace that their package.xml does not name."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -168,7 +122,7 @@ def workspace(
         links.append(("catkin_ws", WORKSPACE))
         if in_workspace and name not in (WORKSPACE, "catkin_ws"):
             links.append((name, folder))
-    build = _ros_build(decision, config, sisters) if ros and (in_workspace or sisters) else None
+    build = ros_build(decision, config, sisters) if ros and (in_workspace or sisters) else None
     if build and decision.set_up_inside and folder.startswith(f"{WORKSPACE}/src/") and not config.compatible:
         written = build.setup.removeprefix(f"{WORKSPACE}/").partition("/")[0]
         links.append((f"{folder}/{written}", f"../../{written}"))
@@ -220,42 +174,6 @@ def library(source: Source, config: Config) -> Source:
     return replace(source, cmake_options=f"-DCMAKE_BUILD_TYPE=Release {source.cmake_options}".rstrip())
 
 
-def _ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) -> RosBuild:
-    # Where the repository is no package of the workspace, the tool is its sisters', and the options are its cmake's
-    tools = (decision.build_tool, *(source.build for source in sisters))
-    default: RosTool = "catkin_make" if decision.kind == "ros1" else "colcon"
-    tool = next((known for tool in tools for known in ROS_TOOLS if known == tool), default)
-    own = decision.build_tool in ROS_TOOLS
-    of_sisters = dict.fromkeys(word for source in sisters for word in shlex.split(source.cmake_options))
-    return RosBuild(
-        tool=tool,
-        arguments=(*_of_rosmake(decision), *config.build_args, *skipping(tool, decision.left_out)) if own else (),
-        cmake_options=(*(_own_options(decision, config) if own else ()), *of_sisters),
-        setup=f"{WORKSPACE}/{_SETUP[tool]}",
-        ignored=decision.ignored if own else (),
-        named=decision.by_pages.packages if own else (),
-        jobs=decision.by_pages.jobs if own else None,
-        unsure=() if config.compatible or tool == "rosmake" else tuple(_unsure(sisters)),
-        lacking=decision.lacking if own else (),
-        not_there=decision.not_there if own else (),
-        undeclared=not config.compatible and tool != "rosmake" and (decision.undeclared or bool(sisters)),
-    )
-
-
-def _unsure(sisters: tuple[Source, ...]) -> Iterator[str]:
-    """Yield the sisters of which no table knows that their root is the package."""
-    single = {address(url) for url in alone()}
-    yield from (
-        source.name for source in sisters if source.build != "cmake" and address(source.repo or "") not in single
-    )
-
-
-def _of_rosmake(decision: Decision) -> tuple[str, ...]:
-    if decision.build_tool != "rosmake":
-        return ()
-    return (*(f"--without={name}" for name in decision.ended), *decision.package_names)
-
-
 def _program(decision: Decision, config: Config, folder: str) -> Program:
     inside = f"{folder}/{decision.cmake_folder}".rstrip("/")
     sides = {"source": folder, "build": f"{folder}-build"}
@@ -265,7 +183,7 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         folder=decision.cmake_folder,
         build=f"{inside}/build" if config.compatible else f"{folder}-build",
         arguments=config.build_args,
-        cmake_options=_own_options(decision, config),
+        cmake_options=own_options(decision, config),
         on_path=not config.compatible,
         programs=() if config.compatible else programs[:MAX_FOLDERS],
         compilers=decision.compilers,
@@ -281,20 +199,3 @@ def _many(decision: Decision) -> bool:
     """
     programs = [argv for argv in decision.command_candidates if len(argv) == 1]
     return decision.command == ("bash",) and not decision.ctest and len(programs) >= FEWEST_PROGRAMS
-
-
-def _own_options(decision: Decision, config: Config) -> tuple[str, ...]:
-    return (*_cmake_options(config), *_unset((*decision.cmake_options, *decision.cuda_options), config))
-
-
-def _unset(options: tuple[str, ...], config: Config) -> tuple[str, ...]:
-    """Return the options that roslab.yaml does not set."""
-    said = {word.partition("=")[0].partition(":")[0] for word in shlex.split(config.cmake_options)}
-    return tuple(word for word in options if word.partition("=")[0].partition(":")[0] not in said)
-
-
-def _cmake_options(config: Config) -> tuple[str, ...]:
-    words = tuple(shlex.split(config.cmake_options))
-    if config.compatible or any("CMAKE_BUILD_TYPE" in word for word in words):
-        return words
-    return ("-DCMAKE_BUILD_TYPE=Release", *words)

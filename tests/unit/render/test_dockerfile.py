@@ -475,8 +475,9 @@ def test_the_tests_of_sisters_are_not_compiled() -> None:
     with_sister: dict[str, Any] = {"source": (sister,), "ros_distro": "jazzy", "build_tool": "colcon"}
     text = dockerfile(plan(**with_sister))
     assert " && leave-out-tests src/sister \\\n" in text
-    scripts = "/compile-jobs /reuse-build /leave-out-doubles /make-installed-folders /declare-needs /leave-out-tests"
-    scripts += " /leave-out-failed /build-needed /read-manifest /required-by-cmake /workspace-packages"
+    scripts = "/compile-jobs /reuse-build /leave-out-doubles /make-installed-folders /declare-needs /raise-standard"
+    scripts += " /leave-out-tests /leave-out-failed /build-needed"
+    scripts += " /read-manifest /required-by-cmake /workspace-packages"
     assert f"COPY --from=scripts {scripts} /usr/local/bin/" in text
     for stated_by in (
         dockerfile(plan(Config(cmake_options="-DBUILD_TESTING=ON"), **with_sister)),

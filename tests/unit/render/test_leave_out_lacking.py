@@ -42,5 +42,7 @@ def test_the_image_calls_it_with_all_that_it_calls(tmp_path: Path) -> None:
     (tmp_path / "README.md").write_text("ROS Noetic. Used with https://github.com/lab/control.\n")
     text = dockerfile(plan_repository(tmp_path).plan)
     assert " && leave-out-lacking quad_x /home/${NB_USER}/ws/src/mpc/extra \\\n" in text
-    called = "/read-manifest /workspace-packages /required-by-cmake"
-    assert f"/leave-out-lacking /declare-needs /leave-out-failed /build-needed /headers-first {called} " in text
+    assert " && raise-standard 14 'PCL pcl " in text
+    assert " libpcl-all-dev' src --but src/mpc \\\n" in text
+    called = "/leave-out-failed /build-needed /headers-first /read-manifest /workspace-packages /required-by-cmake"
+    assert f"/leave-out-lacking /declare-needs /raise-standard {called} " in text

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.plan.plan import Plan
-from roslab.plan.workspace import WORKSPACE
+from roslab.plan.ros_build import WORKSPACE
 from roslab.render import quote
 from roslab.render.layers import program, workspace
 from roslab.render.layers.workspace import HOME, WS

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from roslab.plan.plan import Plan
-from roslab.plan.workspace import WORKSPACE
+from roslab.plan.ros_build import WORKSPACE
 from roslab.render import quote
 
 NEEDED = "build-needed"
 """The script that builds again without packages that are not needed."""
 WITHOUT_FAILED = "leave-out-failed"
 """The script that builds again without packages that failed."""
+SCRIPTS = (WITHOUT_FAILED, NEEDED)
 
 
 def tried(plan: Plan) -> str:

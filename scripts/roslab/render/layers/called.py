@@ -17,6 +17,7 @@ CALLED = {
     "leave-out-doubles": (MANIFEST,),
     "leave-out-failed": (PACKAGES, MANIFEST),
     "leave-out-lacking": (PACKAGES,),
+    "raise-standard": ("required-by-cmake", MANIFEST),
     "required-components": ("required-by-cmake", MANIFEST),
 }
 """Scripts, each with those that it calls."""

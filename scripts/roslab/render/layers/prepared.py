@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.plan.plan import Plan
-from roslab.plan.workspace import RosBuild
+from roslab.plan.ros_build import WORKSPACE, RosBuild
+from roslab.plan.workspace import Workspace
 from roslab.render import quote
 
 WITHOUT_LACKING = "leave-out-lacking"
@@ -13,6 +14,8 @@ WITHOUT_LACKING = "leave-out-lacking"
 
 MAKES_FOLDERS = "make-installed-folders"
 """The script that makes what packages install and git does not keep."""
+RAISED = "raise-standard"
+"""The script that compiles cloned packages with the standard of C++ that libraries ask for."""
 
 
 def of_clones(plan: Plan, build: RosBuild) -> Iterator[str]:
@@ -40,6 +43,16 @@ def lacking(source: str, build: RosBuild) -> Iterator[str]:
     for name, folders in build.lacking:
         hidden = " ".join(_within(source, folder) for folder in folders)
         yield f"{WITHOUT_LACKING} {quote.shell(name)} {hidden}"
+
+
+def raised(place: Workspace, build: RosBuild) -> Iterator[str]:
+    """Yield the commands that raise the standard of C++ of packages that are cloned into the workspace."""
+    if place.folder == WORKSPACE:  # its own packages lie among those that are cloned
+        folders = " ".join(quote.shell(f"src/{source.name}") for source in place.sources)
+    else:
+        folders = f"src --but {quote.shell(place.folder.removeprefix(f'{WORKSPACE}/'))}"
+    for standard, names in build.raised:
+        yield f"{RAISED} {standard} {quote.shell(names)} {folders}"
 
 
 def ignoring(source: str, build: RosBuild) -> Iterator[str]:

@@ -6,11 +6,11 @@ import posixpath
 from collections.abc import Iterable, Iterator
 
 from roslab.plan.plan import Plan
-from roslab.plan.workspace import WORKSPACE, RosBuild
+from roslab.plan.ros_build import WORKSPACE, RosBuild
 from roslab.render import quote
 from roslab.render.layers import attempts, cloned_heads, locks, manifests, prepared, secrets, shell
 from roslab.render.layers.called import with_called
-from roslab.render.layers.prepared import WITHOUT_LACKING
+from roslab.render.layers.prepared import RAISED, WITHOUT_LACKING
 
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
@@ -220,8 +220,8 @@ def compile_workspace(plan: Plan) -> str:
 
 def _scripts(run: str) -> tuple[str, ...]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
-    before = (WITHOUT_DOUBLES, WITHOUT_LACKING, prepared.MAKES_FOLDERS, DECLARED, WITHOUT_TESTS)
-    names = (*before, attempts.WITHOUT_FAILED, attempts.NEEDED, HEADERS_FIRST)
+    before = (WITHOUT_DOUBLES, WITHOUT_LACKING, prepared.MAKES_FOLDERS, DECLARED, RAISED, WITHOUT_TESTS)
+    names = (*before, *attempts.SCRIPTS, HEADERS_FIRST)
     return with_called(name for name in names if name in run)
 
 
@@ -262,8 +262,8 @@ def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     unsure = [f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in build.unsure)}"] if build.unsure else []
     declared = [f"{DECLARED} src"] if build.undeclared else []
     before = [*prepared.not_there(source, build), *prepared.ignoring(source, build), *unsure]
-    before += [*prepared.lacking(source, build), *prepared.of_clones(plan, build)]
-    return [*before, *declared, *_building(plan, build, again)]
+    before += [*prepared.lacking(source, build), *prepared.of_clones(plan, build), *declared]
+    return [*before, *prepared.raised(plan.workspace, build), *_building(plan, build, again)]
 
 
 def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
