@@ -12,10 +12,11 @@ from roslab.decide.build_tool import decide_build_tool
 from roslab.decide.chains import decide_bases
 from roslab.decide.clones_day import decide_clones_day
 from roslab.decide.command import decide_command
+from roslab.decide.cuda.for_packages import in_no_image
 from roslab.decide.cuda.source_packages import with_too_old_sources
 from roslab.decide.cuda.toolkit import by_script, decide_toolkit
 from roslab.decide.cuda.unnamed import where_unnamed
-from roslab.decide.cuda.version import NO_CUDA, decide_cuda
+from roslab.decide.cuda.version import decide_cuda
 from roslab.decide.day import decide_days
 from roslab.decide.decision import Decision
 from roslab.decide.downloads import decide_downloads
@@ -81,7 +82,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence = with_refs(one_way(evidence, cuda.answer.version), distro)
     mentioned = pins(evidence)
     version = decide_version(evidence, config, kind.answer, pins=mentioned, ros_distro=distro, cuda=cuda.answer.version)
-    cuda = where_unnamed(cuda, evidence, config, kind.answer, version.answer)
+    cuda = where_unnamed(cuda, evidence, config, kind.answer, version.answer, release.answer)
     base = decide_base(
         evidence,
         config,
@@ -198,7 +199,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         downloads=downloads.answer,
     )
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
-    cuda = with_too_old_sources(cuda, everything) if on_cuda else NO_CUDA
+    cuda = with_too_old_sources(cuda, everything) if on_cuda else in_no_image(cuda)
     compiling = decide_compiling(
         projects, (*everything, *python.answer.first), cuda.answer.version, evidence, by_script(evidence)
     )
@@ -253,6 +254,8 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         everything,
         processor,
         () if own.answer else sources.answer.sources,
+        apt=() if own.answer else system.answer.installed,
+        ubuntu=base.answer.ubuntu,
     )
     return decision_of(
         Choices(

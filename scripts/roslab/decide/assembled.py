@@ -41,7 +41,7 @@ from roslab.decide.system.may_fail import may_fail
 from roslab.decide.system.missing import Missing, marked
 from roslab.decide.system.must_build import must_build
 from roslab.decide.system.names import Target
-from roslab.decide.system.needs import host_options
+from roslab.decide.system.needs import TOOLKIT, host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_packages import own_packages
 from roslab.decide.system.packages import SystemPackages
@@ -259,7 +259,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command, cuda=of.on_cuda),
             *header_definitions_of(evidence, config, of.build_tool.answer),
         ),
-        cuda_options=host_options(of.system.answer.apt_guessed, of.base.answer.ubuntu),
+        cuda_options=host_options(of.system.answer.installed, of.base.answer.ubuntu),
         own_packages=files.answer,
         header_links=linked_headers(evidence, of.base.answer.ubuntu),
         interpreters=() if of.own.answer else interpreters.answer,
@@ -288,7 +288,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         platforms_refused=of.platforms.answer.refused,
         cuda=of.cuda.answer.version,
         cudnn=of.cuda.answer.cudnn,
-        gpu=of.on_cuda if config.gpu is None else config.gpu,
+        gpu=of.on_cuda or TOOLKIT in of.system.answer.installed if config.gpu is None else config.gpu,
         gui=of.command.answer.gui,
         ports=of.command.answer.ports,
         volumes=of.command.answer.volumes,

@@ -111,11 +111,13 @@ def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: 
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
     on_top = (f"ros-{distro.name}-{variant}",) if variants().get(variant) is False else ()
     authored = _nvidia_dockerfile(evidence)
-    if cuda.version and (config.base.cuda or authored):
+    if cuda.version and (config.base.cuda or authored or cuda.compiled):
         image, _, reasons = base_for(
             "cuda", cuda.version, cuda.cudnn if cuda.cudnn_named else None, distro.ubuntu, None
         )
-        if config.base.cuda or authored is None:
+        if cuda.compiled:
+            said = because("base_image", image, "packages are compiled for CUDA", weight=Weight.AUTHORS_IMAGE)
+        elif config.base.cuda or authored is None:
             said = configured(config, "base_image", image, "base.cuda")
         else:
             said = because(

@@ -11,9 +11,11 @@ from roslab.decide.processor import OnX86
 from roslab.decide.python.image_python import Python
 from roslab.decide.reasons import Placed, because, configured, warn
 from roslab.decide.ros.source_names import address
+from roslab.decide.system.needs import TOOLKIT
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.accelerated import accelerated
 from roslab.knowledge.arm64 import amd64_only, arm64_since, arm64_wheels
+from roslab.knowledge.cuda_toolkits import toolkits_for_arm64
 from roslab.knowledge.distros import distro
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.native_part import NativePart
@@ -55,6 +57,9 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
     installed: tuple[Requirement, ...],
     on_x86: OnX86,
     sources: Iterable[Source] = (),
+    *,
+    apt: Iterable[str] = (),
+    ubuntu: str | None = None,
 ) -> Choice[Platforms]:
     """Return the platforms that can exist: amd64 always, arm64 where the base, CUDA and every pinned wheel have it."""
     if config.platforms is not None:
@@ -63,6 +68,7 @@ def decide_platforms(  # noqa: PLR0917 - the order in which the questions are an
     against = (
         _of_base(base_image, ros_distro)
         or _of_cuda(kind, base_image, cuda, python)
+        or _of_toolkit(apt, ubuntu)
         or _of_wheels(python, installed)
         or _of_conda(evidence, python)
         or _of_archives(sources, python.native_parts)
@@ -135,6 +141,13 @@ def _of_cuda(kind: Kind, base_image: str, cuda: str | None, python: Python) -> A
         return f"nvidia/cuda has no arm64 image of CUDA {number} for this Ubuntu", None
     if kind == "cuda" and python.manager != "system" and Version(number) < arm64_since("cuda wheels"):
         return f"frameworks have no arm64 wheels for CUDA {number}", None
+    return None
+
+
+def _of_toolkit(apt: Iterable[str], ubuntu: str | None) -> Against | None:
+    """Tell of Ubuntu's own toolkit of CUDA, without which nothing is compiled for it."""
+    if TOOLKIT in apt and ubuntu not in toolkits_for_arm64():
+        return f"Ubuntu {ubuntu} has {TOOLKIT} for amd64 only", None
     return None
 
 

@@ -27,6 +27,8 @@ class CMakeProject:
     languages: tuple[str, ...]
     macros: tuple[str, ...]
     """Macro families that it calls: ``catkin``, ``ament``, ``rosbuild``, ``cuda``."""
+    cuda: bool = False
+    """It needs the compiler of CUDA under no condition."""
     executables: tuple[tuple[str, int], ...]
     """Programs of ``add_executable`` and similar calls by the names of their files, with their lines."""
     dependencies: tuple[Dependency, ...]

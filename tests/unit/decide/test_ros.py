@@ -604,9 +604,13 @@ GPU = "option(WITH_GPU 'a' OFF)\n"
 def test_cuda_that_a_package_of_ros_cannot_do_without(tmp_path: Path, cmake: str, asked: bool) -> None:
     made = "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(catkin REQUIRED)\n"
     files = {**package(), "CMakeLists.txt": made + cmake, "README.md": "ROS noetic\n"}
-    assert (CUDA in decided(tmp_path, files).apt_guessed) == asked
+    found = decided(tmp_path, files)
+    assert (CUDA in (*found.apt, *found.apt_guessed)) == asked
+    assert (CUDA in found.apt) == (asked and "if(" not in cmake)
+    assert found.gpu == asked
     files["Dockerfile"] = "FROM nvidia/cuda:11.8.0-devel-ubuntu20.04\nRUN apt-get install -y ros-noetic-ros-base\n"
-    assert CUDA not in decided(tmp_path, files).apt_guessed
+    found = decided(tmp_path, files)
+    assert CUDA not in (*found.apt, *found.apt_guessed)
 
 
 @pytest.mark.parametrize(
@@ -634,7 +638,7 @@ def test_ubuntus_own_cuda_gets_a_compiler_that_it_takes(
     found = decided(tmp_path, {**package(), "CMakeLists.txt": cmake, "README.md": f"ROS {release}\n"})
     options = {f"-D{name}=/usr/bin/{compiler}" for name in ("CUDA_HOST_COMPILER", "CMAKE_CUDA_HOST_COMPILER")}
     assert {*found.cuda_options} == (options if compiler else set())
-    assert [name for name in found.apt_guessed if name.startswith("g++")] == ([compiler] if compiler else [])
+    assert [name for name in found.apt if name.startswith("g++")] == ([compiler] if compiler else [])
     written = make_plan(found, Config(), folder_name="demo").workspace.ros
     assert written is not None
     assert {*found.cuda_options} <= {*written.cmake_options}

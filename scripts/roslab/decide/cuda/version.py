@@ -60,6 +60,8 @@ class Cuda:
     cudnn: str | None = None
     cudnn_named: bool = False
     """Something asks for cuDNN; otherwise only frameworks need the image with it."""
+    compiled: bool = False
+    """Packages of ROS are compiled with it, for which Ubuntu's own toolkit does not do."""
 
 
 NO_CUDA: Choice[Cuda] = Choice(answer=Cuda())

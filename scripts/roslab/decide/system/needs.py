@@ -29,6 +29,8 @@ from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
 TOOLKIT = "nvidia-cuda-toolkit"
+ON_CUDA = "cuda"
+"""Role of what compiles for CUDA."""
 QMAKE = "qt5-qmake"
 _OF_CODE = frozenset({"called", "configure", "fetch", "in_script", "linked", "run", "typelib"})
 """Roles of packages that the code itself shows."""
@@ -114,7 +116,8 @@ def compiler_of_cuda(evidence: Evidence, packages: Packages, kind: Kind, ubuntu:
         if "cuda" in project.macros and not aside and (not folders or "" in folders or _inside(path, folders)):
             asked = project.line
             for name in (TOOLKIT, compiler) if compiler else (TOOLKIT,):
-                yield Dependency(namespace="apt", name=name, strength="used", file=path, line=asked, role="cuda")
+                sure: Strength = "declared" if project.cuda else "used"
+                yield Dependency(namespace="apt", name=name, strength=sure, file=path, line=asked, role=ON_CUDA)
 
 
 def host_options(apt: Iterable[str], ubuntu: str | None) -> tuple[str, ...]:

@@ -27,7 +27,7 @@ from roslab.decide.system.by_pip import imported_from_pip, only_imported
 from roslab.decide.system.carried import brought, held
 from roslab.decide.system.compiled_with import compiled_with
 from roslab.decide.system.names import Target, resolve
-from roslab.decide.system.needs import compiler_of_cuda, needs, of_another_python
+from roslab.decide.system.needs import ON_CUDA, compiler_of_cuda, needs, of_another_python
 from roslab.decide.system.one_qt import of_another_qt
 from roslab.decide.system.recipes import lies_elsewhere, linked
 from roslab.decide.system.requested import requested
@@ -65,6 +65,11 @@ class SystemPackages:
     """``(row of the table of recipes, what asks for it)``."""
     brought: tuple[str, ...] = ()
     """Packages that are needed too, and that others of these depend on."""
+
+    @property
+    def installed(self) -> tuple[str, ...]:
+        """All packages of apt, those that are guessed, too."""
+        return (*self.apt, *self.apt_guessed)
 
 
 @dataclass
@@ -244,7 +249,8 @@ def _add(
     meant = resolve(dependency, target)
     if dependency.namespace == "apt" and dependency.strength == "prose":
         found.written.update(meant.apt)
-    sure = trusted and dependency.strength == "declared" and dependency.namespace in {"cmake", "pkg-config"}
+    required = dependency.namespace in {"cmake", "pkg-config"} or dependency.role == ON_CUDA
+    sure = trusted and dependency.strength == "declared" and required
     if meant.recipe and trusted and (dependency.strength != "optional" or _written(meant.recipe, target, by_hand)):
         found.recipes.setdefault(meant.recipe, dependency)
     for apt in meant.apt:

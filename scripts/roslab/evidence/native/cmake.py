@@ -184,6 +184,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         always=above.always,
         languages=tuple(dict.fromkeys(reading.languages)),
         macros=tuple(name for name in reading.macros if name != "cuda" or brings(reading.cuda, options, repository)),
+        cuda=any(not call.conditions for call in reading.cuda),
         executables=tuple((reading.written.file(name), line) for name, line in reading.executables.items()),
         dependencies=tuple(
             dict.fromkeys(

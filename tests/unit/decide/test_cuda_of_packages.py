@@ -1,0 +1,88 @@
+"""The CUDA that packages of ROS are compiled with, where Ubuntu's own toolkit is another one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
+
+MANIFEST = (
+    "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend></package>"
+)
+MADE = "cmake_minimum_required(VERSION 3.8)\nproject(demo LANGUAGES CXX CUDA)\nfind_package(catkin REQUIRED)\n"
+TOOLKIT = "nvidia-cuda-toolkit"
+
+
+def _decided(root: Path, page: str, cmake: str = MADE, ros: str = "noetic") -> Decision:
+    for name, text in {"package.xml": MANIFEST, "CMakeLists.txt": cmake, "README.md": f"ROS {ros}\n\n{page}\n"}.items():
+        (root / name).write_text(text, encoding="utf-8")
+    return decide(gather(Repository.open(root)), Config(), folder_name="demo")
+
+
+@pytest.mark.parametrize(
+    ("page", "cuda"),
+    [
+        ("- CUDA (10.2 - 11.5 are tested)", "11.5.2"),
+        ("CUDA >= 11.1", "11.8.0"),
+        ("CUDA 11.3 or newer", "11.8.0"),
+        ("CUDA 11.3", "11.3.1"),
+        ("CUDA 12.1", "12.1.1"),
+        ("CUDA 10.1", ""),
+        ("CUDA 10.0 or higher", ""),
+        ("CUDA 9.0", ""),
+        ("pip install torch for CUDA 11.3", ""),
+        ("A paper.", ""),
+    ],
+)
+def test_the_versions_of_a_page_decide(tmp_path: Path, page: str, cuda: str) -> None:
+    found = _decided(tmp_path, page)
+    if not cuda:
+        assert (found.base_image, TOOLKIT in found.apt) == ("ros:noetic-ros-base", True)
+        assert found.platforms == ("linux/amd64",)
+        assert found.platforms_refused == (("linux/arm64", f"Ubuntu focal has {TOOLKIT} for amd64 only"),)
+    else:
+        assert found.base_image == f"nvidia/cuda:{cuda}-devel-ubuntu20.04"
+        assert TOOLKIT not in (*found.apt, *found.apt_guessed)
+        assert "ros-noetic-ros-base" in found.apt
+        assert any("the toolkit of focal is CUDA 10.1" in each.reason for each in found.reasons)
+    assert found.gpu
+
+
+def test_the_toolkit_of_a_newer_ubuntu_is_for_both_platforms(tmp_path: Path) -> None:
+    manifest = MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
+    (tmp_path / "package.xml").write_text(manifest, encoding="utf-8")
+    for name, text in {
+        "package.xml": manifest,
+        "CMakeLists.txt": MADE.replace("catkin", "ament_cmake") + "ament_package()\n",
+        "README.md": "ROS 2 humble, CUDA 11.4 or newer\n",
+    }.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    assert (found.ros_distro, TOOLKIT in found.apt) == ("humble", True)
+    assert found.platforms == ("linux/amd64", "linux/arm64")
+
+
+@pytest.mark.parametrize(
+    ("cmake", "cuda"),
+    [
+        (f"{MADE}find_package(CUDAToolkit 11.2 REQUIRED)\n", "11.8.0"),
+        (f"{MADE}set(CMAKE_CUDA_ARCHITECTURES 86)\n", "11.8.0"),
+        (f"{MADE}set(CMAKE_CUDA_ARCHITECTURES 61)\n", ""),
+        (MADE.replace(" LANGUAGES CXX CUDA", ""), ""),
+    ],
+)
+def test_what_cmake_asks_for_decides(tmp_path: Path, cmake: str, cuda: str) -> None:
+    image = f"nvidia/cuda:{cuda}-devel-ubuntu20.04" if cuda else "ros:noetic-ros-base"
+    assert _decided(tmp_path, "", cmake).base_image == image
+
+
+def test_a_version_without_an_image_is_told(tmp_path: Path) -> None:
+    found = _decided(tmp_path, "CUDA 13.0 or newer")
+    assert found.base_image == "ros:noetic-ros-base"
+    assert any("the toolkit of focal is CUDA 10.1, and no image" in each.message for each in found.warnings)
