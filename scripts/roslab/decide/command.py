@@ -31,6 +31,7 @@ from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
 from roslab.decide.reasons import because, configured
 from roslab.decide.released_pages import without_copied_packages
+from roslab.decide.required_options import behind_whole
 from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
@@ -100,7 +101,7 @@ def decide_command(
     for candidate in (_started_by(python, each, kind) for each in candidates_of(evidence, kind)):
         if not starts_one(candidate, lacking) and (authored is None or there_in(candidate, authored)):
             by_argv.setdefault(candidate.argv, candidate)
-    found = list(by_argv.values())
+    found = behind_whole(by_argv.values(), evidence)
     candidates = tuple(by_argv)[:MAX_CANDIDATES]
     volumes = _volumes(authored, config)
     if config.command is not None:

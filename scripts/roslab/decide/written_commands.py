@@ -46,6 +46,8 @@ _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
 _NO_NODES = ("python", "bash", "jupyter")
 """What starts a program that may be no node: of a shell script nobody knows."""
+_USAGE = pattern(r"\[-(?:h|-help)\b")
+"""What argparse prints of a program, which is no call of it."""
 _MANY = 10
 """Packages of a collection: what the page of one of them runs by its path is a tool of that one."""
 TOOLS = frozenset({"setup.py", "setup_db.py", "conftest.py", "get-pip.py", "download.py", "manage.py"})
@@ -117,7 +119,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         program = next((file for file in mention.files if file.endswith(".py")), "")
         told = {options.get((program, name), "") for name in gap}
         argv = _runnable(whole, mention, tree, ros=ros, compiled=compiled)
-        if argv is not None and not fetching & {*argv[:2]}:
+        if argv is not None and not fetching & {*argv[:2]} and not (gap and _USAGE.search(mention.value)):
             strong = not compiled or not any(places.example(part) for part in program_of(argv))
             place = (mention.file, mention.line, mention.value)
             once = place in tried

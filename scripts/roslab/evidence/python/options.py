@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import islice, pairwise
+from itertools import pairwise
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matches_at
@@ -25,6 +25,7 @@ _KEY = pattern(r"[a-z_][\w-]*(?:[./][\w-]+)+")
 """A key of a configuration: ``trainer.devices``."""
 _NAME = pattern(r"-{1,2}[\w-]+")
 _REQUIRED = pattern(r"\brequired\s?=\s?True\b|\bprompt\s?=\s?(?!False\b|None\b)")
+_DEMANDED = pattern(r"\brequired\s?=\s?True\b")
 _GIVEN = pattern(
     r"\bdefault\s?=\s?(?!None\b)|\bis_flag\s?=\s?True\b|\baction\s?=\s?[\"'](?:store_|append|count|help|version)"
 )
@@ -58,15 +59,23 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
 
 
 def of_programs(repository: Repository, programs: Iterable[Program], mentions: Iterable[Mention]) -> Iterator[Mention]:
-    """Yield the arguments without a dash that programs require which no page starts: nothing gives them any."""
-    started = {file for mention in mentions if mention.topic == "command" for file in mention.files}
-    others = (each for each in programs if each.kind == "main" and each.file not in started)
-    for program in islice(others, MOST):
+    """Yield the arguments without a dash that programs require which no page starts: nothing gives them any.
+
+    Of all programs, also the options that they require, each with all its names: ``-m --map``.
+    """
+    said = [mention for mention in mentions if mention.topic == "command"]
+    started = {file for mention in said for file in mention.files}
+    by_ros = {word for m in said if m.value.startswith("ros") for word in m.value.split()[:4] if word.endswith(".py")}
+    known = list(programs)
+    others = [each for each in known if each.kind == "main" and each.file not in started]
+    ours = [each for each in known if each.file in started or each.file.rpartition("/")[2] in by_ros]
+    for program in (*ours, *others[:MOST]):
         text = repository.read(program.file, limit=MAX_SIZE)
-        for name in _positional(text):
-            yield Mention(
-                topic="positional", value=name, source="code", file=program.file, line=program.line, text=name
-            )
+        at = Mention(topic="required", value="", source="code", file=program.file, line=program.line, text="")
+        for name in _positional(text) if program.file not in started else ():
+            yield replace(at, topic="positional", value=name, text=name)
+        for name in _required(text):
+            yield replace(at, value=name, text=name)
 
 
 def _positional(text: str) -> tuple[str, ...]:
@@ -79,6 +88,15 @@ def _positional(text: str) -> tuple[str, ...]:
         if not _LEFT_OUT.search(_until_closed(text[match.end() : match.end() + MAX_CALL]))
     )
     return tuple(found)
+
+
+def _required(text: str) -> tuple[str, ...]:
+    """Return the options that argparse requires, ``()`` where it has parsers for several commands or may set others."""
+    if "required" not in text or "add_subparsers(" in text or "set_defaults(" in text:
+        return ()
+    found = matches_at(_CALL, text, "add_argument(")
+    rests = ((match, _until_closed(text[match.end() : match.end() + MAX_CALL])) for match in found)
+    return tuple(dict.fromkeys(" ".join(_NAME.findall(match[1])) for match, rest in rests if _DEMANDED.search(rest)))
 
 
 def _refused(command: str, program: str) -> Iterator[str]:

@@ -1,0 +1,53 @@
+"""Commands that stop at once, for their program requires arguments that they do not give."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.ros.workspace import packages_of
+from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import replace
+
+
+def behind_whole(candidates: Iterable[Candidate], evidence: Evidence) -> list[Candidate]:
+    """Return the commands, those that lack what their program requires as the weakest, where another one does not.
+
+    One that lost what its page leaves to the reader is known as such already.
+    """
+    found = list(candidates)
+    lacking = [not each.cut and bool(lacks(each.argv, evidence)) for each in found]
+    if all(lacking):
+        return found
+    return [
+        replace(each, strong=False, cut=True, demands="required") if stops else each
+        for each, stops in zip(found, lacking, strict=True)
+    ]
+
+
+def lacks(argv: Sequence[str], evidence: Evidence) -> tuple[str, ...]:
+    """Return what the program of a command requires and the command does not give, by argparse's or click's calls."""
+    file = _file(tuple(argv), evidence)
+    words = argv[len(program_of(tuple(argv))) :]
+    given = {word.partition("=")[0] for word in words}
+    told = [m for m in evidence.mentions if m.file == file and file]
+    options = [m.value for m in told if m.topic == "required" and given.isdisjoint(m.value.split())]
+    positional = [m.value for m in told if m.topic == "positional"] if not words else []
+    return tuple(dict.fromkeys((*positional, *options)))
+
+
+def _file(argv: tuple[str, ...], evidence: Evidence) -> str:
+    """Return the file of Python that a command starts, ``""`` where nothing tells."""
+    words = program_of(argv)
+    if argv[0].startswith("python"):
+        return words[-1] if words[-1].endswith(".py") else ""
+    if argv[0] != "rosrun" and argv[:2] != ("ros2", "run"):
+        return ""
+    folders = (m.file.rpartition("/")[0] for m in packages_of(evidence).built if m.name == words[-2])
+    folder = next(folders, None)
+    below = [each.file for each in evidence.programs if folder is not None and _inside(each.file, folder)]
+    return next((file for file in below if file.rpartition("/")[2] == words[-1]), "")
+
+
+def _inside(file: str, folder: str) -> bool:
+    return not folder or file.startswith(f"{folder}/")

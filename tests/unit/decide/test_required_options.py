@@ -1,0 +1,74 @@
+"""Commands that lack what their program requires."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
+
+GUARD = "\n\nif __name__ == '__main__':\n    main()\n"
+MANIFEST = (
+    "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>rospy</build_depend></package>"
+)
+
+
+def _decided(root: Path, files: dict[str, str]) -> Decision:
+    for path, text in files.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text, encoding="utf-8")
+    return decide(gather(Repository.open(root)), Config(), folder_name="demo")
+
+
+def _program(*arguments: str) -> str:
+    return "import argparse\n\np = argparse.ArgumentParser()\n" + "".join(f"p.{each}\n" for each in arguments) + GUARD
+
+
+@pytest.mark.parametrize(
+    ("argument", "page", "command"),
+    [
+        ("add_argument('--map', required=True)", "python plan.py\npython show.py", "show.py"),
+        ("add_argument('-m', '--map', type=str, required=True)", "python plan.py -m a\npython show.py", "plan.py"),
+        ("add_argument('--map', required=True)", "python plan.py --map=a\npython show.py", "plan.py"),
+        ("add_argument('map')", "python plan.py\npython show.py", "show.py"),
+        ("add_argument('map')", "python plan.py a\npython show.py", "plan.py"),
+        ("add_argument('--map', default='a')", "python plan.py\npython show.py", "plan.py"),
+        ("add_argument('--map', required=True)", "python plan.py", "plan.py"),
+        ("add_subparsers()\np.add_argument('--map', required=True)", "python plan.py\npython show.py", "plan.py"),
+    ],
+)
+def test_another_program_comes_first(tmp_path: Path, argument: str, page: str, command: str) -> None:
+    show = {"show.py": _program()} if "show.py" in page else {}
+    files = {"plan.py": _program(argument), **show, "README.md": f"# demo\n\n## Run\n```\n{page}\n```\n"}
+    assert _decided(tmp_path, files).command[:2] == ("python", command)
+
+
+def test_a_usage_text_is_no_run(tmp_path: Path) -> None:
+    usage = "rosrun demo plan.py\n    [-h]\n    --map MAP\n    [--show SHOW]"
+    run = "rosrun demo plan.py --map a.csv"
+    files = {
+        "package.xml": MANIFEST,
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+        "scripts/plan.py": "#!/usr/bin/env python\n" + _program("add_argument('--map', required=True)"),
+        "a.csv": "",
+        "README.md": f"# demo\nROS noetic\n```\n{usage}\n```\n\nExample:\n```\n{run}\n```\n",
+    }
+    found = _decided(tmp_path, files)
+    assert found.command == tuple(run.split())
+    assert ("rosrun", "demo", "plan.py") not in found.command_candidates
+
+
+def test_a_node_without_what_it_requires_is_behind_another(tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST,
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+        "scripts/plan.py": "#!/usr/bin/env python\n" + _program("add_argument('--map', required=True)"),
+        "scripts/show.py": "#!/usr/bin/env python\n" + _program(),
+        "README.md": "# demo\nROS noetic\n```\nrosrun demo plan.py\nrosrun demo show.py\n```\n",
+    }
+    assert _decided(tmp_path, files).command == ("rosrun", "demo", "show.py")
