@@ -116,13 +116,14 @@ from roslab.evidence.ros import (
     package_xml,
     rosbuild,
     rosdep_lists,
+    started_by_scripts,
     vcs,
 )
 from roslab.repository.checkout import Repository
 
 MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, named_ports.read, opened.read),
-    *(said_in_code.read, shared_objects.made_on, templates.read),
+    *(said_in_code.read, shared_objects.made_on, started_by_scripts.calls, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""
 PROSE = (

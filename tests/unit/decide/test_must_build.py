@@ -133,3 +133,20 @@ def test_what_the_code_of_the_command_includes_stops_the_build(tmp_path: Path, c
         (tmp_path / path).write_text(text)
     warnings = [each.message for each in plan_repository(tmp_path).plan.warnings]
     assert [said in each for each in warnings if "no key acme_tools" in each] == [True]
+
+
+@pytest.mark.parametrize(
+    ("script", "must"),
+    [
+        ('import os\nos.system("roslaunch driver driver.launch real:=true")\n', ("driver",)),
+        ('run = ["roslaunch", "driver", "driver.launch"]\n', ("driver",)),
+        ("run = 'rosrun  driver a'\n", ("driver",)),
+        ("run = f'sleep 1 && roslaunch --wait driver driver.launch a:={1}'\n", ("driver",)),
+        ('run = "roslaunch acme a.launch"\n', ()),
+        ('# "roslaunch driver driver.launch"\n', ()),
+    ],
+)
+def test_what_the_started_script_launches_is_never_left_out(tmp_path: Path, script: str, must: tuple[str, ...]) -> None:
+    guard = "if __name__ == '__main__':\n    pass\n"
+    files = {**TREE, "demos/plan.py": f"{script}{guard}", "demos/other.py": f'x = "rosrun tools a"\n{guard}'}
+    assert planned(tmp_path, "python3 demos/plan.py", files)[0] == must

@@ -16,6 +16,7 @@ from roslab.values.words import line_of
 _STARTED = pattern(r"\b(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*)(?= )")
 _LAUNCHED = pattern(r"\b(?:roslaunch|ros2 launch) [^;&|'\"]{1,2000}")
 """The call of a launch file, also where a shell makes it."""
+_WORD = pattern(r"[\w./-]+\.(?:py|(?:ba)?sh)\b")
 
 
 def must_build(
@@ -41,7 +42,18 @@ def must_build(
         for name in _launched(evidence, line)
         if name not in left_out and (name in there or (name not in has and sources.may_hold(name)))
     )
-    return tuple(dict.fromkeys((*_STARTED.findall(line), *launched)))
+    return tuple(dict.fromkeys((*_STARTED.findall(line), *_called(evidence, line, packages), *launched)))
+
+
+def _called(evidence: Evidence, line: str, packages: Packages) -> Iterator[str]:
+    """Yield the packages of the tree of which the script that a command starts launches something, in a string."""
+    words = [word.removeprefix("./") for word in _WORD.findall(line)]
+    own = {manifest.name for manifest in packages.built}
+    for mention in evidence.mentions:
+        if mention.topic == "calls" and mention.value in own:
+            name = mention.file.rpartition("/")[2]
+            if any(word.rpartition("/")[2] == name and mention.file.endswith(word) for word in words):
+                yield mention.value
 
 
 def _launched(evidence: Evidence, line: str) -> Iterator[str]:
