@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslab.config.model import Config, Kind
+from roslab.config.model import Config
 from roslab.decide.assembled import Choices, decision_of
 from roslab.decide.author_dockerfile import decide_dockerfile
 from roslab.decide.authored import as_authored
@@ -23,12 +23,12 @@ from roslab.decide.downloads import decide_downloads
 from roslab.decide.kind import decide_kind
 from roslab.decide.launch_needs import packages_lacking
 from roslab.decide.nothing import require_something
+from roslab.decide.of_kind import of_kind
 from roslab.decide.old_formats import as_it_was, narrowed
 from roslab.decide.platforms import decide_platforms
 from roslab.decide.processor import decide_processor
 from roslab.decide.proof import decide_test
 from roslab.decide.python.alternatives import one_way
-from roslab.decide.python.brought import with_what_is_brought
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
@@ -39,7 +39,6 @@ from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.layout import decide_layout
-from roslab.decide.ros.not_built import of_what_is_built
 from roslab.decide.ros.sought import linked, tried
 from roslab.decide.ros.sources import decide_sources
 from roslab.decide.ros.used import asked
@@ -50,7 +49,6 @@ from roslab.decide.steps import decide_steps
 from roslab.decide.switched_off import without_what_is_lacking
 from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.as_tried import as_tried
-from roslab.decide.system.compiled_signs import with_compiled_signs
 from roslab.decide.system.gazebo import with_release
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
@@ -75,7 +73,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence, config = narrowed(evidence, config)
     day, pip_day, evidence = decide_days(of_one_environment(evidence, config), config)
     kind = decide_kind(evidence, config, folder_name)
-    evidence = _of_kind(evidence, kind.answer, folder_name)
+    evidence = of_kind(evidence, kind.answer, folder_name)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
     cuda = decide_cuda(evidence, config, pins(evidence))
@@ -295,9 +293,3 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         config,
         folder_name=folder_name,
     )
-
-
-def _of_kind(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
-    """Return the evidence of what a repository of a kind builds, with the signs of what it brings and compiles."""
-    brought = with_what_is_brought(of_what_is_built(evidence, kind), kind, folder_name)
-    return with_compiled_signs(brought, kind)

@@ -99,8 +99,8 @@ def _by_apt(of: Choices) -> tuple[str, ...]:
 
 
 def _unknown_packages(of: Choices, evidence: Evidence, config: Config) -> Choice[None]:
-    apt = (*_by_apt(of), *config.apt)
-    return decide_unknown_packages(evidence, config, of.kind.answer, sources=of.sources.answer, there=apt)
+    there = (*_by_apt(of), *config.apt)
+    return decide_unknown_packages(evidence, config, of.kind.answer, sources=of.sources.answer, there=there)
 
 
 def _as_needed(of: Choices, evidence: Evidence, needed: tuple[str, ...]) -> Choice[SystemPackages]:
@@ -114,13 +114,11 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
 
     Where the author's Dockerfile is built, nothing is told of what it does in its own way.
     """
-    distro = of.release.answer.name if of.release.answer else None
+    distro, ubuntu = of.release.answer.name if of.release.answer else None, of.base.answer.ubuntu
     ros = of.kind.answer in _ROS
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
-    interpreters = decide_interpreters(evidence, config, of.base.answer.ubuntu)
-    files = (
-        Choice[tuple[str, ...]](answer=()) if of.own.answer else own_packages(evidence, config, of.base.answer.ubuntu)
-    )
+    interpreters = decide_interpreters(evidence, config, ubuntu)
+    files = Choice[tuple[str, ...]](answer=()) if of.own.answer else own_packages(evidence, config, ubuntu)
     folders = decide_author_folders(evidence, config, of.packages, of.layout.answer, of.build_tool.answer)
     failing = may_fail(
         evidence, of.packages, of.target, of.sources.answer, of.left_out, stopping=of.missing.answer.stopping

@@ -29,6 +29,7 @@ from roslab.decide.included import included
 from roslab.decide.launched import launched
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
+from roslab.decide.outward import ports_of_page, volumes_of
 from roslab.decide.reasons import because, configured
 from roslab.decide.released_pages import without_copied_packages
 from roslab.decide.required_options import behind_whole
@@ -103,7 +104,7 @@ def decide_command(
             by_argv.setdefault(candidate.argv, candidate)
     found = behind_whole(by_argv.values(), evidence)
     candidates = tuple(by_argv)[:MAX_CANDIDATES]
-    volumes = _volumes(authored, config)
+    volumes = volumes_of(authored, config)
     if config.command is not None:
         text = line_of(config.command)
         said = configured(config, "command", text, "command")
@@ -116,7 +117,7 @@ def decide_command(
     inside = next((c for c in found if c.argv == command and (c.inside or (c.makes and not dockerfile))), None)
     page = by_argv.get(command)
     ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
-    ports = ports or (_ports(page, evidence) if page and not dockerfile else ()) or ports_in(command, evidence)
+    ports = ports or (ports_of_page(page, evidence) if page and not dockerfile else ()) or ports_in(command, evidence)
     whole = launched(inside or page, evidence) if page else None
     command = whole.argv if whole else command
     within = folder_of(page, authored) if page and authored and not started(authored) else None
@@ -290,21 +291,3 @@ def _barest(candidates: list[Candidate]) -> list[Candidate]:
         if known is None or len(argv) < len(known.argv):
             programs[program] = candidate
     return list(programs.values())
-
-
-def _volumes(authored: AuthorDockerfile | None, config: Config) -> tuple[Volume, ...]:
-    """Return the folders that Docker Compose mounts, without those for which roslab.yaml has another."""
-    taken = {each.container_path for each in config.volume}
-    mounted = authored.service.volumes if authored and authored.service else ()
-    return tuple(Volume(host_path=h, container_path=c, options=o, made=True) for h, c, o in mounted if c not in taken)
-
-
-def _ports(page: Candidate, evidence: Evidence) -> tuple[str, ...]:
-    """Return the port at which the section that runs a command has its reader open it, if that names only one.
-
-    An address that the command is given is of another server.
-    """
-    said = (m for m in evidence.mentions if m.topic == "port" and (m.file, m.heading) == (page.file, page.heading))
-    addresses = [word for word in page.argv if "://" in word]
-    found = {m.value for m in said if not any(f":{m.value}" in word for word in addresses)}
-    return tuple(f"{port}:{port}" for port in found) if len(found) == 1 else ()

@@ -6,6 +6,7 @@ from typing import cast
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
 from roslab.decide.beside_cpp import built_otherwise, mostly_cpp, to_compile, uncompiled, with_helpers
+from roslab.decide.built_by_pages import built_by_page, only_by_pip, without_ros
 from roslab.decide.cuda.for_libtorch import for_libtorch
 from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_of_cuda
 from roslab.decide.decision import Choice, Reason, Warning_
@@ -18,9 +19,8 @@ from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import run_by_page, wraps
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, Mention, PackageManifest
+from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.knowledge.distros import distro, distros
-from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
 _ROS_NAME = pattern(r"(?:^|[-_.])ros[12]?(?:[-_.]|$)")
@@ -130,7 +130,7 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
     files = [m.file for m in (*by_version[1], *by_version[2])]
     wrapper = not named and wraps(evidence, files)
     around = any("/" not in project.file for project in evidence.cmake)  # the library that the examples wrap
-    around = around and not _without_ros(evidence)
+    around = around and not without_ros(evidence)
     examples = not (named or around) and all(places.sample(file.rpartition("/")[0]) for file in files)
     reasons: list[Reason] = []
     for version, made in by_version.items():
@@ -246,9 +246,9 @@ def _cpp(evidence: Evidence) -> list[Reason]:
     on_gpu = ("cuda" in top.macros and compiled) or includes_tensorrt(evidence) or for_libtorch(evidence)
     answer = "cuda" if on_gpu else "cpp"
     bindings = any(not project.folder and "cmake" in project.extensions for project in evidence.python)
-    if root and bindings and mostly_cpp(evidence) and not _only_by_pip(evidence):
+    if root and bindings and mostly_cpp(evidence) and not only_by_pip(evidence):
         return [because("kind", answer, "a CMake project with Python bindings", top, weight=Weight.BINDINGS)]
-    said = None if "rosbuild" in top.macros else _built_by_page(evidence)  # rosbuild's packages are made by CMake, too
+    said = None if "rosbuild" in top.macros else built_by_page(evidence)  # rosbuild's packages are made by CMake, too
     if root and said and mostly_cpp(evidence):
         return [
             because(
@@ -273,30 +273,3 @@ def _by_make(evidence: Evidence) -> list[Reason]:
         what = "a project of qmake" if made.qt else what
         return [because("kind", answer, what, made, weight=weight)]
     return []
-
-
-def _built_by_page(evidence: Evidence) -> Mention | None:
-    """Return where the page at the root runs CMake, ``None`` if it does not, or has pip install the repository."""
-    return None if _by_pip(evidence) else _page_of_cmake(evidence)
-
-
-def _without_ros(evidence: Evidence) -> bool:
-    """Tell whether the page at the root builds the repository by CMake, and no page names a build tool of ROS."""
-    tools = {m.value for m in evidence.mentions if m.topic == "build_tool"}
-    return tools.isdisjoint(WORKSPACE_TOOLS) and _built_by_page(evidence) is not None
-
-
-def _only_by_pip(evidence: Evidence) -> bool:
-    """Tell whether the pages have pip install the repository, which compiles it, and the page at the root no CMake."""
-    return _by_pip(evidence) and _page_of_cmake(evidence) is None
-
-
-def _by_pip(evidence: Evidence) -> bool:
-    """Tell whether the pages have pip install the repository, from its folder or by its name."""
-    names = {canonicalize_name(project.name) for project in evidence.python if not project.folder and project.name}
-    return any(asked.role == "project" or asked.key in names for asked in evidence.prose_pip)
-
-
-def _page_of_cmake(evidence: Evidence) -> Mention | None:
-    said = (m for m in evidence.mentions if m.topic == "build_tool" and m.value == "cmake" and m.source == "readme")
-    return next((mention for mention in said if "/" not in mention.file), None)

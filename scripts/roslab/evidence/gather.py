@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 
 from roslab.evidence import links, places, pointers, submodules
-from roslab.evidence.facts import Evidence, PackageManifest
+from roslab.evidence.facts import Evidence
 from roslab.evidence.native import (
     asked_variables,
     authors_folders,
@@ -178,7 +178,8 @@ def gather(repository: Repository) -> Evidence:
     by_file = linked_files.read(own)
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
     otherwise = tuple(other_builders.read(repository))
-    paths = author_folders.read(repository, _folders(manifests)) if manifests else ()
+    folders = tuple((each.name, posixpath.dirname(each.file)) for each in manifests if each.name)
+    paths = author_folders.read(repository, folders) if manifests else ()
     dates = manifests or cmake_projects or made or listed or by_file or otherwise
     return Evidence(
         manifests=manifests,
@@ -285,7 +286,3 @@ def gather(repository: Repository) -> Evidence:
             *stopped_setup.problems(stopped),
         ),
     )
-
-
-def _folders(manifests: tuple[PackageManifest, ...]) -> tuple[tuple[str, str], ...]:
-    return tuple((each.name, posixpath.dirname(each.file)) for each in manifests if each.name)

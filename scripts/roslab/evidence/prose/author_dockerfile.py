@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Set
 from typing import TYPE_CHECKING
 
-from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import AuthorDockerfile, Mention
 from roslab.evidence.lex.shell import Command, expand
 from roslab.evidence.prose import mentions, other_dockerfiles
 from roslab.evidence.prose.build_scope import Scope
 from roslab.evidence.prose.build_values import Values, secret_of
+from roslab.evidence.prose.cloned_folders import from_one, is_itself
 from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
@@ -165,7 +164,7 @@ class _Reading:
         if name == "WORKDIR":
             start.workdir = posixpath.join(start.workdir, expand(body.strip().strip("\"'"), self.known))
             cloned = {clone.folder for clone in self.collector.sources}
-            left, self.inside = self.inside, _from_one(cloned, start.workdir)
+            left, self.inside = self.inside, from_one(cloned, start.workdir)
             self.collector.folder = "" if left else self.collector.folder
         elif name == "ENTRYPOINT":
             start.entrypoint, start.line = argv(body), start.line or line
@@ -245,7 +244,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     if other_dockerfiles.named_otherwise(file):
         missing = missing or "it has a name of its own: it tells what the image needs, and none is made with it"
     service, taken_there = services(repository).get(file.path), taken(written, known)
-    itself = any(_itself(repository, clone) for clone in collector.sources)
+    itself = any(is_itself(repository, clone) for clone in collector.sources)
     return AuthorDockerfile(
         file=file.path,
         line=1,
@@ -283,12 +282,6 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     )
 
 
-def _from_one(folders: Set[str], path: str) -> str:
-    """Return the end of a path from the last of the folders on that it names, ``""`` where it names none."""
-    parts = path.split("/")
-    return next(("/".join(parts[at:]) for at in reversed(range(len(parts))) if parts[at] in folders), "")
-
-
 def _from_start(start: _Start) -> str:
     """Return the path to the copy of the build context from where a container starts, if both are known."""
     if start.source is None or "$" in f"{start.source}{start.workdir}":
@@ -302,9 +295,3 @@ def _collect(collector: Collector, instruction: Instruction) -> None:
         collector.text(text, instruction.line)
     else:
         collector.logical(text, instruction.line)
-
-
-def _itself(repository: Repository, clone: GitSource) -> bool:
-    origin = (repository.origin or "").rstrip("/").removesuffix(".git").rpartition("/")[2].lower()
-    folder = repository.folder_name.rpartition("__")[2].lower()
-    return clone.name.lower() in {origin, folder} - {""}
