@@ -40,6 +40,7 @@ class Unlisted:
 
     def __init__(self, repository: Repository) -> None:
         self._repository = repository
+        self._by_folder: dict[str, tuple[str, ...] | None] = {}
 
     def has(self, path: str) -> bool:
         """Tell whether no list names a source, though the CMakeLists.txt of its folder, or of one above, names others.
@@ -50,16 +51,24 @@ class Unlisted:
         folder, _, name = path.rpartition("/")
         if not name.endswith(_SOURCES):
             return False
-        above = [folder]
-        while above[-1]:
-            above.append(above[-1].rpartition("/")[0])
-        lists = [text for folder in above for name in _LISTS if (text := self._text(folder, name))]
-        if any(map(_ANY.search, lists)):
-            return False
-        if not any(_CODE.search(text) for folder in above if (text := self._text(folder, _LISTS[0]))):
+        if folder not in self._by_folder:
+            self._by_folder[folder] = self._listing(folder)
+        lists = self._by_folder[folder]
+        if lists is None:
             return False
         apart = len(self._repository.named(name)) > 1 and not self._leads_out
         return not {name, name.rpartition(".")[0]} & (_words_of(lists) if apart else self._words)
+
+    def _listing(self, folder: str) -> tuple[str, ...] | None:
+        """Return the lists of a folder and those above, ``None`` where they may take sources of any name."""
+        above = [folder]
+        while above[-1]:
+            above.append(above[-1].rpartition("/")[0])
+        lists = tuple(text for each in above for name in _LISTS if (text := self._text(each, name)))
+        if any(map(_ANY.search, lists)):
+            return None
+        by_name = any(_CODE.search(text) for each in above if (text := self._text(each, _LISTS[0])))
+        return lists if by_name else None
 
     def _text(self, folder: str, name: str) -> str:
         path = f"{folder}/{name}" if folder else name
