@@ -47,6 +47,19 @@ def test_a_list_of_conda_s_packages_is_the_environment_with_the_channels_of_the_
     assert [each.text for each in python.pip] == ["einops==0.3.0"]
 
 
+def test_an_old_pip_of_such_a_list_is_the_newest(tmp_path: Path) -> None:
+    """Nothing of the file is changed: it is not in the image."""
+    files = {**CODE, "spec.txt": f"{LIST}pip=19.3.1=py37_0\n", "README.md": _page("conda create -n a --file spec.txt")}
+    for path, text in files.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    plan = plan_repository(tmp_path).plan
+    assert plan.python.conda_old_pip
+    text = dockerfile(plan)
+    assert "numpy=1.19.2=py37h54aff64_0" in text
+    assert "pip=19.3.1" not in text
+    assert "/tmp/manifests/spec.txt" not in text
+
+
 def test_a_list_of_files_is_installed_as_it_stands(tmp_path: Path) -> None:
     url = "https://conda.anaconda.org/conda-forge/linux-64/python-3.8.5-h1103e12_9_cpython.tar.bz2"
     files = {

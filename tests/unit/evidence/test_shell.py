@@ -144,3 +144,9 @@ def test_hostile_lines_end(text: str) -> None:
 def test_a_page_sets_what_stands_for_a_distribution(tmp_path: Path, page: str, name: str) -> None:
     (tmp_path / "README.md").write_text(f"# A\n```\n{page}```\n")
     assert [d.name for d in gather(Repository.open(tmp_path)).prose] == [name]
+
+
+@pytest.mark.parametrize("end", [" `", "`", ""])
+def test_a_mark_of_the_page_behind_a_command_is_no_word(end: str) -> None:
+    (command,) = commands(f"python train.py --config configs/a.json{end}")
+    assert command.words == ("python", "train.py", "--config", "configs/a.json")

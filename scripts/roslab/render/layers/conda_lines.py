@@ -13,7 +13,12 @@ from roslab.render.layers import building, caches, manifests, shell
 
 
 def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
-    """Return the commands that take out of a conda file what it cannot install, and correct its pip."""
+    """Return the commands that take out of a conda file what it cannot install, and correct its pip.
+
+    None where the image has no such file: its packages are given by name.
+    """
+    if python.conda_specs:
+        return ()
     commands = [*_without(python.conda_local, file, others=python.conda_pip)]
     if python.conda_no_channels:
         commands.append(_fewer_channels(python.conda_no_channels, file))
@@ -22,6 +27,12 @@ def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
     if python.conda_pip_below:
         commands.append(_older_pip(file, python.conda_pip_below))
     return tuple(commands)
+
+
+def specs(python: PythonPlan) -> tuple[str, ...]:
+    """Return the packages that are given by name, without an old pip, in whose place another is asked for."""
+    old = python.conda_old_pip
+    return tuple(spec for spec in python.conda_specs if not (old and spec.partition("=")[0].strip() == "pip"))
 
 
 def pip_part(plan: Plan, python: str, options: str) -> tuple[str, ...]:

@@ -113,7 +113,7 @@ def _conda(plan: Plan) -> str:
     copy, source = "", f"--channel conda-forge {quote.shell(f'python={python.version}')} {quote.shell(pip)}"
     if python.conda_specs:
         channels = "".join(f" --channel {quote.shell(channel)}" for channel in python.conda_channels)
-        source = f"{channels.lstrip()}{shell.words((*python.conda_specs, pip))}"
+        source = f"{channels.lstrip()}{shell.words((*conda_lines.specs(python), pip))}"
     elif python.conda_file:
         copy = manifests.copy(plan, manifests.of_conda(plan))
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
