@@ -271,7 +271,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             command=command,
             test=decide_test(config),
             platforms=platforms,
-            sources=authors_clones(sources, evidence, dockerfile),
+            sources=authors_clones(sources, evidence, dockerfile, config),
             system=system,
             inside=inside,
             repositories=repositories,

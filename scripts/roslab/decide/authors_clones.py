@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from roslab.config.model import Source
+from roslab.config.model import Config, Source
 from roslab.decide.chains import local_bases
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
@@ -26,13 +26,16 @@ _LINE = pattern(r"v?\d+(?:\.\d+)*\.x")
 """A branch of releases by its name: ``4.x``."""
 
 
-def authors_clones(sources: Choice[Sources], evidence: Evidence, dockerfile: str | None) -> Choice[Sources]:
+def authors_clones(
+    sources: Choice[Sources], evidence: Evidence, dockerfile: str | None, config: Config
+) -> Choice[Sources]:
     """Return the sources as the author changes them, or those that a ``dockerfile`` clones, as it says.
 
-    Old code is told of each clone at a head: the build takes the newest commit.
+    Old code is told of each clone at a head: the build takes the newest commit. An old format builds as it did, without
+    patches.
     """
     if dockerfile is None:
-        return with_marks(with_patches(sources, evidence), evidence)
+        return with_marks(sources if config.compatible else with_patches(sources, evidence), evidence)
     told: dict[str, GitSource] = {}
     for git in _clones(evidence, dockerfile):
         if "$" not in git.url and not git.removed:

@@ -69,9 +69,9 @@ def _needed(plan: Plan) -> tuple[str, ...]:
     folders = (folder for folder in plan.workspace.python_projects if folder not in ("", "."))
     program = plan.workspace.program
     cmake = (posixpath.join(program.folder, "CMakeLists.txt"),) if program else ()
-    return tuple(
-        sorted({*python.manifests, *python.requirements, *conda, *folders, *manifests, *cmake, *plan.own_packages})
-    )
+    sources = (*plan.libraries, *plan.workspace.sources, *plan.workspace.submodules)
+    files = (*manifests, *cmake, *plan.own_packages, *(patch.path for each in sources for patch in each.patches))
+    return tuple(sorted({*python.manifests, *python.requirements, *conda, *folders, *files}))
 
 
 def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:

@@ -160,6 +160,18 @@ def test_what_is_fetched_again_stays_of_the_day(tmp_path: Path, commands: str, s
 
 
 @pytest.mark.parametrize(
+    ("words", "folder"),
+    [("ORIGIN --recursive", "matrix"), ("ORIGIN -b aside", "matrix"), ("--branch aside -- ORIGIN", "matrix")],
+)
+def test_a_clone_with_options_behind_its_address_is_of_the_day(tmp_path: Path, words: str, folder: str) -> None:
+    origin = origin_of(tmp_path)
+    step(tmp_path / "here", f"git clone {words.replace('ORIGIN', '../origin/matrix')}")
+    for place, said in ((tmp_path / "here" / folder, "old"), (origin, "new")):  # what is cloned stays as it is
+        log = ["git", "-C", str(place), "log", "-1", "--format=%s"]
+        assert subprocess.run(log, check=True, capture_output=True, text=True).stdout.strip() == said
+
+
+@pytest.mark.parametrize(
     ("options", "said"),
     [("", "old"), ("--depth 1", "old"), ("--depth 1 --branch aside", "old"), ("--branch v2", "new")],
 )

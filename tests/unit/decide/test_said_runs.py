@@ -25,6 +25,8 @@ FILES = {"requirements.txt": "numpy\n", "test/test_plan.py": PLAN, "demo/plan.py
         ("The script that is run by the server is `demo/plan.py`.", None),
         ("The script to run all tests is `test/test_plan.py`.", None),
         ("The file to run is `demo/gone.py`.", None),
+        ("The script you should not run is `demo/plan.py`.", None),
+        ("The old script is no longer run: `demo/plan.py`", None),
         ("Running it reads `demo/settings.py`.", None),
     ],
 )

@@ -62,3 +62,8 @@ def test_a_session_counts_more_than_the_name_of_a_launch_file(tree: Tree) -> Non
     decision = tree(files | {"tmux/one/session.yml": SESSION})
     assert decision.command == CONFIGURED
     assert any(r.reason == "tmux/one/session.yml starts it" and r.line == 11 for r in decision.reasons)
+
+
+def test_a_session_that_holds_itself_ends(tree: Tree) -> None:
+    held = "windows:\n  - &b {layout: x, panes: [*b, 'roslaunch demo a.launch']}\n"
+    assert tree(FILES | {"tmux/one/session.yml": held}).kind == "ros1"

@@ -52,3 +52,16 @@ def test_wheels_tell_for_which_pythons(tree: Tree) -> None:
     page = WHEELS.replace("USED", "pypa/cibuildwheel@v2.22.0").replace("cp310-* cp311-*", "cp311-*")
     found = tree({"play.py": "import numpy\n", ".github/workflows/wheels.yml": page})
     assert found.python.version == "3.11"
+
+
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        (".travis.yml", "dist: bionic\nscript:\n  - python -m cibuildwheel\n"),
+        (".gitlab-ci.yml", "wheels:\n  script: cibuildwheel\n"),
+        (".github/workflows/a.yml", "jobs: # of wheels\n\n# cibuildwheel\n"),
+        (".github/workflows/a.yml", "# cibuildwheel\njobs:\n"),
+    ],
+)
+def test_a_file_of_ci_without_such_jobs_is_read_as_before(tree: Tree, file: str, text: str) -> None:
+    assert tree({**CPP, file: text}).kind == "cpp"

@@ -78,3 +78,9 @@ def test_what_is_no_definition(tmp_path: Path, name: str, text: str) -> None:
 def test_a_dockerfile_tells_more(tmp_path: Path) -> None:
     decision = decided(tmp_path, {"recipe.def": HEADER, "docker/Dockerfile": "FROM ros:melodic\nCOPY . /ws/src/demo\n"})
     assert decision.ros_distro == "melodic"
+
+
+@pytest.mark.parametrize("name", ["Singularity.Dockerfile", "apptainer.dockerfile"])
+def test_a_dockerfile_of_such_a_name_is_one(tmp_path: Path, name: str) -> None:
+    decision = decided(tmp_path, {name: "FROM ros:noetic\nRUN apt-get update && apt-get install -y libfoo-dev\n"})
+    assert "libfoo-dev" in (*decision.apt, *decision.apt_guessed)

@@ -51,3 +51,12 @@ def test_a_patch_that_does_not_fit(clone: Path, command: tuple[str, ...]) -> Non
 def test_a_clone_that_was_left_out(clone: Path) -> None:
     made = _run("--stops", clone.parent / "gone", clone.parent / "new.patch", *GIT)
     assert (made.returncode, "left out: new.patch" in made.stdout) == (0, True)
+
+
+@pytest.mark.parametrize("command", [GIT, PATCH])
+def test_a_patch_of_several_commits(clone: Path, command: tuple[str, ...]) -> None:
+    later = "--- a/a.txt\n+++ b/a.txt\n@@ -1 +1 @@\n-new\n+newest\n"
+    (clone.parent / "new.patch").write_text((clone.parent / "new.patch").read_text() + later)
+    made = _run("--stops", clone, clone.parent / "new.patch", *command)
+    assert (made.returncode, (clone / "a.txt").read_text()) == (0, "newest\n"), made.stderr
+    assert sorted(each.name for each in clone.iterdir()) == [".git", "a.txt"]

@@ -7,7 +7,7 @@ from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.on_index import named_like
 from roslab.knowledge.released import ever_released
-from roslab.values.name import bare_name
+from roslab.values.name import bare_name, canonicalize_name
 
 _SHORTEST = 4
 """Fewest letters of a module that stand in a package's name by more than chance."""
@@ -28,9 +28,13 @@ def on_index(evidence: Evidence, used: Dependency) -> str | None:
 
 
 def _at(used: Dependency, link: Mention) -> bool:
-    return link.file == used.file and link.line in {used.line, used.line - 1}
+    above = link.line == used.line - 1 and link.text.lstrip().startswith("#")
+    return link.file == used.file and (above or link.line == used.line)
 
 
 def _called_like(module: str, package: str) -> bool:
+    """Tell whether a package is called like a module, or like it with one more word: ``acme-arm-driver``."""
     name, other = bare_name(module), bare_name(package)
-    return name == other or (len(name) >= _SHORTEST and (other.startswith(name) or other.endswith(name)))
+    words, others = canonicalize_name(module).split("-"), canonicalize_name(package).split("-")
+    more = len(name) >= _SHORTEST and len(others) == len(words) + 1 and words in (others[:-1], others[1:])
+    return name == other or more or (len(name) >= _SHORTEST and other.endswith(name))

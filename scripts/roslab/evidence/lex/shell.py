@@ -49,6 +49,7 @@ _TOKEN = pattern(
       | (?P<other>.)""",
     re.VERBOSE | re.DOTALL,
 )
+_MARK = "`"
 _WRAPPERS = frozenset(
     (
         *("export", "ARG", "ENV", "sudo", "time", "exec", "nice", "command", "then", "do", "else", "if", "!", "while"),
@@ -213,7 +214,7 @@ def _split(text: str, line: int, known: Mapping[str, str]) -> Iterator[_Simple]:
         elif kind == "redirect" or (kind == "version" and not now.started):
             now.finish()
             now.redirected = "" if token.endswith(("&1", "&2", "&")) else token
-        elif token != "`":  # nothing closes it: it is no shell's, but a mark of the page
+        elif token != _MARK:  # nothing closes it: it is no shell's, but a mark of the page
             now.take(_pieces(kind or "other", token, known), line)
             line += token.count("\n")
     yield now.end()

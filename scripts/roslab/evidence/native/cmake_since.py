@@ -17,7 +17,7 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
-_DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:]+)", re.IGNORECASE | re.MULTILINE)
+_DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:.+-]+)", re.IGNORECASE | re.MULTILINE)
 _VERSION = pattern(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)")
 _DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRARY")
 _MODULE = ("include", "find_package")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -46,6 +46,7 @@ class Nowhere:
     found: dict[tuple[str, str], Dependency] = field(default_factory=dict)
     """By the header and the package that includes it."""
     known: dict[str, bool] = field(default_factory=dict)
+    _calls: dict[str, Mapping[str, list[bool]]] = field(default_factory=dict)
 
     def header(self, name: str, file: File, text: str, position: int) -> bool:
         """Note an include at a position of a file if its header is nowhere, and tell whether it is."""
@@ -87,14 +88,20 @@ class Nowhere:
         above = [folder]
         while above[-1]:
             above.append(above[-1].rpartition("/")[0])
-        named = [
-            made_here(call.conditions)
-            for file in self.repository.named("CMakeLists.txt")
-            if file.folder in above and name in (text := self.repository.read(file))
-            for call in calls(text, frozenset({"*"}))
-            if any(word.rpartition("/")[2] == name for word in call.written)
-        ]
+        files = [file for file in self.repository.named("CMakeLists.txt") if file.folder in above]
+        named = [made for file in files for made in self._made(file).get(name, ())]
         return bool(named) and not any(named)
+
+    def _made(self, file: File) -> Mapping[str, list[bool]]:
+        """Return for each word of a CMakeLists.txt, without folders, whether the calls that have it are always made."""
+        if file.path not in self._calls:
+            found: dict[str, list[bool]] = {}
+            for call in calls(self.repository.read(file), frozenset({"*"})):
+                made = made_here(call.conditions)
+                for word in {word.rpartition("/")[2] for word in call.written}:
+                    found.setdefault(word, []).append(made)
+            self._calls[file.path] = found
+        return self._calls[file.path]
 
     def _of_library(self, name: str) -> bool:
         """Tell whether a header is one of a library elsewhere: no file of the tree has its name, or makes it."""

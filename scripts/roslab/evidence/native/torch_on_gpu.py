@@ -15,7 +15,7 @@ from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 TOPIC: Literal["torch_on_gpu"] = "torch_on_gpu"
-_ARCHIVE = pattern(r"libtorch/cu(\d{2,3})/[^\s\"')]*?(?:-(\d+\.\d+\.\d+))?(?:%2B|\+|\.zip)")
+_ARCHIVE = pattern(r"libtorch/cu(\d{2,3})/[^\s\"')]{0,200}?(?:-(\d+\.\d+\.\d+))?(?:%2B|\+|\.zip)")
 _SCRIPTS = (".sh", ".bash", ".md", ".rst", ".cmake", ".yml", ".yaml")
 OF_CI = (".yml", ".yaml")
 """How files end that most often are for another machine."""
@@ -80,7 +80,7 @@ def _code(repository: Repository) -> Iterator[Mention]:
 
 def _may_be_left_out(text: str, start: int, line: str) -> bool:
     """Tell whether a condition stands on a line or close above it, in an open comment too."""
-    before = _COMMENT.sub("", text[:start]).split("\n")[-_ABOVE - 1 :]
+    before = _COMMENT.sub("", "\n".join(text[max(0, start - 2_000) : start].split("\n")[-_ABOVE - 1 :])).split("\n")
     commented = text.rfind("/*", 0, start) > text.rfind("*/", 0, start)
     return commented or any(map(_BRANCH.search, (*before, line)))
 

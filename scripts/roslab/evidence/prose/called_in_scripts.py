@@ -24,7 +24,7 @@ _CALLED = pattern(
 )
 """A word where a command begins, also in ``$(…)``."""
 _NOT_RUN = pattern(
-    r"(?m)(?:^|(?<=\s))#.*$|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\\n]|\\.)*\"|'[^'\n]*'|[^;&|\"'\n])*"
+    r"(?m)(?:^|(?<=\s))#.*$|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\\n]|\\[^\n]){0,500}\"|'[^'\n]{0,500}'|[^;&|\"'\n]){0,500}"
 )
 """A comment, and what a line prints."""
 _EVERYWHERE = frozenset({"file", "ip", "ping", "ps", "python", "python2", "python3", "pip", "pip3", "sed"})

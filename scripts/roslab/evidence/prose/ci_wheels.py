@@ -11,7 +11,7 @@ from roslab.evidence.facts import Mention
 from roslab.values.pattern import pattern
 
 NAME = "cibuildwheel"
-_JOBS = pattern(r"jobs[ \t]*:[ \t]*$")
+_JOBS = pattern(r"[\"']?jobs[\"']?[ \t]*:[ \t]*(?:#.*)?$")
 _BUILD = pattern(r"[\"']?CIBW_BUILD[\"']?[ \t]*[:=][ \t]*(.*)")
 _TAG = pattern(r"\bcp([23])(\d{1,2})-")
 _OF_RUNNER = frozenset({"ubuntu", "python"})
@@ -38,7 +38,7 @@ def _wheel_jobs(lines: list[str]) -> Iterator[range]:
     end = next((at for at in filled if not lines[at].startswith((" ", "\t"))), len(lines))
     indent = _indent(lines[filled[0]]) if filled else 0
     starts = [at for at in filled if at < end and _indent(lines[at]) <= indent]
-    for start, stop in zip(starts, [*starts[1:], end], strict=True):
+    for start, stop in zip(starts, (*starts[1:], end)[: len(starts)], strict=True):
         if any(NAME in line for line in lines[start + 1 : stop]):
             yield range(start, stop)
 

@@ -10,7 +10,7 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
 _NAME = pattern(r"(?:singularity|apptainer)(?:[-_.].*)?|.*\.(?:def|singularity)")
-_NO_DEFINITION = pattern(r".*\.(?:md|rst|txt|sh|py|ya?ml|json|sif|simg|conf|zip|gz)")
+_NO_DEFINITION = pattern(r".*\.(?:md|rst|txt|sh|py|ya?ml|json|sif|simg|conf|zip|gz|dockerfile|containerfile)")
 _BEGINS = pattern(r"(?i)(?:[ \t]*(?:#[^\n]*)?\n|[ \t]*(?!bootstrap\b)\w+[ \t]*:[^\n]*\n){0,40}[ \t]*bootstrap[ \t]*:")
 _HEADER = pattern(r"(?i)^[ \t]*(bootstrap|from|osversion|mirrorurl)[ \t]*:[ \t]*(\S+)[ \t]*(?:#.*)?$")
 _SECTION = pattern(r"^%(\w+)")

@@ -32,6 +32,8 @@ _SAID = tuple(
 """A sentence that runs a script by its path."""
 _TESTS = pattern(r"\b(?:unit)?tests?\b|\bCI\b", re.IGNORECASE)
 """What such a sentence runs for those who work on the code."""
+_NO_MORE = pattern(r"\b(?:not|never|no longer|used to|old|deprecated|obsolete)\b|n't\b", re.IGNORECASE)
+"""What is not, or no more, to be run."""
 _TITLE = pattern(
     r"^\W*(?:\d[\d.]*\W*)?(?:how to (?:run|use|start|launch|execute)|"
     r"(?:run|runn?ing|usage|execution)\b(?! (?:the )?tests?\b))",
@@ -84,7 +86,8 @@ def _named(text: str) -> Iterator[tuple[str, str]]:
     """Yield the path and the arguments of each script that a line says is to be run."""
     for form in _SAID:
         for match in form.finditer(text):
-            if not _TESTS.search(_SPAN.sub("", match[0])):
+            said = _SPAN.sub("", match[0])
+            if not (_TESTS.search(said) or _NO_MORE.search(text[max(0, match.start() - 30) : match.start()] + said)):
                 yield match["path"], match["rest"]
 
 

@@ -22,6 +22,7 @@ MAX_SIZE = 64 * 1024
 MAX_FILES = 40
 """Most files that are opened, those nearest to the root first."""
 MAX_DEPTH = 2
+MAX_NESTED = 6
 """Most folders above a script that starts the whole."""
 _PYTHON = pattern(r"python[23]?(?:\.\d+)?")
 _STARTS = pattern(r"(?:start|run)(?:[_-][\w-]*)?\.(?:sh|bash)")
@@ -66,17 +67,19 @@ def _of_session(repository: Repository, file: File) -> Iterator[Mention]:
         yield from _started(repository, file, typed, text.count("\n", 0, max(0, at)) + 1)
 
 
-def _typed(value: Any) -> Iterator[str]:
+def _typed(value: Any, depth: int = 0) -> Iterator[str]:
     """Yield what is typed into the panes: the texts of windows, but for those that only set something."""
+    if depth > MAX_NESTED:  # an anchor of YAML may hold itself
+        return
     if isinstance(value, str):
         yield value
     elif isinstance(value, list):
         for each in value:
-            yield from _typed(each)
+            yield from _typed(each, depth + 1)
     elif isinstance(value, dict):
         for name, each in value.items():
             if name not in {"layout", "root", "start_directory", "window_name", "options", "focus"}:
-                yield from _typed(each)
+                yield from _typed(each, depth + 1)
 
 
 def _started(repository: Repository, file: File, text: str, line: int) -> Iterator[Mention]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.lines import end_of_line
 from roslab.evidence.places import documentation, test, vendored
 from roslab.evidence.python.modules import MAX_READ, modules
 from roslab.repository.checkout import File, Repository, nearest
@@ -23,9 +24,8 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     for file, text in _texts(repository):
         for match in _LINK.finditer(text) if _HINT in text else ():
             line = text.count("\n", 0, match.start()) + 1
-            mention = Mention(
-                topic="index_link", value=match[1], source="code", file=file.path, line=line, text=match[0]
-            )
+            said = text[text.rfind("\n", 0, match.start()) + 1 : end_of_line(text, match.start())].strip()[:200]
+            mention = Mention(topic="index_link", value=match[1], source="code", file=file.path, line=line, text=said)
             found.setdefault(f"{canonicalize_name(match[1])}", mention)
     return tuple(found.values())
 

@@ -21,13 +21,24 @@ cd "${folder}"
 run() { # OPTION...
   if [ "${command[0]}" = git ]; then "${command[@]}" "$@" "${patch}"; else "${command[@]}" "$@" --force --input "${patch}"; fi
 }
+# Of several commits in one file, patch's own --dry-run tries each on the files as they are: it is tried on a copy
+fits() { # OPTION...
+  if [ "${command[0]}" = git ]; then
+    run --check "$@"
+    return
+  fi
+  local copy answer=0
+  copy="$(mktemp --directory)"
+  cp --archive . "${copy}"
+  (cd "${copy}" && run "$@") || answer=$?
+  rm -rf "${copy}"
+  return "${answer}"
+}
 command=("$@")
-try=--dry-run
-if [ "$1" = git ]; then try=--check; fi
-if run "${try}"; then
+if fits; then
   run
   echo "roslab: ${name} is applied to ${folder##*/}"
-elif run "${try}" --reverse >/dev/null 2>&1; then
+elif fits --reverse >/dev/null 2>&1; then
   echo "roslab: ${folder##*/} has what ${name} changes already"
 elif [ -n "${stops}" ]; then
   echo "roslab: ${name} does not fit ${folder##*/}: the build stops there, as its author's does" >&2

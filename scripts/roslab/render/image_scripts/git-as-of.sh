@@ -19,7 +19,10 @@ if [[ "${1:-}" = [0-9]* ]]; then # as no command of git begins
   exit 0
 fi
 
-PATH="${PATH//"${0%/*}:"/}"
+path=":${PATH}:"
+path="${path//":${0%/*}:"/:}"
+path="${path#:}"
+PATH="${path%:}"
 # Options before the command, with which its repository is found
 here=(git)
 command=''
@@ -42,44 +45,60 @@ if [ -z "${GIT_AS_OF:-}" ] || [[ "${command}" != clone && "${command}" != fetch 
 fi
 git "$@"
 
-# The last commit of the day that was on a branch; where only the newest ones were fetched, with the others
-of_day() {
-  local commit
-  commit="$("${here[@]}" rev-list -1 --first-parent --before="${GIT_AS_OF}T23:59:59Z" "$1")"
-  if [ -z "${commit}" ] && [ -e "$("${here[@]}" rev-parse --show-toplevel)/.git/shallow" ]; then
-    "${here[@]}" fetch --quiet --unshallow >&2
-    commit="$("${here[@]}" rev-list -1 --first-parent --before="${GIT_AS_OF}T23:59:59Z" "$1")"
+# The last commit of the day that was on a branch
+of_day() { # BRANCH
+  "${here[@]}" rev-list -1 --first-parent --before="${GIT_AS_OF}T23:59:59Z" "$1"
+}
+# Where only the newest commits were fetched and none is of the day, the others are fetched, too
+deepened=''
+deepen() { # BRANCH
+  if [ -z "${deepened}" ] && [ -e "$("${here[@]}" rev-parse --show-toplevel)/.git/shallow" ] && [ -z "$(of_day "$1")" ]; then
+    deepened=yes
+    "${here[@]}" fetch --quiet --unshallow >&2 || true
   fi
-  echo "${commit}"
 }
 
 if [ "${command}" = clone ]; then
-  folder="${!#}"
-  inside=("${here[@]}" -C)
-  if [ "$("${inside[@]}" "${folder}" rev-parse --git-dir 2>/dev/null)" != .git ]; then # git names it by the address
-    folder="${folder%/}"
+  # What stands behind the options: the address, and the folder or none
+  said=()
+  for ((i = i + 1; i < $#; i++)); do
+    case "${words[i]}" in
+      -b | --branch | -o | --origin | -u | --upload-pack | -c | --config | -j | --jobs | --depth | --filter | --template) i=$((i + 1)) ;;
+      --reference | --reference-if-able | --separate-git-dir | --server-option | --shallow-since | --shallow-exclude) i=$((i + 1)) ;;
+      -*) ;;
+      *) said+=("${words[i]}") ;;
+    esac
+  done
+  folder="${said[1]:-}"
+  if [ -z "${folder}" ]; then # git names it by the address
+    folder="${said[0]%/}"
+    folder="${folder%/.git}"
     folder="${folder##*[/:]}"
     folder="${folder%.git}"
   fi
-  here=("${inside[@]}" "${folder}")
-  # A tag that is asked for has no branch; a mirror has nothing checked out
-  if [ "$("${here[@]}" rev-parse --is-inside-work-tree 2>/dev/null)" = true ] \
-    && "${here[@]}" symbolic-ref --quiet HEAD >/dev/null; then
-    commit="$(of_day HEAD)"
-    if [ -n "${commit}" ]; then
-      "${here[@]}" reset --quiet --hard "${commit}"
-      if [[ " $* " == *" --recurs"* ]]; then
-        "${here[@]}" submodule --quiet update --init --recursive
-      fi
-    else
-      echo "roslab: ${folder##*/} has no commit of ${GIT_AS_OF} or before: its newest one is taken" >&2
+  here+=(-C "${folder}")
+  # A mirror has nothing checked out
+  if [ "$("${here[@]}" rev-parse --is-inside-work-tree 2>/dev/null)" != true ]; then exit 0; fi
+  # A tag that was asked for has no branch, and nothing more is asked of its clone
+  if ! "${here[@]}" symbolic-ref --quiet HEAD >/dev/null; then exit 0; fi
+  deepen HEAD
+  commit="$(of_day HEAD)"
+  if [ -n "${commit}" ]; then
+    "${here[@]}" reset --quiet --hard "${commit}"
+    if [[ " $* " == *" --recurs"* ]]; then
+      "${here[@]}" submodule --quiet sync --recursive
+      "${here[@]}" submodule --quiet update --init --recursive \
+        || echo "roslab: left out: submodules of ${folder##*/} as it was on ${GIT_AS_OF}" >&2
     fi
+  else
+    echo "roslab: ${folder##*/} has no commit of ${GIT_AS_OF} or before: its newest one is taken" >&2
   fi
 fi
 if ! "${here[@]}" rev-parse --git-dir >/dev/null 2>&1; then exit 0; fi
-"${here[@]}" for-each-ref --format='%(refname)' refs/remotes | while read -r branch; do
+while read -r branch; do
   if [[ "${branch}" != */HEAD ]]; then
+    deepen "${branch}"
     commit="$(of_day "${branch}")"
     if [ -n "${commit}" ]; then "${here[@]}" update-ref "${branch}" "${commit}"; fi
   fi
-done
+done < <("${here[@]}" for-each-ref --format='%(refname)' refs/remotes)

@@ -39,6 +39,7 @@ installed() {
 }
 
 find "$1" -name .git -prune -o -name CMakeLists.txt -print | sort | while read -r file; do
+  if [ ! -f "${file}" ]; then continue; fi # a link of catkin's to another machine's distribution
   commands "${file}" | installed | while read -r path; do
     path="$(dirname "${file}")/${path%/}"
     if [ -e "${path}" ] || [ -L "${path}" ]; then continue; fi
