@@ -161,3 +161,18 @@ def test_a_branch_that_may_be_gone(tmp_path: Path, remote: Path, branch: str, br
     assert "quad_x" in found, "the default branch has it"
     assert ("quad_z" in found) == bool(brings)
     assert ("has no gone any more: main is taken" in said) == (branch == "gone")
+
+
+def test_what_a_clone_of_before_hid_is_there_once_it_is_asked_for(tmp_path: Path, remote: Path) -> None:
+    _manifest(remote / "quad_plan", "quad_plan", "quad_viewer")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "second")
+    (tmp_path / "ws/src/mine").mkdir(parents=True)
+    (tmp_path / "ws/src/mine/CATKIN_IGNORE").touch()  # the author's own
+    (tmp_path / "ws/src/mine/COLCON_IGNORE").touch()
+    _, _, passed = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_msgs")
+    assert passed == ["group", "mine", "quad_plan", "quad_viewer", "quad_x", "quad_y"]
+    said, _, passed = _run(tmp_path, (tmp_path / "gone").as_uri(), f"{tmp_path}/ws/src/gone", "quad_plan")
+    assert passed == ["group", "mine", "quad_x", "quad_y"]
+    assert "roslab: no longer hidden: quad_plan\nroslab: no longer hidden: quad_viewer\n" in said
+    assert "is not needed: the workspace has quad_plan" in said

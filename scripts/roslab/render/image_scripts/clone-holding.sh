@@ -24,6 +24,9 @@ leave_out() {
   rm -rf "${folder}"
   exit 0
 }
+if [ -d "${workspace}" ]; then # a clone of before may have one, hidden because nothing needed it then
+  workspace-packages show "${workspace}" "$@" | sed 's/^/roslab: no longer hidden: /'
+fi
 lacking=()
 for package in "$@"; do
   if [ ! -d "${workspace}" ] || [ -z "$(workspace-packages needed "${workspace}" "${package}")" ]; then

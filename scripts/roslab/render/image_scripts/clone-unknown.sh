@@ -65,6 +65,11 @@ for key in "$@"; do
   manifest="${asked["${key}"]:-}"
   if [ -z "${manifest}" ] || grep --quiet --line-regexp --fixed-strings "${key}" "${tried}"; then continue; fi
   echo "${key}" >>"${tried}"
+  if [ -n "$(workspace-packages show "${workspace}" "${key}")" ]; then # a clone of before has it
+    echo "roslab: no longer hidden: ${key}"
+    new=yes
+    continue
+  fi
   while read -r name url ref; do
     if [ "${name}" = "${key}" ] && try "${key}" "${url}" "${ref}"; then
       new=yes

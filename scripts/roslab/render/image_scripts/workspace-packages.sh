@@ -1,10 +1,11 @@
 #!/bin/bash
-# usage: workspace-packages needed|hide FOLDER [--without PATH [--but PATH]...] NAME...
+# usage: workspace-packages needed|hide|show FOLDER [--without PATH [--but PATH]...] NAME...
 # Of the packages below a folder, but those below a path that is left out, and not below what is left in it:
 #   needed  prints the named ones and what they need in turn, each with its package.xml behind a tab: what their package.xml
 #           names and what their launch files and models find
 #   hide    puts the markers by which catkin and colcon pass by into all but the named ones, and prints their names
-# What lies in a folder with such a marker is none of them.
+#   show    takes these markers out of the named ones and of what they need in turn, and prints their names
+# What lies in a folder with another such marker is none of them.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 what="$1" folder="$2" without='' but=()
@@ -21,6 +22,30 @@ found_by() {
     "([$][(](find|find-pkg-share|find-pkg-prefix) +|package://|(pkg|package) *=|(FindPackageShare|FindPackagePrefix|get_package_share_directory|get_package_prefix|get_package_share_path)[(])${name}" \
     "$1" || true; } | sed --regexp-extended 's:.*[^A-Za-z0-9_-]::' | sort --unique
 }
+
+own='hidden by workspace-packages'
+hidden() { find "${folder}" -name .git -prune -o -name CATKIN_IGNORE -exec grep --quiet --fixed-strings "${own}" {} \; -printf '%h\n'; }
+if [ "${what}" = show ]; then
+  declare -A place_of=()
+  while read -r here; do
+    name="$(read-manifest name "${here}/package.xml")"
+    if [ -n "${name}" ]; then place_of["${name}"]="${here}"; fi
+  done < <(hidden)
+  queue=("$@")
+  while [ "${#queue[@]}" -gt 0 ]; do
+    more=()
+    for name in "${queue[@]}"; do
+      here="${place_of["${name}"]:-}"
+      if [ -z "${here}" ]; then continue; fi
+      unset "place_of[${name}]"
+      rm "${here}/CATKIN_IGNORE" "${here}/COLCON_IGNORE"
+      echo "${name}"
+      mapfile -t -O "${#more[@]}" more < <(read-manifest depends "${here}/package.xml" && found_by "${here}")
+    done
+    queue=("${more[@]}")
+  done
+  exit 0
+fi
 
 marked=()
 while read -r path; do marked+=(-path "${path}" -o); done < <(
@@ -56,6 +81,6 @@ for name in "${!file_of[@]}"; do
   for other in "${!named[@]}"; do
     if [[ "$(dirname "${file_of["${other}"]}")/" = "${here}/"* ]]; then continue 2; fi # the marker would hide it
   done
-  touch "${here}/CATKIN_IGNORE" "${here}/COLCON_IGNORE"
+  echo "${own}" | tee "${here}/CATKIN_IGNORE" >"${here}/COLCON_IGNORE"
   echo "${name}"
 done | sort
