@@ -173,7 +173,7 @@ def gather(repository: Repository) -> Evidence:
     lost = links.lost(repository, sources)
     sources = (*sources, *(by_name_alone := links.listed(lost) if manifests else ()))
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
-    lists = submodules.named(requirements.read(repository), own, prose.requirements)
+    lists = submodules.named(requirements.read(repository, prose.requirements), own, prose.requirements)
     made = makefiles.read(own, prose.mentions)
     by_file = linked_files.read(own)
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterable
 from typing import Literal
 
 from roslab.evidence import places
@@ -37,13 +38,17 @@ _OPTION = pattern(
 _INDEX = pattern(r"(?:^|\s)(-i|--index-url|--extra-index-url|-f|--find-links)[ =]+(https?://\S+)")
 """An option that says where packages lie, wherever it stands in a line."""
 _LONG = {"-i": "--index-url", "-f": "--find-links"}
+_LISTS = (".txt", ".in", ".pip", ".list", ".req", ".reqs")
 _NESTED = pattern(r"^(?:-r|--requirement)[ =]*(\S+)$")
 _COMMENTED = pattern(r"^[ \t]*#[ \t]*(?:-r|--requirement)[ =]*(\S+)", re.MULTILINE)
 _CONSTRAINT = pattern(r"^(?:-c|--constraint)[ =]*(\S+)$")
 
 
-def read(repository: Repository) -> tuple[RequirementFile, ...]:
-    """Return every requirements file of the tree, and what they include, sorted by path."""
+def read(repository: Repository, asked: Iterable[Requirement] = ()) -> tuple[RequirementFile, ...]:
+    """Return every requirements file of the tree, and what they include, sorted by path.
+
+    So are the files of any name that pages have pip read, which are ``asked`` for.
+    """
     found: dict[str, RequirementFile] = {}
     pending = [
         file.path
@@ -53,6 +58,7 @@ def read(repository: Repository) -> tuple[RequirementFile, ...]:
     pending = [path for path in pending if ".egg-info" not in path]
     misspelt = misspelt_lists.named(repository).difference(pending)
     pending += misspelt
+    pending += _given(repository, asked)
     while pending:
         path = pending.pop()
         if path in found or not repository.has(path):
@@ -72,6 +78,19 @@ def read(repository: Repository) -> tuple[RequirementFile, ...]:
         replace(found[path], purpose="dev") if path in aside and found[path].purpose == "run" else found[path]
         for path in sorted(found)
     )
+
+
+def _given(repository: Repository, asked: Iterable[Requirement]) -> list[str]:
+    """Return the files that pages give to ``pip install -r``, as far as the tree has one of that path."""
+    paths = {each.written.removeprefix("./") for each in asked if each.role == "file" and each.written}
+    found = []
+    for path in sorted(path for path in paths if path.endswith(_LISTS)):
+        files = repository.named(path.rpartition("/")[2])
+        there = [file.path for file in files if f"/{file.path}".endswith(f"/{path}")]
+        # From above the repository its own folder stands before the path
+        below = [file.path for file in files if path.endswith(f"/{file.path}")]
+        found += there or below
+    return found
 
 
 def _left_out(repository: Repository, file: RequirementFile) -> list[str]:
