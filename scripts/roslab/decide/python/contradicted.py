@@ -28,7 +28,7 @@ def contradicted(asked: Iterable[Requirement]) -> Iterator[Warning_]:
                 continue
             told.add((each.key, other.key))
             place = f" ({each.file}:{each.line})" if each.file else ""
-            what = f"{each.written}{place} needs {need.written}, which it does not say, and {other.written} is none"
+            what = f"{each.written}{place} needs {need.written} but does not say so: {other.written} does not meet it"
             yield warn(f"{what}: what imports {each.name} stops; {_advice(each, need, other)}", other)
 
 

@@ -40,8 +40,8 @@ def _of_script(repository: Repository, path: str, folder: str, script: SetupScri
         omitted = next((part for part in _above(name) if _omits(repository, above, part, script.packages)), None)
         if omitted and omitted not in told:
             told.add(omitted)
-            what = f"`packages` of {path} leaves out {omitted}, which {file}:{line} imports: what starts it stops, but "
-            hint = "where colcon installs links (`--symlink-install`); write `packages=find_packages()`, of setuptools"
+            what = f"`packages` of {path} leaves out {omitted}, which {file}:{line} imports: what starts it stops, "
+            hint = "except where colcon installs links (`--symlink-install`); write `packages=find_packages()`"
             yield f"{what}{hint}", path, script.line
 
 
