@@ -52,3 +52,12 @@ def test_the_submodules_of_a_workspace_are_a_part_of_it(tmp_path: Path) -> None:
     decided(tmp_path, files)
     found = gather(Repository.open(tmp_path))
     assert [file.file for file in found.requirements] == ["planner/requirements.txt"]
+
+
+def test_an_entry_of_a_folder_in_which_others_lie_is_none(tmp_path: Path) -> None:
+    stale = '[submodule "deps"]\n\tpath = deps\n\turl = https://github.com/a/old.git\n'
+    lists = "".join(
+        f'[submodule "deps/{name}"]\n\tpath = deps/{name}\n\turl = https://github.com/a/{name}.git\n' for name in "xy"
+    )
+    found = decided(tmp_path, {"README.md": "# Demo\n", "play.py": "print(1)\n", ".gitmodules": stale + lists})
+    assert [source.name for source in found.submodules] == ["deps/x", "deps/y"]

@@ -59,9 +59,8 @@ def _with_commits(repository: Repository, modules: tuple[GitSource, ...]) -> Ite
 
 
 def _checked_out(repository: Repository, module: GitSource) -> bool:
-    return module.name in repository.folders or any(
-        folder.startswith(f"{module.name}/") for folder in repository.folders
-    )
+    folders = repository.folders
+    return module.name in folders or any(folder.startswith(f"{module.name}/") for folder in folders)
 
 
 def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
@@ -70,10 +69,10 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
     What the commit does not have is none by now, and no command of git brings it.
     """
     found: list[tuple[str, str, int]] = []
-    missing = [source for source in repository.once(_submodules) if not _checked_out(repository, source)]
-    recorded = repository.recorded(tuple(source.name for source in missing)) if repository.committed else None
-    there = [source for source in missing if recorded is None or source.name in recorded]
-    gone = [source for source in missing if source not in there]
+    lacking = [source for source in repository.once(_submodules) if not _checked_out(repository, source)]
+    recorded = repository.recorded(tuple(source.name for source in lacking)) if repository.committed else None
+    there = [source for source in lacking if recorded is None or source.name in recorded]
+    gone = [source for source in lacking if source not in there]
     if there:
         names = ", ".join(source.name for source in there)
         what = "a submodule is" if len(there) == 1 else "submodules are"
@@ -91,8 +90,7 @@ def _fetched(repository: Repository, there: Sequence[GitSource]) -> str:
 
     One that was moved without its entry has its path written there first: git refuses any other.
     """
-    known = {*submodules(repository)}
-    unknown = [path for path in repository.links if path not in known]
+    unknown = [path for path in repository.links if path not in submodules(repository)]
     moved = [(f"submodule.{source.moved}.path", source.name) for source in there if source.moved]
     first = "".join(f"git config -f .gitmodules {shlex.join(each)} && " for each in moved)
     if not unknown:
@@ -258,9 +256,11 @@ def _submodules(repository: Repository) -> tuple[GitSource, ...]:
     """Return each at the path where it lies: one may have been moved without its entry.
 
     That is the only path of its name at which the commit records a commit, where it records none at that of the entry.
+    An entry of a folder in which others lie is left over from before they were added: git keeps none inside another.
     """
     entries = {module: name for name, module in _of_gitmodules(repository)} if repository.has(".gitmodules") else {}
-    modules = tuple(entries)
+    above = {module.name[:at] for module in entries for at, sign in enumerate(module.name) if sign == "/"}
+    modules = tuple(module for module in entries if module.name not in above)
     named = {module.name for module in modules}
     moved: dict[str, str] = {}
     for module in modules:
