@@ -104,3 +104,27 @@ def test_what_no_recipe_builds_is_told(target: str, said: str) -> None:
 def test_one_of_cmakes_own_modules_asks_for_a_newer_cmake(tree: Tree, target: str, asked: str | None) -> None:
     decision = tree(ros1("melodic", "Boost", LINK.format(target)))
     assert [each.text for each in decision.python.pip_guessed if each.key == "cmake"] == ([asked] if asked else [])
+
+
+FETCHED = "FetchContent_Declare({0} GIT_REPOSITORY https://github.com/lab/{0}.git)\nFetchContent_MakeAvailable({0})\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "more", "found"),
+    [
+        (FETCHED.format("yaml-cpp"), {}, []),
+        (FETCHED.format("other"), {}, [("yaml-cpp", "0.8.0")]),
+        ("if(NOT TARGET yaml-cpp::yaml-cpp)\nadd_library(yaml-cpp::yaml-cpp INTERFACE IMPORTED)\nendif()\n", {}, []),
+        (
+            "add_subdirectory(lib/yaml-cpp)\n",
+            {".gitmodules": '[submodule "y"]\n\tpath = lib/yaml-cpp\n\turl = https://github.com/jbeder/yaml-cpp.git\n'},
+            [],
+        ),
+    ],
+)
+def test_what_the_project_brings_itself_is_not_built(
+    tree: Tree, lines: str, more: dict[str, str], found: list[tuple[str, str]]
+) -> None:
+    text = CMAKE.format(package="Eigen3", link=f"{lines}{LINK.format('yaml-cpp::yaml-cpp')}")
+    files = ros1("noetic", "Eigen3", "")
+    assert [each for each in built(tree({**files, **more, "CMakeLists.txt": text})) if each[0] == "yaml-cpp"] == found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from functools import cache
 
 from roslab.evidence.cmake_project import CMakeProject
@@ -19,6 +19,7 @@ from roslab.values.version import Version
 
 _DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:.+-]+)", re.IGNORECASE | re.MULTILINE)
 _VERSION = pattern(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)")
+_SUBMODULE = pattern(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 _DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRARY")
 _MODULE = ("include", "find_package")
 _BEGINS = frozenset({*_MODULE, "list", "string", "file", "set"})
@@ -85,7 +86,8 @@ def without_own(
 ) -> list[CMakeProject]:
     """Return the projects without what the tree itself has: a function of this name, a module (``FindNAME.cmake``).
 
-    And without the imported targets that it makes, or whose library a module of it finds.
+    And without the imported targets that it makes, whose library a module of it finds, or that it brings itself: by
+    FetchContent and its like, or as a submodule.
     """
     found = list(projects)
     if not any(project.newer or any(each.target for each in project.dependencies) for project in found):
@@ -95,14 +97,25 @@ def without_own(
         *(file.name.removesuffix(".cmake") for file in repository.suffixed(".cmake")),
         *defined(repository),
     }
+    itself = {name.lower() for project in found for name in project.brought}
+    submodules = _SUBMODULE.findall(repository.read(".gitmodules")) if repository.has(".gitmodules") else ()
+    itself |= {path.rpartition("/")[2].lower() for path in (*repository.listing.empty, *submodules)}
+    itself |= {"gtest"} if "googletest" in itself else set()
     return [
         replace(
             project,
-            newer=tuple(each for each in project.newer if each.name not in own),
-            dependencies=tuple(each for each in project.dependencies if of_others(each, own)),
+            newer=tuple(each for each in project.newer if each.name not in own and not _of(each.name, itself)),
+            dependencies=tuple(
+                each for each in project.dependencies if of_others(each, own) and not _of(each.target, itself)
+            ),
         )
         for project in found
     ]
+
+
+def _of(target: str, libraries: Collection[str]) -> bool:
+    """Tell whether an imported target (``yaml-cpp::yaml-cpp``) is of one of these libraries."""
+    return "::" in target and target.partition("::")[0].lower() in libraries
 
 
 def defined(repository: Repository) -> set[str]:
