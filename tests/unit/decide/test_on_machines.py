@@ -52,6 +52,7 @@ def test_the_distribution_of_a_machine(tree: Tree, manifest: str, files: dict[st
         {"run.sh": "# source /opt/ros/iron/setup.bash\n"},
         {"run.sh": "source /opt/ros/iron/setup.bash || source /opt/ros/foxy/setup.bash\n"},
         {"third_party/run.sh": "source /opt/ros/iron/setup.bash\n"},
+        {"scripts/install_old.sh": "source /opt/ros/iron/setup.bash\n"},
     ],
 )
 def test_what_tells_of_no_machine(tree: Tree, files: dict[str, str]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 
 from roslab.evidence import places
@@ -23,6 +24,8 @@ TOPLEVEL = "CMakeLists.txt"
 """What ``catkin_init_workspace`` puts into ``src``: a link to the toplevel.cmake of the distribution."""
 LONGEST = 200
 """Most bytes of a link that was committed as a file."""
+_LEFT = pattern(r"(?:^|[-_.])(?:old|legacy|deprecated|obsolete|backup|bak)(?:[-_.]|$)", re.IGNORECASE)
+"""A script that its author keeps and runs no more."""
 _NAMED = r"/opt/ros/([a-z]+)\b(?!\.)"
 _EACH = pattern(_NAMED)
 _BUILT = pattern(rf"[^\n]{{0,400}}?{_NAMED}")
@@ -41,7 +44,8 @@ def read(repository: Repository) -> Iterator[Mention]:
     for file in nearest(file for file in found if not places.aside(file.path))[:MOST]:
         yield from _named(file, repository.read(file))
     scripts = (*repository.suffixed(*SCRIPTS), *repository.named("Makefile", ".bashrc", "bashrc"))
-    for file in nearest(f for f in scripts if not (places.aside(f.path) or f.name.lower() in SETUPS))[:MOST]:
+    scripts = tuple(f for f in scripts if f.name.lower() not in SETUPS and not _LEFT.search(f.name))
+    for file in nearest(f for f in scripts if not places.aside(f.path))[:MOST]:
         text = repository.read(file)
         if len(set(_EACH.findall(text)) & distros().keys()) == 1:
             yield from _named(file, text)
