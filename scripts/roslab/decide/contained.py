@@ -6,8 +6,7 @@ from collections.abc import Iterable
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
-from roslab.decide.first_command import LAUNCHERS
-from roslab.decide.written_commands import calls_of
+from roslab.decide.other_runs import runs_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace
@@ -18,15 +17,11 @@ def contained(evidence: Evidence, kind: Kind, *, compiled: bool) -> tuple[Candid
     starts = [m for m in evidence.mentions if m.topic == "contained"]
     if not starts:
         return ()
-    ros = kind in {"ros1", "ros2"}
-    others = (m for m in evidence.mentions if m.topic not in {"command", "contained", "tried"})
-    called = (replace(m, topic="command", source="readme") for m in starts)
-    found = calls_of(replace(evidence, mentions=(*called, *others)), kind, ros=ros, compiled=compiled)
     by = {(m.file, m.line): m.text for m in starts}
     return tuple(
         replace(each, why=f"a container of {by[each.file, each.line]} starts it", strong=False, contained=True)
-        for each in found
-        if (each.argv[0] in LAUNCHERS or not ros) and not any(map(places.test, each.files))
+        for each in runs_of(starts, evidence, kind, compiled=compiled)
+        if not any(map(places.test, each.files))
     )
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate, program_of
-from roslab.decide.first_command import LAUNCHERS, helps
-from roslab.decide.written_commands import calls_of
+from roslab.decide.first_command import helps
+from roslab.decide.other_runs import runs_of
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace
 
@@ -17,17 +17,12 @@ def in_sessions(evidence: Evidence, kind: Kind, *, compiled: bool) -> tuple[Cand
     starts = [m for m in evidence.mentions if m.topic == "session"]
     if not starts:
         return ()
-    ros = kind in {"ros1", "ros2"}
-    others = (m for m in evidence.mentions if m.topic not in {"command", "session", "tried"})
-    called = (replace(m, topic="command", source="readme") for m in starts)
-    found = calls_of(replace(evidence, mentions=(*called, *others)), kind, ros=ros, compiled=compiled)
     written = {(m.file, m.line): {*m.value.split()} for m in starts}
     return tuple(
         replace(each, why=f"{each.file} starts it", strong=False, session=True)
-        for each in found
-        if each.argv[0] in LAUNCHERS or not ros
+        for each in runs_of(starts, evidence, kind, compiled=compiled)
         # Of a package that the session does not name nothing is meant: its own may be in another repository
-        if not ros or {*program_of(each.argv)} <= written[each.file, each.line]
+        if kind not in {"ros1", "ros2"} or {*program_of(each.argv)} <= written[each.file, each.line]
     )
 
 

@@ -168,7 +168,6 @@ def test_what_a_newer_python_dropped_is_pythons_own_whichever_python_makes_the_p
 
 
 EXTENSION = "from setuptools import setup\nsetup(ext_modules=[CUDAExtension('fast_ops', sources=['a.cu'])])\n"
-PYBIND = "project(ground CXX)\npybind11_add_module({} a.cpp)\n"
 
 
 @pytest.mark.parametrize(
@@ -176,9 +175,6 @@ PYBIND = "project(ground CXX)\npybind11_add_module({} a.cpp)\n"
     [
         ({"setup.py": EXTENSION}, []),
         ({"setup.py": EXTENSION.replace("'fast_ops'", "name='fast_ops._C'")}, []),
-        ({"CMakeLists.txt": PYBIND.format("fast_ops")}, []),
-        ({"CMakeLists.txt": PYBIND.format("${PROJECT_NAME}").replace("ground", "fast_ops")}, []),
-        ({"CMakeLists.txt": PYBIND.format("other")}, ["fast_ops"]),
         ({"setup.py": "setup()\n"}, ["fast_ops"]),
     ],
 )
@@ -188,5 +184,5 @@ def test_what_the_tree_compiles_is_its_own(tmp_path: Path, files: dict[str, str]
 
 
 def test_copied_code_of_a_known_package_may_not_be_compiled(tmp_path: Path) -> None:
-    files = {"main.py": "import open3d\n", "third_party/a/CMakeLists.txt": PYBIND.format("open3d")}
+    files = {"main.py": "import open3d\n", "third_party/a/setup.py": EXTENSION.replace("fast_ops", "open3d")}
     assert [d.name for d in imports.read(tree(tmp_path, files))] == ["open3d"]
