@@ -344,7 +344,7 @@ def test_a_program_that_a_build_lacks_comes_from_pip(
     said = (tmp_path / "said").read_text()
     assert "failed" not in output.split(), said
     assert (tmp_path / "made/wrapped-1.0.dist-info").exists()
-    assert said.count("calls a program that is not there: pip installs swig") == 1
+    assert said.count("lacks a program or module: pip installs swig") == 1
 
 
 def own_python(folder: Path) -> tuple[str, Path]:

@@ -95,14 +95,14 @@ roslab_newer_beside() { # PYTHON
   version="$(command "$1" -m pip show "${package}" 2>/dev/null </dev/null | sed -n 's/^Version: //p')"
   [ "$(printf '%s\n' "${below}" "${version:-0}" | sort -V | head -n 1)" = "${below}" ]
 }
-# Installs a program that a build lacks, each once
+# Installs a program or module that a build lacks, each once
 roslab_program() { # PYTHON
   local package pattern programs=/usr/local/share/roslab/build-programs.txt
   if [ ! -e "${programs}" ]; then return 1; fi
   while read -r package pattern; do
     if grep -q -E "${pattern}" "${log}" 2>/dev/null && ! grep -q -x -F "${package}" "${notes}.programs" 2>/dev/null; then
       echo "${package}" >>"${notes}.programs"
-      echo "roslab: what is built here calls a program that is not there: pip installs ${package}" >&2
+      echo "roslab: what is built here lacks a program or module: pip installs ${package}" >&2
       command "$1" -m pip install --no-cache-dir "${package}" </dev/null
       return
     fi
