@@ -75,7 +75,10 @@ def test_libraries(tmp_path: Path, library: bytes, code: int, told: str) -> None
     ("listed", "written", "failed"),
     [
         ("debian\nthing\n", {"thing/__init__.py": ""}, ""),
-        ("thing\nbroken\n", {"thing/__init__.py": "", "broken.py": "import no_such_module\n"}, "import broken: "),
+        ("thing\nextra\n", {"thing/__init__.py": "", "extra.py": "import no_such_module\n"}, ""),
+        ("thing\nbroken\n", {"thing/__init__.py": "", "broken.py": "1 / 0\n"}, "import broken: "),
+        ("other\nbroken\n", {"other/__init__.py": "", "broken.py": "import no_such_module\n"}, "import broken: "),
+        ("thing\nextra\n", {"thing/__init__.py": "import no_such_module\n", "extra.py": ""}, "import thing: "),
         ("thing\n", {}, "import thing: ModuleNotFoundError"),
     ],
 )

@@ -35,18 +35,25 @@ for name in names:
     modules = [each for each in listed or sorted(packages) if each.isidentifier() and each[0] != "_"]
     modules = [each for each in modules if each not in ("docs", "examples", "test", "tests")]
     there = [each for each in modules if not listed or each in sys.modules or importlib.util.find_spec(each)]
+    own = name.lower().replace("-", "_").replace(".", "_")
+    beside = own in [each.lower() for each in there]
     for module in there or modules:
         try:
             importlib.import_module(module)
         except Exception as error:
-            failed[name] = f"import {module}: {type(error).__name__}: {error}"
+            why = f"import {module}: {type(error).__name__}: {error}"
+            if beside and module.lower() != own and isinstance(error, ImportError):
+                print(f"{name} is there, and a module beside it does not import: {why}")
+            else:
+                failed[name] = why
 print("imported", len(names) - len(failed), "of", len(names), "packages")
 sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()) or 0)
 """
 """A package and its module may have different names (``opencv-python``, ``cv2``): the package's files tell.
 
 A list that was made where the package was built may name folders that were never installed: the list of Debian
-12's python3-setuptools has ``debian``. A package none of whose modules is there has failed.
+12's python3-setuptools has ``debian``. A package none of whose modules is there has failed. One with a module of its
+own name may have others that need one of its extras: black's ``blackd`` imports aiohttp. That is told.
 """
 
 FIND_SCRIPT = """\
