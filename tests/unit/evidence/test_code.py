@@ -8,7 +8,7 @@ import pytest
 
 from roslab.evidence.native import cpp
 from roslab.evidence.ros import distro_names as names
-from roslab.evidence.ros import launch, vcs
+from roslab.evidence.ros import launch, plugins, vcs
 from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
 
@@ -93,7 +93,7 @@ def test_plugins_of_parameter_files(tmp_path: Path) -> None:
     text = "base_local_planner: teb_local_planner/TebLocalPlannerROS\nplugins:\n  - {name: s, type: 'costmap_2d::StaticLayer'}\nx: a/B\n"  # noqa: E501
     solver = "#  kinematics_solver: own_ik/Plugin\narm:\n  kinematics_solver: trac_ik_kinematics_plugin/TRAC_IK\n"
     files = {"params/move_base.yaml": text, "config/kinematics.yaml": solver, "a.rviz": "Class: rviz/Grid"}
-    found = launch.plugins(tree(tmp_path, files))
+    found = plugins.read(tree(tmp_path, files))
     assert {d.name for d in found} == {"teb_local_planner", "costmap_2d", "rviz", "trac_ik_kinematics_plugin"}
 
 
@@ -109,7 +109,7 @@ def test_plugins_of_parameter_files(tmp_path: Path) -> None:
 )
 def test_plugins_that_a_plugin_loads_by_short_names(tmp_path: Path, plugin: str, found: list[str]) -> None:
     text = f'FollowPath:\n  plugin: "{plugin}"\n  critics: ["RotateToGoal", "PathAlign"]\n'
-    assert [each.name for each in launch.plugins(tree(tmp_path, {"a.yaml": text}))] == found
+    assert [each.name for each in plugins.read(tree(tmp_path, {"a.yaml": text}))] == found
 
 
 @pytest.mark.parametrize(

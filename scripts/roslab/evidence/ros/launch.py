@@ -1,4 +1,4 @@
-"""Launch files of ROS 1 and 2 (XML, Python, YAML), and the plugins that parameter files and robot descriptions name.
+"""Launch files of ROS 1 and 2 (XML, Python, YAML).
 
 They are searched by patterns, not parsed: a launch file in Python is a program, one in XML is full of substitutions,
 and a package's name looks the same in all of them.
@@ -35,7 +35,7 @@ _PYTHON = pattern(r"(?:\.launch|_launch|[-_.]?launch[-_]\w+|^launch)\.py$")
 _YAML = pattern(r"\.launch\.ya?ml$|_launch\.ya?ml$")
 _PACKAGE = r"[a-z][a-z0-9_-]{1,60}"
 _ATTRIBUTE = pattern(rf"\bpkg\s*[=:]\s*[\"']?({_PACKAGE})\b(?![\w/$(])")
-_FIND = pattern(rf"\$\(\s*find(?:-pkg-share|-pkg-prefix)?\s+['\"]?({_PACKAGE})['\"]?\s*\)|package://({_PACKAGE})/")
+FIND = pattern(rf"\$\(\s*find(?:-pkg-share|-pkg-prefix)?\s+['\"]?({_PACKAGE})['\"]?\s*\)|package://({_PACKAGE})/")
 _PYTHON_PACKAGE = pattern(
     rf"(?:FindPackage(?:Share|Prefix)|get_package_(?:share_directory|prefix|share_path|path))"
     rf"\(\s*(?:package\s*=\s*)?[\"']({_PACKAGE})[\"']"
@@ -48,13 +48,15 @@ _PLUGIN = pattern(
     rf"[\"']?({_PACKAGE})(?:/|::)[A-Z]\w+",
     re.MULTILINE,
 )
-_PARAM_PLUGIN = pattern(rf"name=\"base_(?:local|global)_planner\"\s+value=\"({_PACKAGE})/[A-Z]")
+_PARAM_PLUGIN = pattern(
+    rf"name=\"(?:base_(?:local|global)_planner|planning_plugin)\"\s+(?:default|value)=\"({_PACKAGE})(?:/|::)[A-Z]"
+)
 _WORDS: dict[re.Pattern[str], tuple[str, ...]] = {
     _ATTRIBUTE: ("pkg",),
-    _FIND: ("$(", "package://"),
+    FIND: ("$(", "package://"),
     _PYTHON_PACKAGE: ("FindPackage", "get_package_", "package", "node_package", "pkg", "ros2"),
     _NODELET: ("load",),
-    _PARAM_PLUGIN: ('name="base_',),
+    _PARAM_PLUGIN: ('name="base_', 'name="planning_plugin'),
 }
 """What every match of a pattern begins with, one of them."""
 _PLUGINS = ("plugin", "type", "planner", "class", "kinematics_solver")
@@ -116,34 +118,6 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
         )
     whole = reached.with_reached(repository, tuple(found), packages, conditional)
     return with_unmade(marked(whole, repository, packages), repository, packages)
-
-
-def plugins(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the packages that parameter files and robot descriptions name, and rviz for its own files.
-
-    What a named plugin loads by short names or by default is one of them.
-    """
-    found: dict[str, Dependency] = {}
-    files = [
-        f
-        for f in repository.suffixed(".yaml", ".yml", ".xacro", ".urdf", ".sdf")
-        if f.size < MAX_SIZE and not places.vendored(f.path)
-    ]
-    for file in _nearest(files):
-        text = repository.read(file)
-        patterns = (_PLUGIN,) if file.name.endswith(("yaml", "yml")) else (_FIND,)
-        for dependency in _matches(text, file, patterns):
-            found.setdefault(dependency.name, dependency)
-    for dependency in tuple(found.values()):
-        from roslab.knowledge.plugin_companions import plugin_companions  # noqa: PLC0415 - few trees name plugins
-
-        for name in plugin_companions().get(dependency.name, ()):
-            found.setdefault(name, replace(dependency, name=name))
-    for file in repository.suffixed(".rviz")[:1]:
-        name = "rviz2" if "rviz_common/" in repository.read(file) else "rviz"
-        viewer = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=1, role="exec")
-        found.setdefault(name, viewer)
-    return tuple(found.values())
 
 
 def _new(text: str) -> bool:
@@ -233,9 +207,9 @@ def _nearest(files: Iterable[File]) -> list[File]:
 
 
 def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
-    patterns = (_PYTHON_PACKAGE, _NODELET, _PLUGIN) if python else (_ATTRIBUTE, _FIND, _NODELET, _PARAM_PLUGIN, _PLUGIN)
+    patterns = (_PYTHON_PACKAGE, _NODELET, _PLUGIN) if python else (_ATTRIBUTE, FIND, _NODELET, _PARAM_PLUGIN, _PLUGIN)
     seen: set[str] = set()
-    for dependency in _matches(text, file, patterns):
+    for dependency in matches(text, file, patterns):
         if dependency.name not in seen:
             seen.add(dependency.name)
             yield dependency
@@ -248,12 +222,17 @@ def _named(text: str, file: File, *, python: bool) -> Iterator[Dependency]:
     yield from (_of_ros(match[1], match, text, file) for match in asked_by if match[1] not in seen)
 
 
-def _matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:
+def matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Dependency]:
+    """Yield the package of each match; one under a condition is optional."""
     for each in patterns:
         line_by_line = each is _PLUGIN
         for match in matching_lines(each, text, *_PLUGINS) if line_by_line else matches_at(each, text, *_WORDS[each]):
             name = next(group for group in match.groups() if group)
-            if name not in _NO_PACKAGE:
+            if each in (_PLUGIN, _PARAM_PLUGIN):
+                from roslab.knowledge.plugin_classes import plugin_package  # noqa: PLC0415 - few trees name plugins
+
+                name = plugin_package(name)
+            if name and name not in _NO_PACKAGE:
                 yield _of_ros(name, match, text, file)
 
 
