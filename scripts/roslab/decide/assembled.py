@@ -241,7 +241,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             needed=needed,
         ),
         left_out=of.left_out,
-        ignored=marked(of.build_tool.answer, of.left_out, of.packages, evidence) if ros and not of.own.answer else (),
+        ignored=() if of.own.answer else marked(of.build_tool.answer, of.missing.answer, of.packages, evidence),
         ended=of.missing.answer.ended,
         not_there=() if of.own.answer else not_there.answer,
         lacking=() if of.own.answer else of.missing.answer.lacking,

@@ -19,14 +19,15 @@ def nothing_to_build(evidence: Evidence, packages: Packages, build_tool: BuildTo
     package that is built, where the marker would hide that or no tool looks.
     https://colcon.readthedocs.io/en/released/reference/discovery-arguments.html
     """
-    built = [manifest.file.rpartition("/")[0] for manifest in packages.built]
     found = {*_described(evidence, packages), *(_without_code(evidence) if build_tool == "colcon" else ())}
+    return tuple(sorted(each for each in found - set(packages.doubles) if outside_packages(each, packages)))
 
-    def apart(folder: str) -> bool:
-        around = any(not each or f"{folder}/".startswith(f"{each}/") for each in built)
-        return bool(folder) and not around and not any(each.startswith(f"{folder}/") for each in built)
 
-    return tuple(sorted(filter(apart, found - set(packages.doubles))))
+def outside_packages(folder: str, packages: Packages) -> bool:
+    """Tell whether a folder neither holds nor lies in a package that is built; the root holds all."""
+    built = [manifest.file.rpartition("/")[0] for manifest in packages.built]
+    around = any(not each or f"{folder}/".startswith(f"{each}/") for each in built)
+    return bool(folder) and not around and not any(each.startswith(f"{folder}/") for each in built)
 
 
 def _described(evidence: Evidence, packages: Packages) -> Iterator[str]:

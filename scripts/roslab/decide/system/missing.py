@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
-from roslab.config.model import BuildTool, Kind
+from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.downloads import names_at_home
 from roslab.decide.reasons import because, warn
@@ -31,13 +31,13 @@ from roslab.decide.system.required import (
     by_pip,
     of_program,
     of_program_and_below,
-    own_names,
     required,
     similar,
     undeclared,
 )
+from roslab.decide.system.strays import strays
 from roslab.decide.system.switches import given, switch_of
-from roslab.decide.system.tests import BUILD_TESTING, left_to_a_switch
+from roslab.decide.system.tests_left_out import of_package_tests, of_tests
 from roslab.decide.system.too_old import too_old
 from roslab.decide.system.tried_headers import without_tried
 from roslab.decide.system.without_programs import without_programs
@@ -86,6 +86,8 @@ class Missing:
     """Those of the options that are for the tests."""
     stopping: tuple[str, ...] = ()
     """Files of CMake that look for a library or a program, or link one, which nothing brings."""
+    strays: tuple[str, ...] = ()
+    """Folders of CMake projects without a package.xml that lack something, and that nothing of the tree needs."""
     undeclared: bool = False
     """A package requires another one of the repository, and its package.xml does not name it."""
 
@@ -144,8 +146,8 @@ def decide_missing(
     for package, asked in unmet:
         if switch_of(asked, options) not in off:
             lacking.setdefault((package, asked.name), asked)
-    tests = _of_tests(evidence, target, packages, names) if switch else {}
-    tests |= _of_package_tests(evidence, target, packages, names, may_hold) if build_tool == "colcon" else {}
+    tests = of_tests(evidence, target, packages, names) if switch else {}
+    tests |= of_package_tests(evidence, target, packages, names, may_hold) if build_tool == "colcon" else {}
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
         asked
@@ -170,12 +172,13 @@ def decide_missing(
     warnings += without_library(evidence, packages, names, build_tool, unread=cloned or custom)
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
-    unfound = (*not_found(evidence, packages, target, names, build_tool, built=made),)
-    if not custom:
-        unfound += (*lost_libraries(evidence, packages, build_tool),)
-        of_build = Built(target=target, names=names, build_tool=build_tool, kind=kind, out=found.packages)
-        unfound += (*without_programs(evidence, packages, of_build),)
-        unfound += (*without_linked(evidence, packages, of_build, may_hold, tried or {}),)
+    aside = dict(strays(evidence, packages, target, names, build_tool) if not (cloned or custom) else ())
+    warnings += aside.values()
+    of_build = Built(target=target, names=names, build_tool=build_tool, kind=kind, out=found.packages)
+    unfound = (
+        *not_found(evidence, packages, target, names, build_tool, built=made),
+        *(() if custom else _lost(evidence, packages, of_build, may_hold, tried or {})),
+    )
     warnings += [warning for _, warning in unfound]
     hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
@@ -192,6 +195,7 @@ def decide_missing(
             ended=tuple(ended),
             options=switches,
             tests=tuple(tests),
+            strays=tuple(sorted(aside)),
             undeclared=bool(hidden),
             stopping=tuple(dict.fromkeys(file for file, _ in unfound if file)),
         ),
@@ -201,6 +205,19 @@ def decide_missing(
             *(because("workspace", name, said.why, said.place, weight=ENDED) for name, said in left.items()),
         ),
     )
+
+
+def _lost(
+    evidence: Evidence,
+    packages: Packages,
+    of_build: Built,
+    may_hold: Callable[[str], bool],
+    tried: Mapping[str, str],
+) -> Iterator[tuple[str, Warning_]]:
+    """Yield the libraries and programs that CMake looks for or links and nothing brings, each with its file."""
+    yield from lost_libraries(evidence, packages, of_build.build_tool)
+    yield from without_programs(evidence, packages, of_build)
+    yield from without_linked(evidence, packages, of_build, may_hold, tried)
 
 
 def _without_pip(evidence: Evidence, packages: Packages, target: Target, provided: Iterable[str]) -> Iterator[Warning_]:
@@ -245,10 +262,12 @@ def _of_a_clone(asked: Dependency, known: frozenset[str]) -> bool:
     return asked.namespace == "rosdep" and asked.role not in {"test", "doc"} and asked.name not in known
 
 
-def marked(build_tool: BuildTool, left_out: tuple[str, ...], packages: Packages, evidence: Evidence) -> tuple[str, ...]:
-    """Return the folders that a build tool must not look into."""
-    folders = folders_of(packages, left_out) if SKIP.get(build_tool) == "" else ()
-    return (*packages.doubles, *folders, *nothing_to_build(evidence, packages, build_tool))
+def marked(build_tool: BuildTool, missing: Missing, packages: Packages, evidence: Evidence) -> tuple[str, ...]:
+    """Return the folders that a build tool of ROS must not look into; others look at no packages."""
+    if build_tool not in {*WORKSPACE_TOOLS, "rosmake"}:
+        return ()
+    folders = folders_of(packages, missing.packages) if SKIP.get(build_tool) == "" else ()
+    return (*packages.doubles, *folders, *nothing_to_build(evidence, packages, build_tool), *missing.strays)
 
 
 def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...]:
@@ -257,29 +276,3 @@ def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...
     if not packages or not option:
         return ()
     return (option + ";".join(packages),) if option.endswith("=") else (option, *packages)
-
-
-def _of_tests(evidence: Evidence, target: Target, packages: Packages, names: Collection[str]) -> dict[str, Dependency]:
-    """Return the options that leave tests out, each with the first package that they require and nothing brings."""
-    inside = own_names(evidence, packages)
-    switches: dict[str, Dependency] = {}
-    for asked, switch in left_to_a_switch(evidence):
-        found = resolve(asked, target)
-        of_cmake = found.known and not found.apt
-        if asked.name not in inside and not of_cmake and not similar(plain(asked.name), names):
-            switches.setdefault(switch, asked)
-    return switches
-
-
-def _of_package_tests(
-    evidence: Evidence, target: Target, packages: Packages, names: Collection[str], may_hold: Callable[[str], bool]
-) -> dict[str, Dependency]:
-    """Return the option that leaves out the tests of packages, where these alone ask for a package that nobody has."""
-    inside, folders = own_names(evidence, packages), folders_of(packages, [str(m.name) for m in packages.built])
-    said = any(m.topic == "build_tool" and BUILD_TESTING in m.text for m in evidence.mentions)
-    for asked, switch in () if said else left_to_a_switch(evidence):
-        within = any(not folder or asked.file.startswith(f"{folder}/") for folder in folders)
-        known = asked.name in inside or resolve(asked, target).known or similar(plain(asked.name), names)
-        if switch == BUILD_TESTING and within and not known and not may_hold(asked.name):
-            return {switch: asked}
-    return {}

@@ -1,0 +1,53 @@
+"""CMake projects without a package.xml that colcon would build, and that nothing brings what they require."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from roslab.config.model import BuildTool
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
+from roslab.decide.ros.nothing_to_build import outside_packages
+from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.left_out import SOURCE
+from roslab.decide.system.names import Target, resolve
+from roslab.decide.system.required import outside, similar
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence
+
+_TOLD = (
+    "nothing is known that brings {1}, which CMake requires in {0}, a project without a package.xml that colcon would "
+    "build with the packages: the folder is left out of the build; {2}"
+)
+
+
+def strays(
+    evidence: Evidence, packages: Packages, target: Target, names: Collection[str], build_tool: BuildTool
+) -> Iterator[tuple[str, Warning_]]:
+    """Yield the folder of each such project with what is told of it; ``names`` are those that are brought.
+
+    Not of one that others of the tree need: the build stops there, as it does without what it requires.
+    """
+    if build_tool != "colcon" or not packages.built:
+        return
+    for project in evidence.cmake:
+        folder = project.file.rpartition("/")[0]
+        if not _taken(project, folder) or not outside_packages(folder, packages) or _needed(project, evidence):
+            continue
+        for asked in outside(project, evidence, packages):
+            if not (resolve(asked, target).known or similar(plain(asked.name), names)):
+                yield folder, warn(_TOLD.format(folder, asked.name, SOURCE), asked)
+                break
+
+
+def _taken(project: CMakeProject, folder: str) -> bool:
+    """Tell whether colcon takes a folder for a package: one that calls ``project()``, in no hidden folder."""
+    return project.top_level and bool(project.name) and not any(part.startswith(".") for part in folder.split("/"))
+
+
+def _needed(project: CMakeProject, evidence: Evidence) -> bool:
+    made = {project.name, *project.configs, *project.targets}
+    by_cmake = (asked for each in evidence.cmake if each is not project for asked in each.dependencies)
+    by_manifest = (asked for manifest in evidence.manifests for asked in manifest.dependencies)
+    return any(asked.name in made for asked in (*by_cmake, *by_manifest))
