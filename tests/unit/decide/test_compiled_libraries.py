@@ -29,3 +29,45 @@ def test_headers_of_windows(tree: Tree, cmake: str, files: dict[str, str], *, th
     code = {"CMakeLists.txt": f"project(demo)\n{cmake}add_executable(demo main.cpp)\n", "main.cpp": "int main() {}\n"}
     decision = tree({**code, **files})
     assert ({"libxrandr-dev", "libxext-dev"} <= {*decision.apt, *decision.apt_guessed}) is there
+
+
+SDL3 = """project(demo)
+find_package(SDL3 REQUIRED)
+add_executable(demo main.cpp)
+"""
+BY_HAND = """# Demo
+## Installation
+```
+git clone https://github.com/libsdl-org/SDL.git
+cd SDL && cmake -B build && cmake --build build && sudo cmake --install build
+```
+"""
+
+
+def test_a_library_that_a_page_compiles_has_what_its_build_looks_for(tree: Tree) -> None:
+    decision = tree({"CMakeLists.txt": SDL3, "main.cpp": "int main() {}\n", "README.md": BY_HAND})
+    (built,) = decision.source
+    assert built.name == "SDL"
+    assert {"libxrandr-dev", "libwayland-dev"} <= {*built.depends}
+    assert {"libxrandr-dev", "libwayland-dev"} <= {*decision.apt, *decision.apt_guessed}  # loaded when it runs
+    assert not any("SDL3" in warning.message for warning in decision.warnings)  # the name has the major release
+
+
+@pytest.mark.parametrize(
+    ("cmake", "page"),
+    [
+        (SDL3, BY_HAND.replace("cd SDL && cmake -B build && cmake --build build && sudo cmake --install build", "")),
+        (SDL3.replace("SDL3", "SDLX"), BY_HAND),
+        (SDL3, BY_HAND.replace("libsdl-org/SDL", "acme/SDLparts").replace("cd SDL", "cd SDLparts")),
+    ],
+    ids=["only-cloned", "another-name", "another-repository"],
+)
+def test_what_no_page_compiles_is_told(tree: Tree, cmake: str, page: str) -> None:
+    decision = tree({"CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", "README.md": page})
+    assert any("SDL" in warning.message and "CMake requires" in warning.message for warning in decision.warnings)
+
+
+def test_a_library_of_the_recipes_keeps_its_own_list(tree: Tree) -> None:
+    page = BY_HAND.replace("libsdl-org/SDL", "stevenlovegrove/Pangolin").replace("cd SDL", "cd Pangolin")
+    files = {"CMakeLists.txt": SDL3.replace("SDL3", "Pangolin"), "main.cpp": "int main() {}\n", "README.md": page}
+    assert "libxkbcommon-dev" not in {*tree(files).apt_guessed}

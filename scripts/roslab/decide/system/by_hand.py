@@ -11,6 +11,7 @@ from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, drifts, fixed, moves, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_everybody import built_by_everybody, headers_of, includes, named_in
+from roslab.decide.system.compiled_libraries import looked_for
 from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
@@ -26,6 +27,7 @@ from roslab.values.pattern import pattern
 
 _SDK = pattern(r"_(?:sdk|cpp|library)$|(?<=[a-z]{3})lib$")
 _LIB = pattern(r"^lib(?=[a-z])")
+_MAJOR = pattern(r"\d$")
 
 _SCRIPTS = (".sh", ".bash", ".zsh")
 SHORTEST = 3
@@ -124,7 +126,7 @@ def by_hand(
     files = [git.file for git in found]
     in_order = sorted(found, key=lambda git: (files.index(git.file), git.line))
     built = (
-        (git, replace(_source(git, day), unasked=git in unasked, depends=_above(git, offered.values(), target)))
+        (git, replace(_source(git, day), unasked=git in unasked, depends=_needs(git, offered.values(), target)))
         for git in in_order
     )
     return tuple((with_beside(source, git, evidence), found[git]) for git, source in built)
@@ -154,6 +156,11 @@ def _by_script(git: GitSource) -> bool:
     return by_hand and git.kind == "clone" and not git.aside and git.file.endswith(_SCRIPTS)
 
 
+def _needs(git: GitSource, others: Iterable[GitSource], target: Target) -> tuple[str, ...]:
+    """Return the packages that a library looks for, as far as they are known: its page seldom names them."""
+    return tuple(dict.fromkeys((*_above(git, others, target), *looked_for(git))))
+
+
 def _above(git: GitSource, others: Iterable[GitSource], target: Target) -> tuple[str, ...]:
     """Return the packages that bring what a page or a Dockerfile compiles above a library: it may need that."""
     before = (each for each in others if each.installed and each.file == git.file and each.line < git.line)
@@ -174,7 +181,7 @@ def _asked(
     options = given(evidence)
     of_extensions = (dependency for dependency in evidence.code if dependency.namespace == "link")
     for asked in (*code_needs(evidence, packages), *of_extensions):
-        name = _bare(asked.name)
+        name = _of_major(_bare(asked.name), offered)
         if name not in offered or len(name) < SHORTEST or waits(asked, options):
             continue
         if asked.namespace == "link" and (name in added or (tops.get(asked.file), name) in made):
@@ -187,6 +194,20 @@ def _asked(
         needed = replace(asked, strength="declared") if tried else asked  # CMake goes on, the compiler does not
         if by_file or newer or _unknown(needed, target, pinned=pinned):
             yield name, asked  # what is named by its file below /usr/local is there only where it was built
+
+
+def _of_major(name: str, offered: Mapping[str, GitSource]) -> str:
+    """Return the name of what a page installs, where CMake's has the major release behind it: ``SDL3`` of ``SDL``."""
+    plainly = _MAJOR.sub("", name)
+    return plainly if name not in offered and plainly in offered and offered[plainly].installed else name
+
+
+def of_majors(evidence: Evidence, sources: Iterable[Source]) -> Iterator[str]:
+    """Yield the names with a major release by which CMake asks for libraries that are built by hand."""
+    built = {_bare(source.name) for source in sources if source.build == "cmake"}
+    for project in evidence.cmake:
+        asked = (each.name for each in project.dependencies if each.namespace == "cmake")
+        yield from (name for name in asked if _MAJOR.sub("", _bare(name)) in built)
 
 
 def _source(git: GitSource, day: str) -> Source:

@@ -18,6 +18,7 @@ from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.bare_links import without_linked
 from roslab.decide.system.built import Built
+from roslab.decide.system.by_hand import of_majors
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
 from roslab.decide.system.library_headers import without_library
@@ -250,6 +251,7 @@ def provided(
     yield from (name for name in said if written_for(name) == target.ros_distro or _there(name, target))
     yield from (each.key for each in installed if each.name)
     yield from names_at_home(evidence)
+    yield from of_majors(evidence, sources.sources)
 
 
 def _there(name: str, target: Target) -> bool:
