@@ -1,9 +1,12 @@
-"""Entry points of an author's image that no command reaches, and the variables that their scripts expect."""
+"""Entry points of an author's image that no command reaches, and what their scripts expect to be there."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from roslab.decide.author_command import entry_point_of, taken_by
 from roslab.decide.decision import Warning_
+from roslab.evidence.entry_script import EntryScript
 from roslab.evidence.facts import AuthorDockerfile
 
 
@@ -35,7 +38,19 @@ def told(authored: AuthorDockerfile, command: tuple[str, ...] | str) -> tuple[Wa
         else:
             how = f"Docker Compose would set it to {given[name]}: give a container --option --env={name}=VALUE"
         warnings.append(Warning_(message=f"{entry.file} reads {name}; {how}", file=entry.file, line=line))
-    return tuple(warnings)
+    return (*warnings, *_absent(authored, entry))
+
+
+def _absent(authored: AuthorDockerfile, entry: EntryScript) -> Iterator[Warning_]:
+    """Yield a warning for each folder that the script changes to and that the image has only where it is mounted."""
+    volumes = authored.service.volumes if authored.service else ()
+    for folder, part, line in entry.absent:
+        if any(f"{folder}/".startswith(f"{target.rstrip('/')}/") for _, target, _ in volumes):
+            how = "it is there only as the volume of Docker Compose, which docker_run.sh mounts"
+        else:
+            then = "a container stops there" if entry.stops else "a container goes on in another folder"
+            how = f"neither the tree nor a step of the Dockerfile names {part}: {then} unless it is mounted"
+        yield Warning_(message=f"{entry.file} changes to {folder}; {how}", file=entry.file, line=line)
 
 
 def _of_line(authored: AuthorDockerfile) -> tuple[Warning_, ...]:

@@ -23,3 +23,7 @@ class EntryScript:
     """It ends with a shell, and starts no program before."""
     unset: tuple[tuple[str, int], ...] = ()
     """Variables that it reads without a default, and neither it nor the Dockerfile sets; each with its line."""
+    absent: tuple[tuple[str, str, int], ...] = ()
+    """Folders that it changes to, each with the part of its path that nothing makes, and its line."""
+    stops: bool = False
+    """It stops at a command that fails (``set -e``)."""

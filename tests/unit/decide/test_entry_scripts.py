@@ -105,3 +105,57 @@ def test_a_test_takes_the_place_of_an_entry_point_that_would_not_start_it(tmp_pa
     plan = plan_repository(tmp_path).plan
     assert [proof.entrypoint for proof in plan.proofs if proof.rung == 4] == [False]
     assert plan.run.entrypoint_takes == "nothing"
+
+
+@pytest.mark.parametrize(
+    ("script", "found"),
+    [
+        (
+            'set -e\ncd "$HOME/atlas_ws/src/demo"\nexec "$@"\n',
+            ("$HOME/atlas_ws/src/demo", "atlas_ws", "stops there", 3),
+        ),
+        (
+            "cd /home/ann/atlas_ws && ls\ncd /home/ann/atlas_ws\nexec bash\n",
+            ("/home/ann/atlas_ws", "ann", "goes on in another folder", 2),
+        ),
+    ],
+)
+def test_a_folder_that_nothing_makes_is_told(tree: Tree, script: str, found: tuple[str, str, str, int]) -> None:
+    decision = of(tree, script)
+    (told,) = [warning for warning in decision.warnings if "changes to" in warning.message]
+    folder, part, then, line = found
+    assert told.message.startswith(f"docker/entry.sh changes to {folder}; ")
+    assert f"names {part}: a container {then} unless it is mounted" in told.message
+    assert (told.file, told.line) == ("docker/entry.sh", line)
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        "cd /app/docker\n",  # of the tree
+        "cd /opt/ros/humble/share\n",
+        "cd /data\ncd ..\ncd $FOLDER/atlas_ws\n",
+        "mkdir -p /home/atlas_ws\ncd /home/atlas_ws\n",
+        "cd /home/atlas_ws || true\n",
+        "[ -d /home/atlas_ws ] && cd /home/atlas_ws\n",
+        "# cd /home/atlas_ws\n",
+    ],
+)
+def test_a_folder_that_may_be_there_is_not_told(tree: Tree, script: str) -> None:
+    decision = of(tree, f'{script}exec "$@"\n')
+    assert not any("changes to" in warning.message for warning in decision.warnings)
+
+
+def test_a_folder_of_a_step_of_the_dockerfile_is_there(tree: Tree) -> None:
+    image = IMAGE.replace("ENV LEVEL=1", "RUN git clone https://github.com/acme/atlas_ws.git /home/atlas_ws")
+    decision = of(tree, 'cd /home/atlas_ws\nexec "$@"\n', Dockerfile=image)
+    assert not any("changes to" in warning.message for warning in decision.warnings)
+
+
+def test_a_folder_that_compose_mounts_is_told_as_that(tree: Tree) -> None:
+    page = "# Demo\n```\ndocker compose up\n```\n"
+    compose = "services:\n  demo:\n    build: .\n    volumes:\n      - ./data:/home/atlas_ws\n"
+    more = {"README.md": page, "docker-compose.yml": compose, "data/a.txt": "1"}
+    decision = of(tree, 'cd /home/atlas_ws/x\nexec "$@"\n', **more)
+    (told,) = [warning for warning in decision.warnings if "changes to" in warning.message]
+    assert "only as the volume of Docker Compose, which docker_run.sh mounts" in told.message

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence.entry_script import EntryScript, Taken
 from roslab.evidence.lex.dockerfile import Instruction
+from roslab.evidence.prose.entry_folders import absent
 from roslab.knowledge.machine_variables import of_every_image
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -25,6 +26,7 @@ _PROGRAM = pattern(
     r"(?:^|[;&|(\s'\"])"
     r"(?:python[\d.]*[ \t]+(?!\S*setup\.py)(?:-\S+[ \t]+)*\S+|roslaunch|rosrun|ros2[ \t]+(?:launch|run))\b"
 )
+_STOPS = pattern(r"(?m)^[ \t]*set[ \t]+-[a-z]*e|^#!\S*sh[ \t]+-[a-z]*e")
 _READ = pattern(r"(?<!\\)\$(?:([A-Z][A-Z0-9_]{2,})\b|\{([A-Z][A-Z0-9_]{2,})(\}|[^}])?)")
 _SET = pattern(r"(?:^|[;&|(\s])([A-Z][A-Z0-9_]{2,})\+?=|\b(?:read(?:[ \t]+-\w+)*|for)[ \t]+([A-Z][A-Z0-9_]{2,})\b")
 _TESTED = pattern(r"\s-[nzv][ \t]+[\"']?\$?\{?([A-Z][A-Z0-9_]{2,})|\[\[?[ \t]+[\"']?\$\{?([A-Z][A-Z0-9_]{2,})")
@@ -62,7 +64,7 @@ def entry_script(
     ``written`` are the Dockerfile's instructions, of which none writes to the script; ``known`` are the variables that
     its last stage sets.
     """
-    file = _script(repository, entrypoint)
+    file, written = _script(repository, entrypoint), tuple(written)
     if file is None or any(each.name == "RUN" and _writes(each.text, file.name) for each in written):
         return None
     lines = [(number, _code(line)) for number, line in enumerate(repository.read(file).splitlines(), 1)]
@@ -78,6 +80,8 @@ def entry_script(
         takes=takes,
         shell=bool(_SHELL.fullmatch(last.strip())) and not _PROGRAM.search(text),
         unset=tuple(_unset(lines, text, {*known})),
+        absent=tuple(absent(repository, lines, written)),
+        stops=bool(_STOPS.search(text)),
     )
 
 

@@ -1,0 +1,47 @@
+"""Folders that the script of an author's ENTRYPOINT changes to, and that its image cannot have made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.evidence.lex.dockerfile import Instruction
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_CHANGES = pattern(
+    r"(?:^|[;&|(\s])(?:cd|pushd)[ \t]+[\"']?((?:~|\$HOME|\$\{HOME\})?/[\w./-]{2,200})[\"']?[ \t]*(?=[;&\\\"']|$)"
+)
+_GUARDED = pattern(r"\|\||(?:^|\s)(?:-[de]|test|if|elif)[ \t]")
+"""A line that goes on where the folder is not there."""
+_USUAL = frozenset(
+    (
+        *("app", "code", "data", "src", "work", "workspace", "workspaces", "ws", "build", "devel", "install", "share"),
+        *("bin", "dev", "etc", "home", "lib", "media", "mnt", "opt", "root", "run", "srv", "tmp", "usr", "var"),
+    )
+)
+"""Names of folders that a base image may have, or that any step may make."""
+_OF_BASES = ("/opt/ros/", "/opt/conda", "/opt/nvidia/", "/usr/", "/etc/", "/var/", "/proc/", "/sys/")
+
+
+def absent(
+    repository: Repository, lines: Iterable[tuple[int, str]], written: Iterable[Instruction]
+) -> Iterator[tuple[str, str, int]]:
+    """Yield each such folder with the part of its path that neither the tree nor a step of the Dockerfile names.
+
+    ``lines`` are those of the script with their numbers; what another line of it names it may make itself.
+    """
+    lines = tuple(lines)
+    steps = [each.text for each in written]
+    names = {part for folder in repository.folders for part in folder.split("/")}
+    told: set[str] = set()
+    for number, line in lines:
+        for match in _CHANGES.finditer(line) if "cd" in line or "pushd" in line else ():
+            if match[1] in told or _GUARDED.search(line) or match[1].startswith(_OF_BASES):
+                continue
+            others = [text for at, text in lines if at != number and not _CHANGES.search(text)]
+            said = (*steps, *others)
+            parts = [part for part in match[1].split("/")[1:] if part.strip(".") and part not in _USUAL | names]
+            lost = next((part for part in parts if not any(part in text for text in said)), None)
+            if lost:
+                told.add(match[1])
+                yield match[1], lost, number
