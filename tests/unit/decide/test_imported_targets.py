@@ -97,6 +97,9 @@ def test_what_no_recipe_builds_is_told(target: str, said: str) -> None:
         ("Python3::NumPy", "cmake>=3.14,<4"),
         ("Boost::headers", "cmake>=3.15,<4"),
         ("GTest::gtest_main", "cmake>=3.20,<4"),
+        ("protobuf::libprotobuf", None),  # since 3.9
+        ("OpenAL::OpenAL", "cmake>=3.25,<4"),
+        ("CUDA::nvml", "cmake>=3.17,<4"),
         ("GTest::Main", None),
         ("Boost::system", None),
     ],
@@ -104,6 +107,35 @@ def test_what_no_recipe_builds_is_told(target: str, said: str) -> None:
 def test_one_of_cmakes_own_modules_asks_for_a_newer_cmake(tree: Tree, target: str, asked: str | None) -> None:
     decision = tree(ros1("melodic", "Boost", LINK.format(target)))
     assert [each.text for each in decision.python.pip_guessed if each.key == "cmake"] == ([asked] if asked else [])
+
+
+@pytest.mark.parametrize(
+    ("distro", "package", "target", "said"),
+    [
+        ("noetic", "TBB", "TBB::tbb", ""),
+        ("melodic", "TBB", "tbb", ""),
+        ("noetic", "assimp", "assimp::assimp", "assimp::assimp is linked, which came with assimp 5.1"),
+        ("noetic", "assimp", "assimp", ""),
+    ],
+)
+def test_a_target_of_a_later_release_that_no_recipe_builds_is_told(
+    tree: Tree, distro: str, package: str, target: str, said: str
+) -> None:
+    decision = tree(ros1(distro, package, LINK.format(target)))
+    told = [warning.message for warning in decision.warnings if "this Ubuntu" in warning.message]
+    assert [message[: len(said)] for message in told] == ([said] if said else [])
+
+
+@pytest.mark.parametrize(("target", "distro"), [("TBB::tbb", "noetic"), ("tbb", "melodic")])
+def test_the_distribution_is_the_nearest_whose_ubuntu_has_the_target(tree: Tree, target: str, distro: str) -> None:
+    assert tree(ros1("melodic", "TBB", LINK.format(target))).ros_distro == distro
+
+
+def test_what_a_module_of_the_tree_finds_is_not_told(tree: Tree) -> None:
+    module = {"cmake/FindTBB.cmake": "add_library(TBB::tbb INTERFACE IMPORTED)\n"}
+    decision = tree({**ros1("melodic", "TBB", LINK.format("TBB::tbb")), **module})
+    assert decision.ros_distro == "melodic"
+    assert not any("this Ubuntu" in warning.message for warning in decision.warnings)
 
 
 FETCHED = "FetchContent_Declare({0} GIT_REPOSITORY https://github.com/lab/{0}.git)\nFetchContent_MakeAvailable({0})\n"
