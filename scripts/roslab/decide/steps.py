@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import Config, Kind
+from roslab.decide import guides
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.by_page import by_own_source
@@ -57,8 +58,8 @@ def decide_steps(
     lists = _lists(evidence) if config.vcs is None else ()
     cloned = _cloned(evidence, kind, names, there, itself)
     data = _data(evidence, names, {*fetched})
-    ros = kind in {"ros1", "ros2"}
-    return Choice(answer=None, warnings=(*_fetched(evidence, names, {*added}, done, ros=ros), *lists, *cloned, *data))
+    steps = _fetched(evidence, names, {*added}, done, ros=kind in {"ros1", "ros2"})
+    return Choice(answer=None, warnings=(*guides.told(evidence), *steps, *lists, *cloned, *data))
 
 
 def _fetched(

@@ -48,6 +48,7 @@ from roslab.evidence.prose import (
     fetched_here,
     for_reference,
     gazebo,
+    guides,
     home_archives,
     included,
     install_scripts,
@@ -136,6 +137,7 @@ PROSE = (
     notebook_installs.read,  # what their cells install
     apt_lists.read,  # names without a command
     ros_links.read,
+    guides.read,
     home_archives.read,
     large_files.read,
 )
