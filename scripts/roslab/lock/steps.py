@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from roslab.plan.locked import Package
-from roslab.plan.packages import own_files
+from roslab.plan.packages import asked_files
 from roslab.plan.plan import Plan
 from roslab.values.dataclass import replace
 
@@ -24,7 +24,7 @@ def steps(plan: Plan) -> tuple[tuple[str, frozenset[str] | None], ...]:
     repositories = ("repositories", SOURCES if plan.repositories else frozenset[str]())
     named = (("packages", frozenset(plan.apt)), ("tools", frozenset(plan.apt_tools)))
     guessed = ("guessed", frozenset(plan.apt_guessed))
-    own = ("own", frozenset(file for _, file in own_files(plan.own_packages)))
+    own = ("own", frozenset(asked_files(plan.own_packages)))
     icub = ("icub", ICUB if plan.icub else frozenset[str]())
     order: Sequence[tuple[str, frozenset[str] | None]]
     if plan.compatible:

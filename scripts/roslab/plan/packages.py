@@ -32,7 +32,13 @@ class ImagePackages:
 
 def own_files(paths: Iterable[str]) -> tuple[tuple[str, str], ...]:
     """Return packages that the repository holds, each with the path by which apt is asked for it."""
-    return tuple((path, f"/tmp/packages/{path.rpartition('/')[2]}") for path in paths)  # noqa: S108 - of the image
+    held = (path for path in paths if "://" not in path)
+    return tuple((path, f"/tmp/packages/{path.rpartition('/')[2]}") for path in held)  # noqa: S108 - of the image
+
+
+def asked_files(paths: Iterable[str]) -> tuple[str, ...]:
+    """Return what the step that installs such packages is given, in its order: the path in the image, or an address."""
+    return tuple(path if "://" in path else own_files((path,))[0][1] for path in paths)
 
 
 def image_packages(decision: Decision, config: Config, in_workspace: tuple[Source, ...]) -> ImagePackages:

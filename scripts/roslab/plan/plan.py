@@ -88,7 +88,9 @@ class Plan:
     apt: tuple[str, ...]
     apt_guessed: tuple[str, ...]
     own_packages: tuple[str, ...]
-    """Packages of Debian that the repository holds, by their paths: installed if possible, reported if not."""
+    """Packages of Debian that the repository holds, by their paths, or that a page fetches, by their addresses.
+
+    They are installed if possible, and reported if not."""
     libraries: tuple[Source, ...]
     """Built from source before the workspace, in this order."""
     rosdep: Rosdep | None

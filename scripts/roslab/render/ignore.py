@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from itertools import accumulate
 
+from roslab.plan.packages import own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.output import MARKER, Beside
@@ -70,7 +71,8 @@ def _needed(plan: Plan) -> tuple[str, ...]:
     program = plan.workspace.program
     cmake = (posixpath.join(program.folder, "CMakeLists.txt"),) if program else ()
     sources = (*plan.libraries, *plan.workspace.sources, *plan.workspace.submodules)
-    files = (*manifests, *cmake, *plan.own_packages, *(patch.path for each in sources for patch in each.patches))
+    held = (path for path, _ in own_files(plan.own_packages))
+    files = (*manifests, *cmake, *held, *(patch.path for each in sources for patch in each.patches))
     return tuple(sorted({*python.manifests, *python.requirements, *conda, *folders, *files}))
 
 

@@ -52,7 +52,11 @@ def test_what_the_tree_has_is_installed(tree: Tree, more: dict[str, str]) -> Non
     ("page", "told"),
     [
         ("sudo dpkg -i libother-dev_1.4_amd64.deb", True),
-        ("wget https://x.example/libother-dev_1.4_amd64.deb\nsudo dpkg -i libother-dev_1.4_amd64.deb", True),
+        ("wget https://x.example/libother-dev_1.4_amd64.deb", True),  # nothing installs it
+        ("wget https://x.example/libother-dev_1.4_amd64.deb\nsudo dpkg -i *.deb", True),
+        ("sudo dpkg -i libother-dev_1.4_amd64.deb\nwget https://x.example/libother-dev_1.4_amd64.deb", True),
+        ("wget https://x.example/cuda-repo_12_amd64.deb\nsudo dpkg -i cuda-repo_12_amd64.deb", True),
+        ("wget https://x.example/nvidia-driver-535_1_amd64.deb\nsudo dpkg -i nvidia-driver-535_1_amd64.deb", True),
         ("sudo apt install libacmesdk-dev", False),
     ],
 )
@@ -111,3 +115,32 @@ def test_one_for_another_ubuntu_is_told(tree: Tree, name: str, installed: bool) 
     assert decision.own_packages == ((f"setup/{name}",) if installed else ())
     told = [each.message for each in decision.warnings if each.message.startswith("not installed: setup/")]
     assert len(told) == (not installed)
+
+
+URL = "https://x.example/v1.4/libother-dev_1.4_amd64.deb"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        f"wget {URL}\nsudo dpkg -i libother-dev_1.4_amd64.deb",
+        f"curl -LO {URL}\nsudo apt install -y ./libother-dev_1.4_amd64.deb",
+        f"wget {URL} && sudo dpkg -i libother-dev_1.4_amd64.deb; sudo apt-get install -f",
+    ],
+)
+def test_what_a_page_fetches_and_installs_is_installed(tree: Tree, lines: str) -> None:
+    decision = tree({**FILES, "README.md": f"{PAGE}## Install\n```\n{lines}\n```\n"})
+    assert decision.own_packages == (URL,)
+    assert "libother-dev" in decision.apt_guessed  # apt has it then
+    assert not [w.message for w in decision.warnings if ".deb" in w.message]
+    plan = make_plan(decision, Config(), folder_name="demo", ignore=())
+    assert f"    install-own-packages {URL}" in dockerfile(plan)
+    assert "x.example" not in ignore(plan, ())
+
+
+def test_a_fetched_one_for_another_ubuntu_is_told(tree: Tree) -> None:
+    url = URL.replace("_1.4_", "_1.4-1focal_")
+    page = f"wget {url}\nsudo dpkg -i {url.rpartition('/')[2]}"
+    decision = tree({**FILES, "README.md": f"{PAGE}## Install\n```\n{page}\n```\n"})
+    assert decision.own_packages == ()
+    assert any(f"not installed: {url}, which is for Ubuntu focal" in w.message for w in decision.warnings)

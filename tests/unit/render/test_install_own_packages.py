@@ -14,9 +14,14 @@ SCRIPT = Path(image_scripts.__path__[0]) / "install-own-packages.sh"
 APT = """\
 file="${!#}"
 case "$*" in
-  *--simulate*) [[ ${file} != *_arm64.deb ]] ;;
+  *--simulate*) [[ -e ${file} || ${file} != /* ]] && [[ ${file} != *_arm64.deb ]] ;;
   *install*) echo libfoo >>installed; [[ ${file} != *broken* ]] ;;
 esac
+"""
+CURL = """\
+[[ ${!#} != *gone* ]] || exit 22
+while [ "$1" != --output ]; do shift; done
+echo >"$2"
 """
 DPKG = """\
 if [ "$1" = --status ]; then grep -qx "$2" installed && echo "Status: install ok installed"; exit; fi
@@ -33,7 +38,7 @@ def installed(folder: Path, before: str, *files: str) -> tuple[str, list[str], s
     (folder / "calls").touch()
     (folder / "left-out.txt").touch()
     (folder / "bin").mkdir()
-    for name, lines in (("apt-get", APT), ("dpkg", DPKG), ("dpkg-deb", "echo libfoo\n")):
+    for name, lines in (("apt-get", APT), ("dpkg", DPKG), ("dpkg-deb", "echo libfoo\n"), ("curl", CURL)):
         (folder / "bin" / name).write_text(f"#!/bin/bash\n{lines}")
         (folder / "bin" / name).chmod(0o755)
     path = f"{folder / 'bin'}:{os.environ['PATH']}"
@@ -54,6 +59,18 @@ def installed(folder: Path, before: str, *files: str) -> tuple[str, list[str], s
 )
 def test_what_was_there_before_stays(tmp_path: Path, before: str, files: list[str], there: str) -> None:
     assert installed(tmp_path, before, *files) == (there, [], f"apt {files[-1]}\n")
+
+
+@pytest.mark.parametrize(
+    ("url", "there", "left"),
+    [
+        ("https://x.example/libfoo_1_amd64.deb", "libfoo", ""),
+        ("https://x.example/libfoo_1_arm64.deb", "", "apt libfoo_1_arm64.deb\n"),
+        ("https://gone.example/libfoo_1_amd64.deb", "", "apt libfoo_1_amd64.deb\n"),
+    ],
+)
+def test_what_has_an_address_is_fetched_first(tmp_path: Path, url: str, there: str, left: str) -> None:
+    assert installed(tmp_path, "", url) == (there, [], left)
 
 
 def test_what_fails_half_way_is_removed(tmp_path: Path) -> None:

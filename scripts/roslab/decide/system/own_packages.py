@@ -1,4 +1,4 @@
-"""Packages of Debian that the repository itself holds, and what the code cannot be compiled without of them."""
+"""Packages of Debian that are installed by their files, and what the code cannot be compiled without of them."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from roslab.evidence.x86_only import X86Only
 from roslab.knowledge.distros import ubuntus
 from roslab.values.pattern import pattern
 
-_PLAIN = pattern(r"[\w./+~-]+")
-"""A path that a mount of a Dockerfile, whose options commas part, can name."""
+_PLAIN = pattern(r"[\w./+~-]+|https?://[\w./+~%:@-]+")
+"""A path that a mount of a Dockerfile, whose options commas part, can name, or an address."""
 _WORD = pattern(r"[A-Za-z]+")
 _NUMBER = pattern(r"ubuntu-?(\d\d)\.?(\d\d)(?!\d)")
 
 
 def own_packages(evidence: Evidence, config: Config, ubuntu: str | None) -> Choice[tuple[str, ...]]:
-    """Return their paths in the order in which they are installed, of several with one name the first.
+    """Return their paths or addresses in the order in which they are installed, of several with one name the first.
 
     One whose name says another Ubuntu than the image's is told and left out.
     """

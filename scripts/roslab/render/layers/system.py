@@ -6,7 +6,7 @@ import posixpath
 import shlex
 
 from roslab.config.model import Source
-from roslab.plan.packages import own_files
+from roslab.plan.packages import asked_files, own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import caches, locks, patches, required, secrets, shell
@@ -45,16 +45,17 @@ def tools(plan: Plan) -> str:
 
 
 def own_packages(plan: Plan) -> str:
-    """Install the packages that the repository itself holds; what is for another machine or Ubuntu is told."""
+    """Install packages that the repository holds or a page fetches; what is for another machine or Ubuntu is told."""
     if not plan.own_packages:
         return ""
     files = own_files(plan.own_packages)
     mounts = (f"--mount=type=bind,source={quote.checked(path)},target={into}" for path, into in files)
     given, around = secrets.for_apt(plan), locks.apt(plan, "own")
+    holder = "the repository holds" if files else "a page has its readers fetch"
     return shell.call(
         "install-own-packages",
-        shell.words(into for _, into in files),
-        comment="Packages that the repository holds: none of them stops the build",
+        shell.words(asked_files(plan.own_packages)),
+        comment=f"Packages that {holder}: none of them stops the build",
         secrets=secrets.Secrets(mounts=(*given.mounts, *mounts), commands=given.commands),
         around=around,
     )
