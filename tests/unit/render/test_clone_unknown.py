@@ -21,9 +21,13 @@ def _manifest(folder: Path, name: str, *needed: str) -> None:
     (folder / "package.xml").write_text(f"<package>\n  <name>{name}</name>\n{depends}</package>\n")
 
 
-def _git(folder: Path, *words: str) -> None:
+def _git(folder: Path, *words: str, day: str = "2019-05-20") -> str:
     identity = ("-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "init.defaultBranch=main")
-    subprocess.run(["git", *identity, *words], cwd=folder, capture_output=True, check=True)
+    dates = {"GIT_AUTHOR_DATE": f"{day}T12:00:00Z", "GIT_COMMITTER_DATE": f"{day}T12:00:00Z"}
+    ran = subprocess.run(
+        ["git", *identity, *words], cwd=folder, env=os.environ | dates, capture_output=True, text=True, check=True
+    )
+    return ran.stdout.strip()
 
 
 def _commit(folder: Path) -> Path:
@@ -54,13 +58,13 @@ def image(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def _run(image: Path, *keys: str) -> tuple[int, list[str]]:
+def _run(image: Path, *keys: str, day: str = "") -> tuple[int, list[str]]:
     """Return the exit code and the packages that the workspace then has."""
     script = image / "clone-unknown"
     text = (FOLDER / "clone-unknown.sh").read_text()
     script.write_text(text.replace("tried=/tmp/clone-unknown", f"tried={image}/tried"))
     ran = subprocess.run(
-        ["bash", script, image / "manifests", image / "ws/src", *keys],
+        ["bash", script, "--before", day, image / "manifests", image / "ws/src", *keys],
         env=os.environ | {"PATH": f"{image / 'bin'}:{os.environ['PATH']}"},
         capture_output=True,
         text=True,
@@ -99,6 +103,52 @@ def test_a_list_of_the_clone_tells_where_it_is(image: Path, file: str, text: str
     _git(_commit(image / "other/number_things"), "tag", "v1")
     (image / "ws/src/lib" / file).write_text(text.format(url=(image / "other/number_things").as_uri()))
     assert _run(image, "numeric") == (0, ["docs", "lib", "number_things"])
+
+
+def _list(image: Path, name: str, repository: Path, version: str = "main") -> None:
+    row = f"- git: {{local-name: {name}, uri: '{repository.as_uri()}', version: {version}}}\n"
+    with (image / "ws/src/lib/all.rosinstall").open("a") as file:
+        file.write(row)
+
+
+def test_a_listed_repository_may_hold_what_it_is_not_called_like(image: Path) -> None:
+    _manifest(image / "other/tools/cmake", "tools_cmake")
+    _list(image, "tools", _commit(image / "other/tools"))
+    _manifest(image / "other/plusplus/numbers", "counting")
+    _manifest(image / "other/plusplus/more", "more")
+    _list(image, "plusplus", _commit(image / "other/plusplus"))
+    _manifest(image / "ws/src/lib", "lib", "counting")
+    assert _run(image, "counting") == (0, ["docs", "lib", "more", "numbers"])
+    assert (image / "ws/src/plusplus/more/CATKIN_IGNORE").exists()
+
+
+def test_what_the_repository_itself_asks_for_is_looked_for_in_the_lists_of_its_clones_alone(image: Path) -> None:
+    _manifest(image / "manifests/mine", "mine", "lib", "counting", "unlisted")
+    _manifest(image / "other/plusplus/counting", "counting")
+    _list(image, "plusplus", _commit(image / "other/plusplus"))
+    _manifest(image / "lab/unlisted", "unlisted")
+    _commit(image / "lab/unlisted")
+    assert _run(image, "counting", "unlisted") == (0, ["counting", "docs", "lib"])
+
+
+@pytest.mark.parametrize(("version", "newest"), [("main", False), ("v2", True)])
+def test_a_branch_of_a_list_is_that_of_the_day_and_a_tag_stays(image: Path, version: str, newest: bool) -> None:
+    _manifest(image / "other/numeric", "numeric")
+    remote = _commit(image / "other/numeric")
+    (remote / "new").write_text("new\n")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "second", day="2021-05-20")
+    _git(remote, "tag", "v2")
+    _list(image, "numeric", remote, version)
+    assert _run(image, "numeric", day="2020-01-01") == (0, ["docs", "lib", "numeric"])
+    assert (image / "ws/src/numeric/new").exists() is newest
+
+
+def test_a_repository_may_have_dashes_where_its_package_has_underscores(image: Path) -> None:
+    _manifest(image / "lab/space-tools", "space_tools")
+    _commit(image / "lab/space-tools")
+    _manifest(image / "ws/src/lib", "lib", "space_tools")
+    assert _run(image, "space_tools") == (0, ["docs", "lib", "space_tools"])
 
 
 def test_a_list_that_is_no_yaml_stops_nothing(image: Path) -> None:

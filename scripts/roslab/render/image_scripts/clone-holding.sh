@@ -5,7 +5,7 @@
 # are compiled.
 #   --ref REF        a branch, tag or commit
 #   --branch BRANCH  a branch, which may be gone
-#   --before DAY     the newest commit not after this day (YYYY-MM-DD)
+#   --before DAY     the newest commit not after this day (YYYY-MM-DD); a tag or commit stays as it is
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 ref='' branch='' day=''
@@ -40,12 +40,16 @@ fi
 
 # Where a host has no such repository it asks for a password, which nobody is there to give
 export GIT_TERMINAL_PROMPT=0
-git clone "${url}" "${folder}" || leave_out "it cannot be cloned"
+if ! git clone "${url}" "${folder}"; then # what is called x_y here may be x-y there
+  name="$(basename "${url}")"
+  if [[ "${name}" != *_* ]]; then leave_out "it cannot be cloned"; fi
+  git clone "${url%/*}/${name//_/-}" "${folder}" || leave_out "it cannot be cloned, and no ${name//_/-} either"
+fi
 if [ -n "${ref}" ]; then
   git -C "${folder}" -c advice.detachedHead=false checkout "${ref}" || leave_out "it has no ${ref}"
 fi
 if [ -n "${branch}" ]; then checkout-branch "${folder}" "${branch}"; fi
-if [ -z "${ref}" ] && [ -n "${day}" ]; then
+if [ -n "${day}" ] && { [ -z "${ref}" ] || git -C "${folder}" rev-parse --quiet --verify "refs/remotes/origin/${ref}" >/dev/null; }; then
   commit="$(git -C "${folder}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" HEAD)"
   git -C "${folder}" -c advice.detachedHead=false checkout "${commit:-HEAD}"
 fi

@@ -1,10 +1,10 @@
 #!/bin/bash
 # usage: clone-unknown [--before DAY] MANIFESTS WORKSPACE KEY...
 # Clones to the workspace the packages of these keys that the repository, whose package.xml files lie below MANIFESTS, and
-# the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos), else from the owner of
-# the one that asks, by the name of the package, or of what it is a part of (X for X_msgs). Each key is tried once. Ends
-# with 1 where nothing was found.
-#   --before DAY  the newest commit not after this day (YYYY-MM-DD), where a list names none; of today if empty
+# the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos), by the name there, else
+# by what the listed repositories hold. What a clone asks for is then looked for with its owner, by the name of the package,
+# or of what it is a part of (X for X_msgs). Each key is tried once. Ends with 1 where nothing was found.
+#   --before DAY  the newest commit not after this day (YYYY-MM-DD), unless a list names a tag or commit; of today if empty
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 day=()
@@ -14,10 +14,12 @@ if [ "$1" = --before ]; then
 fi
 manifests="$1" workspace="$2" tried=/tmp/clone-unknown
 shift 2
-touch "${tried}"
+touch "${tried}" "${tried}.looked" "${tried}.held"
+export GIT_TERMINAL_PROMPT=0 # where a host has no such repository it asks for a password, which nobody is there to give
 
 mapfile -t own < <(find "${manifests}" -name package.xml -exec read-manifest depends {} +)
-declare -A asked=()
+declare -A asked=() wanted=()
+for name in "${own[@]}"; do wanted["${name}"]=yes; done
 while IFS=$'\t' read -r _ manifest; do
   while read -r name; do
     asked["${name}"]="${asked["${name}"]:-${manifest}}" # the first clone that asks
@@ -47,10 +49,29 @@ for path in sys.argv[1:]:
 '
 }
 
+# Prints NAME URL REF of what the listed repositories hold. Looks once into each, with no more of it than its manifests
+# where the host and git can
+held() {
+  local url ref name bare=/tmp/clone-unknown.git manifest="${tried}.xml" path
+  while read -r name url ref; do
+    if grep --quiet --line-regexp --fixed-strings "${url} ${ref}" "${tried}.looked"; then continue; fi
+    echo "${url} ${ref}" >>"${tried}.looked"
+    if [ -e "${workspace}/$(basename "${url}" .git)" ]; then continue; fi
+    git clone --quiet --bare --depth 1 --filter=blob:none ${ref:+--branch "${ref}"} "${url}" "${bare}" 2>/dev/null ||
+      git clone --quiet --bare --depth 1 "${url}" "${bare}" 2>/dev/null || continue # a commit is no branch, old gits filter nothing
+    while read -r path; do
+      git -C "${bare}" show "HEAD:${path}" >"${manifest}"
+      echo "$(read-manifest name "${manifest}") ${url} ${ref}" >>"${tried}.held"
+    done < <(git -C "${bare}" -c core.quotePath=false ls-tree -r --name-only HEAD | grep --extended-regexp '(^|/)package\.xml$')
+    rm -rf "${bare}" "${manifest}"
+  done < <(listed)
+  cat "${tried}.held"
+}
+
 folder=''
 try() { # PACKAGE URL [REF]
   local url="$2" at=("${day[@]}") # git in the image takes the public hosts by https
-  if [ -n "${3:-}" ]; then at=(--ref "$3"); fi
+  if [ -n "${3:-}" ]; then at+=(--ref "$3"); fi
   folder="${workspace}/$(basename "${url}" .git)"
   if [ -e "${folder}" ]; then return 1; fi
   clone-holding "${at[@]}" "${url}" "${folder}" "$1"
@@ -63,19 +84,22 @@ for key in "$@"; do
   # What is named so is a package of the system or of pip, and none of ROS
   if [[ ! "${key}" =~ ^[a-z][a-z0-9_-]*$ || "${key}" =~ ^(lib|python|ros-)|-(dev|pip)$ ]]; then continue; fi
   manifest="${asked["${key}"]:-}"
-  if [ -z "${manifest}" ] || grep --quiet --line-regexp --fixed-strings "${key}" "${tried}"; then continue; fi
+  if [ -z "${manifest}${wanted["${key}"]:-}" ] || grep --quiet --line-regexp --fixed-strings "${key}" "${tried}"; then continue; fi
   echo "${key}" >>"${tried}"
   if [ -n "$(workspace-packages show "${workspace}" "${key}")" ]; then # a clone of before has it
     echo "roslab: no longer hidden: ${key}"
     new=yes
     continue
   fi
-  while read -r name url ref; do
-    if [ "${name}" = "${key}" ] && try "${key}" "${url}" "${ref}"; then
-      new=yes
-      continue 2
-    fi
-  done < <(listed)
+  for tell in listed held; do
+    while read -r name url ref; do
+      if [ "${name}" = "${key}" ] && try "${key}" "${url}" "${ref}"; then
+        new=yes
+        continue 3
+      fi
+    done < <("${tell}")
+  done
+  if [ -z "${manifest}" ]; then continue; fi # the build has looked with the owner of the repository
   origin="$(git -c safe.directory='*' -C "$(dirname "${manifest}")" config --get remote.origin.url)" || continue
   for name in $(sed --regexp-extended 'p; s/_(msgs|srvs|interfaces|lib)$//' <<<"${key}" | uniq); do # a part is with the whole
     if try "${key}" "${origin%/*}/${name}"; then
