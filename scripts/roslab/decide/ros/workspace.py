@@ -9,6 +9,7 @@ from typing import Literal
 
 from roslab.config.model import BuildTool, Kind
 from roslab.decide.ros.other_workspaces import Launches, other_workspaces, page_launches, started
+from roslab.decide.ros.unbuildable import unbuildable
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.ros.conditions import holds
@@ -39,7 +40,7 @@ class Packages:
     """Ignored by a marker, copied in, nested in another package, or unreadable."""
 
     names: frozenset[str]
-    """Names of all packages, also of those not built: none of them is a key for rosdep."""
+    """Names of all packages, also of those not built, which others do not need built: none of them is a key for rosdep."""
     doubles: tuple[str, ...] = ()
     """Folders with packages of names that are built already, or of the other ROS: a tool that finds them stops."""
     nested: tuple[PackageManifest, ...] = ()
@@ -50,13 +51,15 @@ def packages_of(evidence: Evidence) -> Packages:
     """Sort the manifests of a repository."""
     if any(map(of_rosbuild, evidence.manifests)):
         return _of_rosbuild(evidence.manifests, whole=built_by_rosbuild(evidence))
-    return _packages(
+    found = _packages(
         evidence.manifests,
         tuple(p.file for p in evidence.cmake),
         tuple(p.folder for p in evidence.python),
         tuple(p.file for p in evidence.cmake if p.always),
         page_launches(evidence),
     )
+    lost = unbuildable(found.assets, found.built, evidence.cmake)
+    return replace(found, names=found.names - lost) if lost else found
 
 
 def of_rosbuild(manifest: PackageManifest) -> bool:
