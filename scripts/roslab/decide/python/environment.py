@@ -28,6 +28,7 @@ from roslab.decide.python.gpu_projects import left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.indexes import file_options, indexes_of
+from roslab.decide.python.left_frameworks import left_frameworks
 from roslab.decide.python.locked import locked_releases, of_what_is_installed
 from roslab.decide.python.lost import lost, with_told_links, without_history
 from roslab.decide.python.machine_lists import machine_lists
@@ -229,6 +230,7 @@ def decide_python(
             *options.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
             *left_to_gpus(evidence),
+            *left_frameworks(evidence, kind, everything),
             *lost(evidence, kind, chosen, ubuntu if manager == "system" else None),
             *without_history(evidence),
             *ignored_environments(evidence, kind, chosen),

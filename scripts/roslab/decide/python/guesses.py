@@ -29,7 +29,8 @@ from roslab.values.requirement_line import stated
 
 _FOR_DEVELOPERS = pattern(r"(?:^|/)(?:\.(?:github|circleci|travis|gitlab)|(?:bitbucket|azure)-pipelines\.|docs?\d?/)")
 _REPOSITORY = pattern(r"git\+\w+://(?:[^@/]*@)?([\w.-]+/[\w.-]+/[\w.-]+?)(?:\.git)?(?:[@#].*)?$")
-_FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
+FRAMEWORKS = frozenset({"torch", "tensorflow", "jax", "keras"})
+"""Of an image of ROS, only those that a node imports are guessed: they are large."""
 MAX_GUESSES = 40
 
 
@@ -75,14 +76,14 @@ def guesses(
             continue
         name = canonicalize_name(package) if package else ""
         covered = name in known or name in found or any(same_module(name, other) for other in (*known, *found))
-        if not package or covered or name in tools or (heavy and name in _FRAMEWORKS):
+        if not package or covered or name in tools or (heavy and name in FRAMEWORKS):
             continue
         by_apt = bool(apt) or dependency.name in ros_modules()
-        if ros and (by_apt or (name in _FRAMEWORKS and dependency.role != "node")):
+        if ros and (by_apt or (name in FRAMEWORKS and dependency.role != "node")):
             continue  # a ROS image's Python is the system's: what apt has comes from there
         version = (dependency.version or "") if dependency.role == "told" else limits.get(name, "")
         guess = _as_in_extra(stated(package + version, "import", dependency.file, dependency.line), evidence)
-        found[name] = guess if name in _FRAMEWORKS else as_in_list(guess, evidence)
+        found[name] = guess if name in FRAMEWORKS else as_in_list(guess, evidence)
     return tuple(found.values())[:MAX_GUESSES]
 
 
@@ -135,7 +136,7 @@ def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
     A framework beside a manifest is not among these: it is another way to do the same.
     """
     for each in evidence.code:
-        told = each.role == "told" and each.name not in _FRAMEWORKS
+        told = each.role == "told" and each.name not in FRAMEWORKS
         counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests))
         if each.namespace == "import" and counts and not places.test(each.file):
             yield each
@@ -220,7 +221,7 @@ def loose_names(
     asked += [each for project in projects for each in project.requirements if each.role in {"", "source"}]
     limited = {each.key for each in asked if each.limited}
     beside = {name for names in released_together().values() for name in names}
-    return frozenset(each.key for each in asked if each.name) - limited - _FRAMEWORKS - beside
+    return frozenset(each.key for each in asked if each.name) - limited - FRAMEWORKS - beside
 
 
 def known_requirements(

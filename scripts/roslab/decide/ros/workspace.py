@@ -40,7 +40,7 @@ class Packages:
     """Ignored by a marker, copied in, nested in another package, or unreadable."""
 
     names: frozenset[str]
-    """Names of all packages, also of those not built, which others do not need built: none of them is a key for rosdep."""
+    """Names of all packages, also of those not built if others do not need them built: none is a key for rosdep."""
     doubles: tuple[str, ...] = ()
     """Folders with packages of names that are built already, or of the other ROS: a tool that finds them stops."""
     nested: tuple[PackageManifest, ...] = ()

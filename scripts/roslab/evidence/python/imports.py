@@ -17,6 +17,7 @@ from roslab.evidence.python.of_python3 import of_python3
 from roslab.evidence.python.programs import read as programs
 from roslab.evidence.python.rendered import rendered
 from roslab.evidence.python.shown_by_imports import names, shown_by_imports
+from roslab.evidence.python.through_modules import through_modules
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.knowledge.windows import shown
@@ -44,8 +45,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
     Each name once, at its first place, one of a script, an example or a test only where no other imports it;
     ``optional`` if it is only imported inside a function or a ``try``: then it has
-    the role ``told`` where the module says how to install it. A framework that a node of ROS imports has the role
-    ``node``.
+    the role ``told`` where the module says how to install it. A framework that a node of ROS imports, by modules of the
+    tree too, has the role ``node``.
     Calls that open windows are included, each library's once for a file, and those of the modules that it imports; the
     package of a plain ``python`` if the first line of a program starts that, those for Python 3 of what programs import
     whose first line asks for that, and those of the libraries of GObject that a program asks for.
@@ -54,6 +55,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     found: dict[str, Dependency] = {}
     said: dict[str, Dependency] = {}
     imported: dict[str, list[str]] = {}
+    frameworks: dict[str, list[tuple[re.Match[str], list[str]]]] = {}
     for module in modules(repository):
         file, text = module.file, module.text
         if "" not in found and (started := _started(file, text)):
@@ -72,7 +74,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         said = {**_told(module, found_in), **said}
         others = {top for _, tops in found_in for top in tops} - local
         found = {f"{each.name} {each.role}": each for each in of_python3(module, others)} | found
-        node = any(not _OF_NODES.isdisjoint(tops) for _, tops in found_in) and _of_node(module)
+        frameworks[file.path] = [each for each in found_in if not _OF_NODES.isdisjoint(each[1])]
+        node = bool(frameworks[file.path]) and _of_node(module)
         for match, tops in found_in:
             for top in tops:
                 inside = top in local and not _foreign(match, top, like, file)
@@ -94,6 +97,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     calls = [each for each in found.values() if each.namespace == "call"]
     for call in shown_by_imports(imported, calls):
         found.setdefault(f"{call.name} {call.file}", call)
+    _add_of_nodes(repository, found, frameworks)
     _add_told(said, found)
     _add_notebooks(repository, local, sorted_in, found)
     return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
@@ -153,6 +157,23 @@ def _add_told(said: Mapping[str, Dependency], found: dict[str, Dependency]) -> N
 def _of_node(module: Module) -> bool:
     """Tell whether a module imports the library of ROS's nodes."""
     return module.names_ros and bool(_ROS.search(module.text))
+
+
+def _add_of_nodes(
+    repository: Repository,
+    found: dict[str, Dependency],
+    frameworks: Mapping[str, Iterable[tuple[re.Match[str], list[str]]]],
+) -> None:
+    """Give the role ``node`` to frameworks that nodes import by other modules; ``frameworks``: statements by file."""
+    whole = ((file, match, top) for file, each in frameworks.items() for match, tops in each for top in tops)
+    left = [(file, match, top) for file, match, top in whole if top in found and not match["indent"]]
+    left = [each for each in left if each[2] in _OF_NODES and found[each[2]].role != "node"]
+    nodes = [each for each in modules(repository) if left and not places.test(each.file.path) and _of_node(each)]
+    reached = through_modules(nodes, modules(repository)) if nodes else frozenset()
+    for file, match, top in left:
+        if file in reached and found[top].role != "node":
+            line = match.string.count("\n", 0, match.start()) + 1
+            found[top] = replace(found[top], role="node", strength="used", file=file, line=line)
 
 
 def _typelibs(module: Module) -> Iterator[Dependency]:

@@ -1,0 +1,81 @@
+"""Modules of the tree that nodes of ROS import: what these import fails the node as much as its own imports do."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Collection, Iterable, Iterator
+
+from roslab.evidence.python.modules import Module
+from roslab.values.pattern import pattern
+
+_FROM = pattern(r"^from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#;]*)", re.MULTILINE)
+_IMPORT = pattern(r"^import[ \t]+([A-Za-z_][^\n#;]*)", re.MULTILINE)
+_INIT = "__init__"
+
+
+def through_modules(nodes: Iterable[Module], others: Iterable[Module]) -> frozenset[str]:
+    """Return the files of the modules that ``nodes`` import at their top, and those that these import in turn.
+
+    Imports inside of functions and of ``try`` may never run, and are not followed. A module is found by its whole name
+    from the folder above its outermost package, or beside the file that imports it.
+    """
+    nodes = tuple(nodes)
+    by_file = {module.file.path: module for module in (*nodes, *others)}
+    packages = {module.file.folder for module in by_file.values() if module.file.name == f"{_INIT}.py"}
+    by_name: dict[str, list[str]] = {}
+    for path in by_file:
+        by_name.setdefault(_importable(path, packages), []).append(path)
+    queue = [module.file.path for module in nodes]
+    reached: set[str] = set()
+    while queue:
+        file = queue.pop()
+        for name in _imported(by_file[file].text, posixpath.dirname(file)):
+            for found in _found(name, file, by_file, by_name):
+                if found not in reached:
+                    reached.add(found)
+                    queue.append(found)
+    return frozenset(reached)
+
+
+def _importable(path: str, packages: Collection[str]) -> str:
+    """Return the name by which a module is imported: with those of the packages around it."""
+    folder, name = posixpath.split(path.removesuffix(".py"))
+    parts = [] if name == _INIT else [name]
+    while folder in packages:
+        folder, name = posixpath.split(folder)
+        parts.insert(0, name)
+    return ".".join(parts)
+
+
+def _imported(text: str, folder: str) -> Iterator[str]:
+    """Yield the whole names that a module imports at its top, and for relative ones their paths without an ending.
+
+    What stands behind ``import`` may be a module or something in one.
+    """
+    for match in _IMPORT.finditer(text):
+        yield from (part.split()[0] for part in match[1].split(",") if part.split())
+    for match in _FROM.finditer(text):
+        dots, module, words = match.groups()
+        parts = (word.split()[0] for word in words.strip("()").split(",") if word.split())
+        names = [module, *(f"{module}.{part}".lstrip(".") for part in parts)]
+        if not dots:
+            yield from names
+            continue
+        base = "/".join([folder, *[".."] * (len(dots) - 1)])
+        yield from (f"{posixpath.normpath(posixpath.join(base, name.replace('.', '/')))}/" for name in names)
+
+
+def _found(name: str, file: str, by_file: Collection[str], by_name: dict[str, list[str]]) -> Iterator[str]:
+    """Yield the files that an import runs: the module, and the packages around it."""
+    if name.endswith("/"):
+        yield from (path for path in (f"{name[:-1]}.py", f"{name}{_INIT}.py") if path in by_file)
+        return
+    beside = posixpath.join(posixpath.dirname(file), name.replace(".", "/"))
+    near = [path for path in (f"{beside}.py", f"{beside}/{_INIT}.py") if path in by_file and path != file]
+    if near:
+        yield from near
+        return
+    parts = name.split(".")
+    for end in range(1, len(parts) + 1):
+        yield from by_name.get(".".join(parts[:end]), ())
