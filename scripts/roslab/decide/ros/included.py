@@ -18,8 +18,11 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.native.generated import package_of
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.libraries import header
+from roslab.values.dataclass import replace
 
 ROLE = "include"
+MESSAGES = "messages"
+"""Role of a module of which messages, services or actions are imported."""
 _MESSAGES = ("_msgs", "_srvs", "_interfaces")
 """How the names of packages of messages end: https://www.ros.org/reps/rep-0144.html, and in ROS 2
 https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html"""
@@ -65,12 +68,20 @@ def without_headers(
         hint = "give its repository under `source` in roslab.yaml"
         yield warn(f"{what}: {where_not}{build_tool} will stop where that is compiled; {hint}", asked)
     for asked in _imported(evidence, packages):
-        if asked.name in named or asked.name in tried or not there.isdisjoint((asked.name, plain(asked.name))):
+        if asked.name in named or not there.isdisjoint((asked.name, plain(asked.name))):
             continue
+        where = tried.get(asked.name)
         perhaps = "one of the cloned repositories may hold them, and else " if cloned else ""
+        perhaps = f"the build looks for it in {where}, and where it is not there, " if where else perhaps
         what = f"the code imports messages of {asked.name}, which no package.xml asks for and no table knows"
         hint = "give its repository under `source` in roslab.yaml"
         yield warn(f"{what}: {perhaps}what imports them stops; {hint}", asked)
+
+
+def imported(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
+    """Yield each package whose messages, services or actions Python in the built packages imports, as one of ROS."""
+    for each in _imported(evidence, packages):
+        yield replace(each, namespace="ros", strength="declared", role="exec")
 
 
 def _imported(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
@@ -78,7 +89,8 @@ def _imported(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built)
     told: set[str] = set(packages.names)
     for each in evidence.code:
-        sure = each.namespace == "import" and each.strength == "used" and each.name.endswith(_MESSAGES)
+        of_ros = each.role == MESSAGES or each.name.endswith(_MESSAGES)
+        sure = each.namespace == "import" and each.strength == "used" and of_ros
         if not sure or each.name in told or places.aside(each.file) or each.name in imports():
             continue
         if any(not folder or each.file.startswith(f"{folder}/") for folder in folders):

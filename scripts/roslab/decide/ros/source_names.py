@@ -8,6 +8,7 @@ from functools import cache
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.ros.vcs import https
+from roslab.knowledge.distros import distros
 from roslab.knowledge.released import rosdep_keys
 from roslab.values.pattern import pattern
 
@@ -19,7 +20,7 @@ _COMMON = frozenset(
 _SHORTEST_FIRST = 3
 _OF_ALL = frozenset({"ros", "lib", "the", "for", "sim"})
 """Short first words of the names of many families."""
-_BRANCH = pattern(r"(?:[a-z]+[-_])?(?:dev|devel|develop|development|testing|nightly)")
+_BRANCH = pattern(r"(?:[a-z]+[-_])?(?:dev|devel|develop|development|testing|nightly)|ros-?[12]")
 _SEPARATORS = pattern(r"[-_.]+")
 _TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
 
@@ -30,8 +31,8 @@ def fixed(ref: str | None) -> str | None:
 
 
 def drifts(ref: str | None) -> bool:
-    """Tell whether a ref is a branch by its name, whose commits go on: ``develop``, ``noetic-devel``."""
-    return moves(ref) or bool(ref and _BRANCH.fullmatch(ref))
+    """Tell whether a ref is a branch by its name, whose commits go on: ``develop``, ``noetic-devel``, ``ros2``."""
+    return moves(ref) or ref in distros() or bool(ref and _BRANCH.fullmatch(ref))
 
 
 def moves(ref: str | None) -> bool:

@@ -15,6 +15,7 @@ from roslab.decide.ros.imported_clones import with_imported
 from roslab.decide.ros.in_tree import in_tree, inside_packages
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.misnamed import left_over
+from roslab.decide.ros.required_links import required_links
 from roslab.decide.ros.sought import with_sought
 from roslab.decide.ros.source_names import (
     address,
@@ -26,6 +27,7 @@ from roslab.decide.ros.source_names import (
     plain,
     wanted_names,
 )
+from roslab.decide.ros.source_warnings import loose, private
 from roslab.decide.ros.twice import folder_of, listed_twice, twice
 from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
@@ -101,6 +103,7 @@ def decide_sources(
         for git, why in for_unknown(evidence, ros_distro, itself, own | known, unknown):
             chosen.add(git, why)
     used = tuple(used_by_build(evidence, needed))
+    chosen.required(evidence, (*used, *launched), known | rosdep_keys() | answered, itself | own, ros_distro or "")
     chosen.known((*used, *launched), known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys() | by_page(used, evidence)
@@ -172,7 +175,7 @@ class _Chosen:
         )
         self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))
         if git.private or address(git.url) in self.private:
-            self.warnings.append(_private(name, git))
+            self.warnings.append(private(name, git))
         return True
 
     def configure(self, config: Config) -> None:
@@ -255,20 +258,21 @@ class _Chosen:
         day = day_of(found, distro, self.before) if source.ref == found.ref else source.before
         self.sources[name] = replace(source, prepare=found.prepare, cmake_options=options, before=day)
 
+    def required(
+        self, evidence: Evidence, needed: Iterable[Dependency], known: frozenset[str], itself: set[str], distro: str
+    ) -> None:
+        """Add what a page lists among the required repositories, in whose place no table's is cloned."""
+        for git, asked in required_links(evidence, needed, known | {*self.sources}, self.ros, distro):
+            why = f"{asked.file}:{asked.line} needs {asked.name}, and {git.file} lists it as required"
+            if not itself_in(git, itself) and self.add(git, why):
+                self.others |= {address(row.repo) for row in ros_sources(asked.name, self.ros)} - {address(git.url)}
+
     def linked(self, evidence: Evidence, needed: Iterable[Dependency], known: frozenset[str], itself: set[str]) -> None:
         """Add what pages link to for packages that are needed and that nothing brings so far."""
         others = [each for each in needed if each.name not in self.packages]
         for git, asked in linked(evidence, others, known | {*self.sources}, self.ros):
             if not itself_in(git, itself):
                 self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and {git.file} links to it")
-
-    def loose(self) -> tuple[Warning_, ...]:
-        """Warn about sources without a ref: a later build may get other code."""
-        names = sorted(s.name for s in self.sources.values() if s.repo and not (s.ref or s.before))
-        if not names:
-            return ()
-        message = f"cloned without a fixed ref: {', '.join(names)}; a later build may get other code"
-        return (warn(f"{message}: name a tag or a commit where they are listed, or under source in roslab.yaml"),)
 
     def choice(self, files: tuple[str, ...]) -> Choice[Sources]:
         """Return the sources with their reasons and warnings."""
@@ -281,13 +285,5 @@ class _Chosen:
                 names=frozenset(self.sources) | {plain(name) for name in self.sources} | self.packages,
             ),
             reasons=tuple(self.reasons),
-            warnings=(*self.warnings, *self.loose()),
+            warnings=(*self.warnings, *loose(self.sources.values())),
         )
-
-
-def _private(name: str, git: GitSource) -> Warning_:
-    why = "its address has somebody's user name" if git.private else "a page calls it private"
-    message = (
-        f"{name} may not be there for everybody, as {why}: where {https(git.url)} cannot be cloned without a login"
-    )
-    return warn(f"{message}, it is left out, and what needs it may stop the build", git)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
-from roslab.decide.ros.included import included
+from roslab.decide.ros.included import imported, included
 from roslab.decide.ros.keys import declared_keys, own_targets
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
@@ -19,7 +19,7 @@ from roslab.evidence.facts import Evidence
 
 
 def asked(evidence: Evidence, packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
-    """Return what package.xml files, build files, started programs, headers of messages and linked names ask for."""
+    """Return what package.xml files, build files, started programs, messages of the code and linked names ask for."""
     keys = declared_keys(packages, target, kind)
     ours = own_targets(keys, evidence)
     return (
@@ -27,6 +27,7 @@ def asked(evidence: Evidence, packages: Packages, target: Target, kind: Kind) ->
         *code_needs(evidence, packages),
         *started(evidence, kind),
         *included(evidence, packages),
+        *imported(evidence, packages),
         *as_packages(evidence, packages, kind),
     )
 

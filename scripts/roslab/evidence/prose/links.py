@@ -29,6 +29,11 @@ _NAMED_COMMIT = pattern(
     re.IGNORECASE,
 )
 """A commit in a sentence: ``(Tested commit: 7c5f5e2)``, or 40 digits alone."""
+_NAMED_BRANCH = pattern(
+    r"\bbranch\b(?:[ \t]{0,2}[:=]|[ \t]+(?=`))[ \t]{0,2}[`\"']?([\w][\w./-]{0,60})|\(([\w][\w./-]{0,60})[ \t]+branch\)",
+    re.IGNORECASE,
+)
+"""The branch behind a link: ``, branch: humble-devel)``, ``(humble-devel branch)``."""
 BEFORE = 240
 """Most characters of a sentence before a link."""
 _HOLDS = pattern(
@@ -73,7 +78,8 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
         pinned = _pinned(text, match.end())
         if url not in found or (pinned and not found[url].ref):
             said = refs.get(url, set())
-            branch = match[2] if match[2] not in _DEFAULT else None
+            branch = match[2] or _on_line(_NAMED_BRANCH, text, match.end())
+            branch = branch if branch not in _DEFAULT else None
             ref = pinned or (next(iter(said)) if len(said) == 1 else branch)
             found[url] = GitSource(
                 name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
@@ -91,10 +97,15 @@ def _pinned(text: str, end: int) -> str | None:
     """Return the commit that a page names for a link: right behind it, or later on its line, before the next one."""
     if near := _PINNED.match(text, end):
         return near[1]
+    return _on_line(_NAMED_COMMIT, text, end)
+
+
+def _on_line(named: re.Pattern[str], text: str, end: int) -> str | None:
+    """Return what a pattern finds behind a link, later on its line or in its item, before the next link."""
     rest = _ITEM.match(text, end)
     other = _LINK.search(text, end, rest.end()) if rest else None
-    named = _NAMED_COMMIT.search(text, end, other.start() if other else rest.end()) if rest else None
-    return (named[1] or named[2]) if named else None
+    found = named.search(text, end, other.start() if other else rest.end()) if rest else None
+    return (found[1] or found[2]).rstrip(".-/") if found else None
 
 
 def _listed(text: str) -> frozenset[int]:

@@ -37,6 +37,8 @@ _PLAIN_PYTHON = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python
 """A first line that starts `python`, which Ubuntu 20.04 and newer install only on demand."""
 _OF_NODES = frozenset({"torch", "tensorflow", "jax", "keras"})
 """Frameworks, which are too large to be installed for a helper script beside the nodes."""
+_MESSAGES = pattern(r"\w+\.(?:msg|srv|action)(?:\.|$)")
+"""The generated modules of a package of ROS."""
 _ROS = pattern(r"^(?:import|from) r(?:os|cl)py\b", re.MULTILINE)
 
 
@@ -46,7 +48,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     Each name once, at its first place, one of a script, an example or a test only where no other imports it;
     ``optional`` if it is only imported inside a function or a ``try``: then it has
     the role ``told`` where the module says how to install it. A framework that a node of ROS imports, by modules of the
-    tree too, has the role ``node``.
+    tree too, has the role ``node``; of what messages, services or actions are imported, the role ``messages``.
     Calls that open windows are included, each library's once for a file, and those of the modules that it imports; the
     package of a plain ``python`` if the first line of a program starts that, those for Python 3 of what programs import
     whose first line asks for that, and those of the libraries of GObject that a program asks for.
@@ -82,7 +84,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 if _standard(top) or inside or top.startswith("_"):
                     continue
                 known = found.get(top)
-                role = "node" if node and top in _OF_NODES and not match["indent"] else ""
+                role = _role(match, top, node=node)
                 if known is not None and (match["indent"] or _stays(known, file)):
                     found[top] = replace(known, role=role, strength="used") if role else known
                     continue
@@ -101,6 +103,12 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     _add_told(said, found)
     _add_notebooks(repository, local, sorted_in, found)
     return tuple(sorted(found.values(), key=lambda dependency: (dependency.file, dependency.line)))
+
+
+def _role(match: re.Match[str], top: str, *, node: bool) -> str:
+    if match["indent"]:
+        return ""
+    return "node" if node and top in _OF_NODES else "messages" if any(map(_MESSAGES.match, _whole(match))) else ""
 
 
 def _stays(known: Dependency, file: File) -> bool:
