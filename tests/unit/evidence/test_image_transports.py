@@ -16,6 +16,7 @@ from roslab.repository.checkout import Repository
         ("a.launch.py", "remappings=[('~/image/ffmpeg', '/cam/image_raw/ffmpeg')]\n", ["ffmpeg_image_transport"]),
         ("a.launch.py", "{'cam.image.theora.quality': 3}\n", ["theora_image_transport"]),
         ("a.launch", '<remap from="x" to="/image_raw/compressed"/>\n', ["compressed_image_transport"]),
+        ("a.launch.xml", '<remap from="x" to="/image_raw/compressed"/>\n', ["compressed_image_transport"]),
         ("a.launch", '<param name="image_transport" value="theora"/>\n', ["theora_image_transport"]),
         ("a.launch", '<arg name="image_transport" default="raw"/>\n', []),
         ("a.launch", '<!-- <remap to="/image_raw/compressed"/> -->\n', []),

@@ -25,8 +25,8 @@ https://wiki.ros.org/image_transport#Parameters, read 2026-11-26."""
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return the packages of the transports, each once, where it is named first: others are left out without a word."""
-    described = repository.suffixed(".launch", ".launch.xml", ".yaml", ".yml")
-    launching = (file for file in repository.suffixed(".py") if "launch" in file.name)
+    described = repository.suffixed(".launch", ".yaml", ".yml")
+    launching = (file for file in repository.suffixed(".py", ".xml") if "launch" in file.name)
     files = [file for file in (*described, *launching) if file.size <= MAX_SIZE and not places.aside(file.path)]
     found: dict[str, Dependency] = {}
     for file in nearest(files)[:MAX_FILES]:

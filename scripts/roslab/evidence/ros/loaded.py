@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.ros import controllers, gazebo_plugins, hardware_plugins, image_transports, started_by_scripts
+from roslab.evidence.ros import (
+    controllers,
+    gazebo_plugins,
+    hardware_plugins,
+    image_transports,
+    ros2_verbs,
+    started_by_scripts,
+)
 from roslab.repository.checkout import Repository
 
 _READERS = (
@@ -13,6 +20,7 @@ _READERS = (
     hardware_plugins.read,
     controllers.read,
     image_transports.read,
+    ros2_verbs.read,
     started_by_scripts.read,
 )
 
