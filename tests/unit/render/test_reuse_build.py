@@ -171,3 +171,43 @@ def test_a_build_tree_that_stays_has_no_objects_and_no_logs(builder: Builder) ->
     built = builder.root / "home" / "built"
     kept = {str(file.relative_to(built)) for file in built.rglob("*") if file.is_file()}
     assert kept == {"build/libkept.so", "build/CMakeFiles/3.25.1/kept.cmake", "devel/environment"}
+
+
+WRITING = """
+mkdir -p src/world/models src/world/__pycache__
+if [ ! -e build/done ]; then echo house >src/world/models/a.sdf; touch build/done; fi
+touch src/a/COLCON_IGNORE src/a/a.o src/world/__pycache__/a.pyc
+echo changed >src/a/CMakeLists.txt
+"""
+"""What CMake of a package does that downloads beside itself, once for a build tree."""
+
+
+def test_what_the_build_adds_to_the_source_is_kept(builder: Builder) -> None:
+    compiler = builder.root / "compiler"
+    compiler.write_text(COMPILER + WRITING)
+    built = builder.root / "home/built"
+    for compiled in (ALL, [], ["b.cpp"]):  # at first, with the kept tree, and with that tree and an edit
+        files = {**FILES, "a/b.cpp": "new"} if len(compiled) == 1 else FILES
+        assert builder.build(files)[0] == compiled
+        added = [file.relative_to(built).as_posix() for file in (built / "src").rglob("*") if file.is_file()]
+        assert added == ["src/world/models/a.sdf"]
+        assert not (built / ".written").exists()
+
+
+def test_without_a_cache_it_is_kept_too(builder: Builder) -> None:
+    shutil.rmtree(builder.cache)
+    (builder.root / "compiler").write_text(COMPILER + WRITING)
+    builder.build(FILES)
+    assert (builder.root / "home/built/src/world/models/a.sdf").read_text() == "house\n"
+
+
+def test_what_a_failed_attempt_added_is_kept(builder: Builder) -> None:
+    shutil.rmtree(builder.cache)
+    again = builder.root / "again"
+    once = f"if [ ! -e {again} ]; then touch {again}; false; fi\n"
+    (builder.root / "compiler").write_text(f"{COMPILER}{WRITING}{once}")
+    builder.build(FILES)
+    home = builder.root / "home"
+    ran = subprocess.run(["bash", builder.script, "bash", builder.root / "compiler"], cwd=home / "ws", check=False)
+    assert ran.returncode == 0
+    assert (home / "built/src/world/models/a.sdf").exists()

@@ -1,13 +1,14 @@
 #!/bin/bash
 # usage: reuse-build COMMAND...
-# Compiles the ROS workspace in the current folder and moves what runs to ../built, without the build tree.
+# Compiles the ROS workspace in the current folder and moves what runs to ../built, without the build tree. What CMake
+# adds to the source on its way, as models that it downloads beside a CMakeLists.txt, goes there, too.
 # Where a cache is mounted, the build tree is taken from it, and kept there for the next build. It is taken only if all
 # is as it was but the contents of code: the command, the packages, the libraries in /usr/local and /opt, the names of
 # the source's files, and what is in those that are no code. Else, and without a cache, everything is compiled.
 set -euo pipefail
 
 cache=/var/cache/roslab-build
-trees=({build,devel,install}{,_isolated} .catkin_tools)
+trees=({build,devel,install}{,_isolated} .catkin_tools .written)
 code='.*\.(c|cc|cpp|cxx|cu|h|hh|hpp|hxx|cuh|inl|ipp|tpp|py|launch)'
 headers='.*\.(h|hh|hpp|hxx|cuh|inl|ipp|tpp|cmake|pc|a|msg|srv|action|idl)'
 
@@ -35,6 +36,13 @@ of_source() {
   tracked -not -regex "${code}" | xargs --null --no-run-if-empty sha256sum
 }
 
+# The files of the source, but what compilers and hidden packages leave behind
+source_files() {
+  find src \( -name .git -o -name __pycache__ -o -name CMakeFiles \) -prune -o \( -type f -o -type l \) \
+    -not -name '*.o' -not -name '*_IGNORE' -print | sort
+}
+before=.source-files # where a build failed before this one, what it has added is new all the same
+if [ ! -e "${before}" ]; then source_files >"${before}"; fi
 seen="$(mktemp --directory)"
 looking=''
 if [ -d "${cache}" ]; then
@@ -65,12 +73,19 @@ if [ -d "${cache}/tree" ] && cmp --silent "${cache}/fingerprint" <(cat "${seen}"
   # no file of the tree newer than another: CMake would begin anew.
   find "${cache}/tree" -exec touch --no-dereference --date="$(date --date='2 seconds ago' '+%F %T.%N')" {} +
   cp --archive "${cache}/tree/." .
+  if [ -e .written ]; then cp --archive .written/. . && rm -rf .written; fi
   comm -13 <(sort "${cache}/contents") <(sort "${seen}/contents") | cut --characters=67- |
     xargs --delimiter='\n' --no-run-if-empty touch --date='1 second ago'
 fi
 
 rm --force "${cache}/fingerprint" # what fails is not used again
 "$@"
+source_files | comm -13 "${before}" - >"${seen}/new"
+rm "${before}"
+if [ -s "${seen}/new" ]; then
+  mkdir .written
+  xargs --delimiter='\n' cp --archive --parents --target-directory=.written <"${seen}/new"
+fi
 
 if [ -d "${cache}" ]; then
   mapfile -t found < <(present)
@@ -95,4 +110,5 @@ if [ "${#built[@]}" -gt 0 ] && grep --recursive --quiet --extended-regexp "${PWD
 fi
 mkdir --parents ../built
 mv "${found[@]}" ../built
+if [ -e ../built/.written ]; then mv ../built/.written/* ../built && rmdir ../built/.written; fi
 rm -rf build build_isolated log logs
