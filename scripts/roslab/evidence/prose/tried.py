@@ -11,6 +11,7 @@ from typing import Literal
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import MAX_LINE, fence
+from roslab.evidence.prose.other_terminals import other_terminals
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -52,13 +53,15 @@ _NO_NAME = pattern(r"-|(?:python[\d.]*|bash|sh)$")
 def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]:
     """Return the commands in blocks of pages below such a sentence: ``tried`` or ``withheld``.
 
-    So is what a block starts after others in the background, and so are these.
+    So is what a block starts after others in the background, and so are these; and ``withheld`` what is for a second
+    terminal where the page runs nothing in the first.
     """
     commands = [mention for mention in said if mention.topic == "command" and mention.source == "readme"]
     files = {mention.file for mention in commands}
     texts = {page.path: text_of(repository, page) for page in pages(repository) if page.path in files}
     behind = (m for file, text in texts.items() for m in _behind(text, [m for m in commands if m.file == file]))
-    return (*_below("tried", _SAID, commands, texts), *_below("withheld", _WITHHELD, commands, texts), *behind)
+    below = (*_below("tried", _SAID, commands, texts), *_below("withheld", _WITHHELD, commands, texts))
+    return (*below, *behind, *other_terminals(commands, texts))
 
 
 def _behind(text: str, commands: list[Mention]) -> Iterator[Mention]:
