@@ -161,3 +161,17 @@ def test_a_program_is_told_of_headers_that_what_it_compiles_includes(
 ) -> None:
     said = [w for w in tree({**CPP, **files}).warnings if "nothing is known that brings acmelib" in w.message]
     assert [(w.file, w.line) for w in said] == ([place] if place else [])
+
+
+@pytest.mark.parametrize(
+    ("main", "told"),
+    [("", 0), ('#include "mine/grid.h"\n', 1), ('#include "other/Lost.h"\n', 1), ('#include "mine/area.h"\n', 1)],
+)
+def test_a_header_that_no_compiled_source_includes_stops_nothing(tree: Tree, main: str, told: int) -> None:
+    files = _including("other/Lost.h", file="mine/include/mine/grid.h")
+    files |= {
+        "mine/include/mine/area.h": '#include "mine/grid.h"\n',
+        "mine/src/a.cpp": f"{main}int main() {{}}\n",
+        "mine/src/unlisted.cpp": '#include "mine/area.h"\n',
+    }
+    assert len(_told(tree(files))) == told

@@ -43,8 +43,8 @@ class Nowhere:
     repository: Repository
     manifests: tuple[PackageManifest, ...]
     submodules: tuple[str, ...] = ()
-    found: dict[tuple[str, str], Dependency] = field(default_factory=dict)
-    """By the header and the package that includes it."""
+    found: dict[tuple[str, str], dict[str, Dependency]] = field(default_factory=dict)
+    """By the header and the package that includes it, by the files that do."""
     known: dict[str, bool] = field(default_factory=dict)
     _calls: dict[str, Mapping[str, list[bool]]] = field(default_factory=dict)
 
@@ -56,31 +56,33 @@ class Nowhere:
         if not (self.known[name] or library):
             return False
         package = self._package(file.path) if self.manifests else ""
-        if package is not None and (name, package) not in self.found and not conditional(text, position):
+        places_of = self.found.setdefault((name, package or ""), {})
+        if package is not None and file.path not in places_of and not conditional(text, position):
             path = posixpath.normpath(posixpath.join(file.folder, name))
             if not name.startswith("../") or not (self.repository.may_have(path) or self._within(path, package)):
                 line = text.count("\n", 0, position) + 1
                 role = LIBRARY if library else ""
-                self.found[name, package] = Dependency(
+                places_of[file.path] = Dependency(
                     namespace="nowhere", name=name, strength="used", file=file.path, line=line, role=role
                 )
         return self.known[name]
 
     def all(self, signs: Signs) -> Iterator[Dependency]:
-        """Yield them where a compiler comes to the file; ``signs`` tell what each file includes.
+        """Yield each once, where a compiler first comes to a file with it: a source, or what one includes.
 
-        Those of libraries only where a source that is compiled includes them, itself or by headers.
+        ``signs`` tell what each file includes.
         """
         unlisted = Unlisted(self.repository)
-        for each in self.found.values():
-            name = each.file.rpartition("/")[2]
-            header = each.file.endswith(HEADERS)
-            if places.aside(each.file) or (header and name not in signs.included):
-                continue
-            if header and each.role == LIBRARY and name not in signs.reached_by(unlisted):
-                continue
-            if header or not (unlisted.has(each.file) or (each.role == LIBRARY and self._waits(each.file))):
-                yield each
+        for places_of in self.found.values():
+            if first := next((each for each in places_of.values() if self._compiled(each, signs, unlisted)), None):
+                yield first
+
+    def _compiled(self, each: Dependency, signs: Signs, unlisted: Unlisted) -> bool:
+        if places.aside(each.file):
+            return False
+        if each.file.endswith(HEADERS):
+            return each.file.rpartition("/")[2] in signs.reached_by(unlisted)
+        return not (unlisted.has(each.file) or (each.role == LIBRARY and self._waits(each.file)))
 
     def _waits(self, path: str) -> bool:
         """Tell whether every call of CMake that names a source waits for something that may be off."""
