@@ -441,3 +441,17 @@ def test_the_library_of_a_robot_is_built_where_no_ros_brings_it(tree: Tree) -> N
     decision = tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": "Ubuntu 22.04\n"})
     assert [(each.name, each.ref) for each in decision.source] == [("libfranka", "0.9.2")]
     assert "libpoco-dev" in (*decision.apt, *decision.apt_guessed)
+
+
+@pytest.mark.parametrize(("repository", "told"), [("abseil/abseil-cpp", False), ("lab/other", True)])
+def test_a_library_that_a_page_builds_has_other_names_in_cmake(tree: Tree, repository: str, told: bool) -> None:
+    """No package of this Ubuntu has it: https://packages.ubuntu.com/search?keywords=libabsl-dev."""
+    manifest = "<package><name>odometry</name><buildtool_depend>catkin</buildtool_depend></package>"
+    clone = f"git clone --branch 20220623.0 https://github.com/{repository}.git\ncd {repository.split('/')[1]}\n"
+    build = "mkdir build && cd build\ncmake -DCMAKE_CXX_STANDARD=17 ..\nsudo make install\n"
+    files = {
+        "package.xml": manifest,
+        "CMakeLists.txt": "project(odometry)\nfind_package(catkin REQUIRED)\nfind_package(absl REQUIRED)\n",
+        "README.md": f"# Installation\nFor ROS Noetic.\n```bash\n{clone}{build}```\n",
+    }
+    assert any("brings absl" in each.message for each in tree(files).warnings) is told

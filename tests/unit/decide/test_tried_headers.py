@@ -19,6 +19,13 @@ PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend>
         ("#include <acmenet/net.hpp>", "acmenet", ["acmenet"], False),
         ("#include <acmenet/net.hpp>", "other", [], True),
         ("#include <othernet/net.hpp>", "acmenet", [], False),
+        ("#if ACMENET_FOUND\n#include <acmenet/net.hpp>\n#endif", "other", [], False),
+        ("#ifdef HAVE_ACMENET\n#include <acmenet/net.hpp>\n#endif", "other", [], False),
+        ("#if defined(USE_ACMENET) && A\n#include <acmenet/net.hpp>\n#endif", "other", [], False),
+        ("#ifndef ACMENET_FOUND\n#define ACMENET_FOUND 0\n#endif\n#include <acmenet/net.hpp>", "other", [], True),
+        ("#if !ACMENET_FOUND\n#include <acmenet/net.hpp>\n#endif", "other", [], True),
+        ("#if WITH_ACMENET\n#else\n#include <acmenet/net.hpp>\n#endif", "other", [], True),
+        ("#if WITH_OTHER\n#include <acmenet/net.hpp>\n#endif", "other", [], True),
         ('#if __has_include(<acmenet/net.hpp>)\n#include "acmenet/net.hpp"\n#endif', "other", [], False),
     ],
 )

@@ -32,6 +32,7 @@ from roslab.decide.system.required import (
     by_pip,
     of_program,
     of_program_and_below,
+    provided_as,
     required,
     similar,
     undeclared,
@@ -138,7 +139,7 @@ def decide_missing(
         if without_config(asked, kind)
         or (
             not ((asked.namespace == "ros" and may_hold(asked.name)) or package in unsure)
-            and not (resolve(asked, target).known or similar(plain(asked.name), names))
+            and not (resolve(asked, target).known or provided_as(asked.name, names))
         )
     ]
     options = given(evidence) if switch else ""

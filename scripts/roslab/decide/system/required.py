@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
 from roslab.config.model import Kind
 from roslab.decide.programs import top_of
+from roslab.decide.ros.source_names import SHORTEST, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.other_names import other_names
 
 
 def required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
@@ -109,6 +111,12 @@ def _to_build(asked: Dependency) -> bool:
 def similar(wanted: str, names: Iterable[str]) -> bool:
     """Tell whether a name is another's, or a part of it; ``pycolmap`` only calls ``colmap``."""
     return any(wanted in name.replace(f"py{wanted}", "") for name in names)
+
+
+def provided_as(name: str, names: Collection[str]) -> bool:
+    """Tell whether something is called like a name of CMake, or like another name of that library."""
+    others = (plain(other) for other in other_names(name))
+    return similar(plain(name), names) or any(len(other) >= SHORTEST and similar(other, names) for other in others)
 
 
 def by_pip(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:

@@ -12,6 +12,7 @@ from roslab.evidence.native.generated import package_of
 from roslab.evidence.native.limits import Signs, conditional, tells
 from roslab.evidence.native.message_headers import MessageHeaders
 from roslab.evidence.native.nowhere import Nowhere
+from roslab.evidence.native.where_found import where_found
 from roslab.knowledge.libraries import library, only_missed
 from roslab.knowledge.windows import opens
 from roslab.knowledge.windows import shown as shown_by
@@ -75,6 +76,7 @@ def read(
             lost = (
                 (outside[name] or name.startswith(".")) and nowhere and nowhere.header(name, file, text, match.start())
             )
+            perhaps = perhaps or (outside[name] and where_found(text, match.start(), name))
             told = key in found and (perhaps or found[key].strength != "optional")
             unsure = generated and key not in messages.certain
             settles = not (inside[name] or perhaps or lost or unsure) and (told or not outside[name])
