@@ -37,6 +37,8 @@ OLD_METADATA = "24.1"
 
 https://pip.pypa.io/en/stable/news/#v24-1, read 2026-11-22.
 """
+STRICT_SINCE = "2024-06-20"
+"""The day of that pip: what somebody installed later by names alone, any pip takes."""
 
 
 ALWAYS_ISOLATED = "25.3"

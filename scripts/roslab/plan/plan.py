@@ -29,7 +29,7 @@ from roslab.plan.package_sources import PackageSources, package_sources
 from roslab.plan.packages import data_of, image_packages
 from roslab.plan.proof import Proof
 from roslab.plan.proofs import proofs
-from roslab.plan.python import PythonPlan, python_plan
+from roslab.plan.python import PythonPlan, asks_for_old, python_plan
 from roslab.plan.run import Run, given
 from roslab.plan.upstreams import Upstream, upstreams
 from roslab.plan.version import SourceVersion
@@ -192,7 +192,7 @@ def make_plan(
     )
     sources = package_sources(decision)
     tools = python_tools(decision.python.version, decision.ubuntu)
-    tools = for_old_packages(tools) if decision.python.day else tools
+    tools = for_old_packages(tools) if asks_for_old(decision.python) else tools
     older = decision.python.setuptools
     tools = with_setuptools(tools, older.written) if older else tools
     return Plan(

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.decide.python.image_python import Manager, Python
+from roslab.knowledge.tools import STRICT_SINCE
 from roslab.values.dataclass import dataclass
 from roslab.values.native_part import NativePart
 from roslab.values.requirement import Requirement
@@ -113,3 +114,17 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
 
 def _lines(asked: Iterable[Requirement]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(each.text for each in asked))
+
+
+def asks_for_old(python: Python) -> bool:
+    """Tell whether pip may be asked for packages whose metadata today's pip refuses.
+
+    So it is where its packages are of a day before that pip; later, where lists, projects or lines name releases.
+    """
+    if not python.day or python.day < STRICT_SINCE:
+        return bool(python.day)
+    lists = (*python.requirements, *python.cloned_files, *python.manifests, *python.projects, *python.python2)
+    lines = (*python.pip, *python.pip_guessed, *python.first)
+    names = {each.key for each in lines}
+    lines += tuple(each for each in python.bounds if each.key in names)
+    return bool(lists or python.conda_file or python.conda_specs or any(each.limited for each in lines))

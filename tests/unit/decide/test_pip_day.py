@@ -144,6 +144,23 @@ def test_pip_reads_the_metadata_of_old_packages() -> None:
     assert replace(old, installers=()) == replace(python_tools("3.6", None), installers=())
 
 
+@pytest.mark.parametrize(
+    ("page", "day", "old"),
+    [
+        ("pip install scipy", "2024-01-10", True),
+        ("pip install scipy", "2024-09-10", False),
+        ("pip install scipy==1.4.1", "2024-09-10", True),
+    ],
+)
+def test_what_is_installed_by_name_after_pip_became_strict_needs_no_older_pip(
+    tmp_path: Path, page: str, day: str, old: bool
+) -> None:
+    files = {"main.py": "import scipy\n", "README.md": f"```\n{page}\npython main.py\n```\n"}
+    planned = committed(tmp_path, files, day, f"pip_date: {day}\n")
+    assert planned.plan.python.day == day
+    assert any(line.startswith("pip<24.1") for line in planned.plan.python_tools.installers) is old
+
+
 @pytest.mark.parametrize("said", ["Python 3.6 or newer", "Python 3.6+", "Python >= 3.6", "Python 3.6 or above"])
 def test_the_oldest_python_that_works_is_not_the_one_that_is_meant(tmp_path: Path, said: str) -> None:
     planned = committed(tmp_path, PYTHON | {"README.md": f"# Planner\n\nNeeds {said}.\n"}, "2022-01-10")
