@@ -61,7 +61,8 @@ def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]
     texts = {page.path: text_of(repository, page) for page in pages(repository) if page.path in files}
     behind = (m for file, text in texts.items() for m in _behind(text, [m for m in commands if m.file == file]))
     below = (*_below("tried", _SAID, commands, texts), *_below("withheld", _WITHHELD, commands, texts))
-    return (*below, *behind, *other_terminals(commands, texts))
+    launches = [file.path for file in repository.suffixed(".launch", ".py", ".xml") if "launch" in file.name]
+    return (*below, *behind, *other_terminals(commands, texts, launches))
 
 
 def _behind(text: str, commands: list[Mention]) -> Iterator[Mention]:
