@@ -293,3 +293,26 @@ def test_the_image_has_what_is_started_in_it(tmp_path: Path, lines: str, why: st
     choice = decide_dockerfile(gather(Repository.open(tmp_path)), Config(), "ros2", "humble")
     assert bool(choice.answer) is not bool(why)
     assert choice.reasons[0].reason.startswith(why or "the author's Dockerfile: it copies ")
+
+
+def test_that_of_one_project_of_several_is_not_the_repositorys(tmp_path: Path) -> None:
+    """The page installs both by pip, into the Python that it creates; that of one installs its own folder alone."""
+    files = {
+        "README.md": "```\nconda create -n a python=3.9\ncd robot\npip install .\ncd ../lab\npip install -e .\n```\n",
+        "lab/docker/gpu/Dockerfile": "FROM python:3.12\nCOPY . /lab\nWORKDIR /lab\nRUN pip install .\n",
+        "lab/environment.yml": "name: lab\ndependencies:\n  - python=3.11\n  - einops\n",
+        "lab/pyproject.toml": '[project]\nname = "lab"\nversion = "1"\n',
+        "lab/lab/__init__.py": "",
+        "lab/lab/main.py": "import robot\n\nif __name__ == '__main__':\n    robot.run()\n",
+        "robot/setup.py": "from setuptools import setup\n\nsetup(name='robot', packages=['robot'])\n",
+        "robot/robot/__init__.py": "def run(): ...\n",
+    }
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    decision = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    assert decision.dockerfile is None
+    said = next(reason for reason in decision.reasons if reason.question == "dockerfile")
+    assert said.reason == "it builds lab, not the whole repository"
+    assert decision.python.projects == ("robot", "lab")
+    assert (decision.python.conda_file, decision.python.version) == (None, "3.9")

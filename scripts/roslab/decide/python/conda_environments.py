@@ -27,7 +27,8 @@ _LIST = ".txt"
 def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     """Return the project's environment file: the plainest name, nearest to the root.
 
-    A requirements.txt or an installable project with requirements beside it is preferred: more people can use it.
+    A requirements.txt or an installable project with requirements beside it is preferred: more people can use it. One
+    in a folder is left where the page at the root installs by pip.
     """
     if config.conda:
         return config.conda
@@ -35,8 +36,9 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
         return None
     aside = for_reference(evidence) | of_parts(evidence)
     known = [each for each in evidence.conda if not places.vendored(each.file) and each.file not in aside]
-    if said := _environment_of_readme(evidence, known):
-        return said
+    said = _first_of_readme(evidence, known)
+    if said and (named := _environment(said, known)):
+        return named
     own = [each for each in known if each.file.count("/") <= 1 and (each.exported or not each.file.endswith(_LIST))]
     if not own:
         return None
@@ -53,6 +55,7 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
         ),
     )
     folder = best.file.rpartition("/")[0]
+    by_pip = folder and said and said.role != "environment" and "/" not in said.file and not resolve(said, [best.file])
     beside = any(
         file.purpose == "run"
         and file.file != best.file
@@ -63,11 +66,11 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     declared = any(
         p.installable and not p.folder and any(not asked.role for asked in p.requirements) for p in evidence.python
     )
-    return None if beside or declared else best.file
+    return None if by_pip or beside or declared else best.file
 
 
-def _environment_of_readme(evidence: Evidence, known: Sequence[CondaEnvironment]) -> str | None:
-    """Return the environment that the README creates, unless the same page first installs in another way."""
+def _first_of_readme(evidence: Evidence, known: Sequence[CondaEnvironment]) -> Requirement | None:
+    """Return what the README installs first: an environment that it creates, a project or a file of requirements."""
     first: dict[str, Requirement] = {}
     files = [each.file for each in known]
     for asked in evidence.prose_pip:
@@ -77,13 +80,16 @@ def _environment_of_readme(evidence: Evidence, known: Sequence[CondaEnvironment]
             known_one = first.setdefault(asked.file, asked)
             if asked.line < known_one.line:
                 first[asked.file] = asked
-    chosen = (first[page] for page in sorted(first, key=lambda page: (page.count("/"), page)))
-    said = next(chosen, None)
-    if said is None or said.role != "environment":
+    return next((first[page] for page in sorted(first, key=lambda page: (page.count("/"), page))), None)
+
+
+def _environment(said: Requirement, known: Sequence[CondaEnvironment]) -> str | None:
+    """Return the file of the environment that a page creates, if it does."""
+    if said.role != "environment":
         return None
     if said.written == PIXI:  # or pyproject.toml
         return next((each.file for each in known if each.specs), None)
-    return resolve(said, files)
+    return resolve(said, [each.file for each in known])
 
 
 def _creates(evidence: Evidence, asked: Requirement, files: Sequence[str]) -> bool:

@@ -8,7 +8,10 @@ from typing import ClassVar
 class VersionWeight:
     """How much each reason for a Python version counts: what is run counts more than what is only written."""
 
-    CONDA: ClassVar = {0: 80, 1: 55}  # by folders above it: an environment file is made to be installed
+    CONDA: ClassVar = {
+        0: 80,
+        1: 51,
+    }  # by folders above it: made to be installed; a page at the root that creates one counts more
     CONDA_DEEP = 20
     BELIEVED = 70  # from here on a version counts although a pinned package has no wheel for it
     REQUIRES = 45  # requires-python of the project

@@ -16,6 +16,7 @@ from roslab.evidence.prose.copies import in_copy
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.other_dockerfiles import source_of, text_of
+from roslab.evidence.prose.stage import Start, from_start
 from roslab.evidence.ros import vcs
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass, field, replace
@@ -80,30 +81,14 @@ def _said(text: str, path: str) -> tuple[Mention, ...]:
 
 
 @dataclass
-class _Start:
-    """What a container of a stage starts with; a stage that is made from another one begins with its values."""
-
-    entrypoint: tuple[str, ...] = ()
-    command: tuple[str, ...] = ()
-    line: int | None = None
-    workdir: str = "/"
-    source: str | None = None
-    """The folder that the whole context is copied to."""
-    kept: tuple[str, ...] | None = ()
-    """What it has of the tree, as far as that comes from other stages; ``None`` where it may be all."""
-    environment: tuple[tuple[str, str, int], ...] = ()
-    """Its variables, each with its value and the line that sets it."""
-
-
-@dataclass
 class _Reading:
     """What has been read of one Dockerfile so far."""
 
     collector: Collector
     known: dict[str, str]
     stages: dict[str, str] = field(default_factory=dict)
-    start: _Start = field(default_factory=_Start)
-    starts: dict[str, _Start] = field(default_factory=dict)
+    start: Start = field(default_factory=Start)
+    starts: dict[str, Start] = field(default_factory=dict)
     base: str | None = None
     base_line: int = 1
     bases: list[tuple[str, int]] = field(default_factory=list)
@@ -118,6 +103,8 @@ class _Reading:
     """What it needs that a build cannot give it."""
     inside: str = ""
     """The folder of something cloned that WORKDIR names, or one below, from that folder on."""
+    installed: list[str] = field(default_factory=list)
+    """What it gives pip of its copy of the whole context, by its path there."""
 
     def take(self, instruction: Instruction) -> None:
         """Read one instruction."""
@@ -137,6 +124,7 @@ class _Reading:
             self._enter(body, line)
             self.start.kept = None if "type=bind" in body else self.start.kept
             _collect(self.collector, instruction)
+            self._install(_OPTIONS.sub("", body))
             if wrong := "" if instruction.script else unbalanced(_OPTIONS.sub("", body)):
                 self.problem = self.problem or f"line {line} is nothing that a shell reads: {wrong}"
             if _UPDATE.search(body):
@@ -149,6 +137,12 @@ class _Reading:
             self._copy(body, line)
         else:
             self._start(name, body, line)
+
+    def _install(self, body: str) -> None:
+        from roslab.evidence.prose.installed_context import installed  # noqa: PLC0415 - most trees have no Dockerfile
+
+        if self.start.source is not None:
+            self.installed += installed(body, self.start.source, posixpath.join("/", self.start.workdir), self.known)
 
     def _enter(self, body: str, line: int) -> None:
         """Go where a line begins that may compile something cloned, or change it."""
@@ -189,7 +183,7 @@ class _Reading:
             self.inside = ""
             self.scope.enter(self.known, match[1].lower(), (match[2] or "").lower())
             self.base, self.base_line = self.stages.get(match[1].lower(), match[1]), line
-            self.start = replace(self.starts.get(match[1].lower(), _Start()))
+            self.start = replace(self.starts.get(match[1].lower(), Start()))
             if match[2]:
                 self.stages[match[2].lower()] = self.base
                 self.starts[match[2].lower()] = self.start
@@ -226,7 +220,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     for instruction in (written := tuple(instructions(text))):
         reading.take(instruction)
     problem = reading.problem or (None if reading.base else "no FROM")
-    copies, context, missing = build_context(repository, file, reading.copied)
+    copies, context, missing = build_context(repository, file, reading.copied, reading.installed)
     collector, start = reading.collector, reading.start
     missing = only_files(written, reading.base) or missing
     if reading.base == "scratch" and (base := reading.stages.get((copied_from(written) or "").lower())):
@@ -261,7 +255,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         entrypoint=started_by(repository, start.entrypoint),
         entry=entry_script(repository, start.entrypoint, written, (name for name, _, _ in start.environment)),
         starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
-        source=_from_start(start),
+        source=from_start(start),
         purpose="vendored"
         if in_copy(repository, file)
         else purpose_of(file.path, reading.base or "", problem, service),
@@ -280,13 +274,6 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         built=None if taken_there else built(repository, written),
         kept=start.kept,
     )
-
-
-def _from_start(start: _Start) -> str:
-    """Return the path to the copy of the build context from where a container starts, if both are known."""
-    if start.source is None or "$" in f"{start.source}{start.workdir}":
-        return ""
-    return posixpath.relpath(start.source, posixpath.join("/", start.workdir))
 
 
 def _collect(collector: Collector, instruction: Instruction) -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Sequence
 
+from roslab.evidence.prose.installed_context import context_of
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -18,11 +20,12 @@ _REPOSITORY_FILES = (".py", ".cpp", "CMakeLists.txt", "package.xml")
 
 
 def build_context(
-    repository: Repository, file: File, copied: list[tuple[str, int]]
+    repository: Repository, file: File, copied: list[tuple[str, int]], installed: Sequence[str] = ()
 ) -> tuple[bool, str | None, str | None]:
     """Return whether the Dockerfile copies the repository's source, its context, and which copied file is missing.
 
     The context is the folder that contains everything it copies: the root, the folder above, or the Dockerfile's own.
+    Where it copies a folder as a whole, that is the one with what it gives pip of its copy (``installed``).
     """
     if not copied:
         return False, None, None
@@ -41,6 +44,8 @@ def build_context(
         source, line = next((source, line) for source, line in named if not lies(best, source))
         return everything, best, f"line {line} copies {source}, which the repository does not hold"
     context = fitting[0]
+    if "" in (source for source, _ in copied) and (of_pip := context_of(repository, own, installed)) is not None:
+        context = of_pip if all(lies(of_pip, source) for source, _ in named) else context
     held = (f"{context}/{source}".strip("/") for source, _ in named)
     return everything or any(w in repository.folders and _holds_source(repository, w) for w in held), context, None
 
