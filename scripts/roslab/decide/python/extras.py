@@ -18,14 +18,16 @@ _DEVELOPERS = pattern(
     r"(?:^|[-_./])(?:dev\w*|tests?|testing|docs?|documentation|lint\w*|format\w*|style|build|release|ci|typing)(?:[-_.]|$)"
 )
 """Extras for those who work on the project itself."""
+_OF_MACHINES = pattern(r"(?:^|[-_.])(?:tpu|rocm|amd|mac\w*|osx|darwin|metal|mps|win\w*|jetson|colab|hpc)(?:[-_.\d]|$)")
+"""Extras for another machine than that of the image."""
 
 
 def extras(
     evidence: Evidence, projects: Sequence[PythonProject], files: Iterable[RequirementFile]
 ) -> tuple[Requirement, ...]:
-    """Return what the extras of the first line that installs each project ask for, each package once.
+    """Return what the extras of the first line that installs each project with any ask for, each package once.
 
-    A later line with other extras is a variant, or for some readers only.
+    Lines without extras may come before it: it adds to them. A later line with other extras is a variant.
     """
     lines = [each for each in evidence.prose_pip if each.file.count("/") <= 1 and not DEVELOPMENT.search(each.file)]
     lines += [each for file in files for each in file.requirements]
@@ -34,9 +36,11 @@ def extras(
     first: dict[str, tuple[str, ...]] = {}
     for asked in lines:
         folder = _folder(asked, folders) if asked.role == "project" else None
-        if folder is not None and (asked.file, asked.line) not in elsewhere:
-            match = _WRITTEN.fullmatch(asked.written)
-            first.setdefault(folder, tuple(name.strip() for name in match[2].split(",")) if match else ())
+        match = _WRITTEN.fullmatch(asked.written)
+        if folder is not None and match and (asked.file, asked.line) not in elsewhere:
+            names = tuple(name.strip() for name in match[2].split(","))
+            if not all(for_developers(name) or _OF_MACHINES.search(name.lower()) for name in names):
+                first.setdefault(folder, names)
     found: dict[str, Requirement] = {}
     for project in projects:
         for asked in _of(project, first.get(project.folder, ())):
