@@ -85,3 +85,34 @@ def test_a_torch_that_pip_installs_beside_conda_comes_from_the_index_of_its_cuda
     page = "--find-links https://download.pytorch.org/whl/cu110/torch_stable.html"
     assert re.search(rf"{re.escape(page)} --upgrade --requirement environment.yml.pip", dockerfile(plan))
     assert [each for each in plan.warnings if "will not see the GPU" in each.message] == []
+
+
+@pytest.mark.parametrize(
+    ("channels", "packages", "limited"),
+    [
+        ("pytorch, conda-forge", "python=3.7, cudatoolkit=11.1, pytorch, torchvision", True),
+        ("pytorch, conda-forge", "python=3.8, cudatoolkit=11.3.1, pytorch>=1.9", True),
+        ("pytorch, conda-forge", "python=3.8, cudatoolkit, pytorch", True),
+        ("pytorch, nvidia, defaults", "python=3.11, pytorch-cuda=11.8, pytorch", True),
+        ("defaults", "python=3.8, cudatoolkit=11.3, pytorch::pytorch", True),
+        ("pytorch, conda-forge", "python=3.8, cudatoolkit=11.3, pytorch=1.12", True),
+        ("pytorch, conda-forge", "python=3.8, cudatoolkit=11.1, pytorch=1.12", False),  # none is for 11.1
+        ("pytorch, conda-forge", "python=3.8, cudatoolkit=11.1, pytorch>=1.11", False),
+        ("pytorch, conda-forge", "python=3.8, cudatoolkit=11.3, pytorch=1.12.1=py3.8_cpu_0", False),
+        ("pytorch, conda-forge", "python=3.8, cudatoolkit=11.7, pytorch", False),  # it needs the channel nvidia
+        ("pytorch, conda-forge", "python=3.11, cudatoolkit, pytorch", False),
+        ("pytorch, defaults", "python=3.11, pytorch-cuda=11.8, pytorch", False),
+        ("conda-forge", "python=3.9, cudatoolkit=11.3, pytorch", False),
+        ("pytorch, conda-forge", "python=3.8, cudatoolkit=11.3, cpuonly, pytorch", False),
+        ("pytorch, conda-forge", "python=3.8, pytorch", False),
+    ],
+)
+def test_pytorch_is_a_build_for_the_cuda_that_the_file_names(
+    tree: Tree, channels: str, packages: str, *, limited: bool
+) -> None:
+    lines = "".join(f"  - {package}\n" for package in packages.split(", "))
+    code = {"run.py": "import torch\n\ntorch.zeros(1).cuda()\n"}
+    decision = tree({**code, "environment.yml": f"channels: [{channels}]\ndependencies:\n{lines}"})
+    assert decision.kind == "cuda"
+    assert ("pytorch=*=*cuda*" in decision.python.conda_limits) == limited
+    assert any(each.answer == "pytorch=*=*cuda*" for each in decision.reasons) == limited

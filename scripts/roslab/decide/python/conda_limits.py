@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from roslab.config.model import Kind
 from roslab.decide.decision import Choice
+from roslab.decide.python.conda_cuda import builds_for_cuda
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import CondaEnvironment, Evidence
@@ -19,13 +21,16 @@ _WITH_MOST = frozenset({"conda-forge", "defaults", "main", "anaconda"})
 """Channels with packages of every kind; others have a few of their own."""
 
 
-def limits_of(evidence: Evidence, conda: str | None) -> Choice[tuple[str, ...]]:
-    """Return limits for what others of the environment bring: ``mkl<2024.1`` beside an old torch.
+def limits_of(evidence: Evidence, conda: str | None, kind: Kind) -> Choice[tuple[str, ...]]:
+    """Return limits for what others of the environment bring: ``mkl<2024.1`` beside an old torch; builds for CUDA.
 
     What the environment names with a version of its own is left to its author.
     """
     environment = next((each for each in evidence.conda if each.file == conda), None)
     found = dict(_found(environment)) if environment else {}
+    if environment and kind == "cuda" and not environment.specs:
+        torch = next((package for package in environment.packages if package.name == "pytorch"), None)
+        found |= builds_for_cuda(environment, _channel(torch, environment, "pytorch")) if torch else {}
     return Choice(
         answer=tuple(found),
         reasons=tuple(

@@ -154,7 +154,7 @@ def decide_python(
     whole = [file for file in chosen.files if file.file not in repaired.files]
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
     older = setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ())
-    in_conda = limits_of(evidence, conda)
+    in_conda = limits_of(evidence, conda, kind)
     compiled_first, guessed = first_and_guesses(
         (*declared, *manifests, *native.answer.brought), chosen, interpreter, cmake=manager != "system"
     )
