@@ -44,7 +44,7 @@ from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
-from roslab.decide.python.refused import Repaired, elsewhere, in_full, of_pages, repair, right, untold
+from roslab.decide.python.refused import Repaired, elsewhere, in_full, of_pages, repair, right, told_in_full, untold
 from roslab.decide.python.too_new import loosened
 from roslab.decide.python.torch_build import decide_build
 from roslab.decide.python.undeclared import decide_undeclared
@@ -90,10 +90,9 @@ def decide_python(
     loose = beside_nodes(evidence, kind, ubuntu, chosen.files) if manager == "system" else {}
     repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
     manifests = [*loosened(_of_manifests(evidence, chosen), runs, loose)]
-    declared = [*lists.requirements, *repaired.requirements]
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
-    if chosen.conda and (manager != "conda" or pixi):
-        declared += [in_full(asked) for asked in _of_environment(evidence, chosen) if not asked.role]
+    of_file = [asked for asked in _of_environment(evidence, chosen) if not asked.role and (manager != "conda" or pixi)]
+    declared = [*lists.requirements, *repaired.requirements, *map(in_full, of_file)]
     kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
     extended = kind == "cuda" and manager != "system" and (extends_torch(evidence, chosen) or bool(by_script(evidence)))
@@ -222,6 +221,7 @@ def decide_python(
             *told(answer),
             *outvoted(own, ubuntu, ros_distro),
             *repaired.warnings,
+            *told_in_full(of_file),
             *defines.warnings,
             *lists.warnings,
             *native.warnings,

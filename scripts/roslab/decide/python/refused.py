@@ -7,6 +7,8 @@ from types import MappingProxyType
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
+from roslab.decide.python.authors_builds import built
+from roslab.decide.python.authors_builds import told as of_build
 from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.nightlies import dropped
@@ -65,9 +67,9 @@ def _row(asked: Requirement) -> NotOnIndex | None:
 def in_full(asked: Requirement) -> Requirement:
     """Return what is pinned to the first numbers of a version with more of them as any version that begins so.
 
-    A nightly build that the index has dropped is the stable release of its number.
+    A nightly build that the index has dropped is the stable release of its number, and so is an author's own build.
     """
-    if stable := dropped(asked):
+    if stable := dropped(asked) or built(asked):
         return stable
     row = numbered().get(asked.key)
     pins = [each.version for each in asked.specifier if each.operator == "=="]
@@ -215,9 +217,16 @@ def _kept(found: Iterable[Requirement], own: set[str], pages: Mapping[str, Requi
     return [asked for asked in right((each for each in found if each.key not in own), pages) if asked.key not in own]
 
 
+def told_in_full(found: Iterable[Requirement]) -> Iterator[Warning_]:
+    """Yield a warning for each of these of which another version is taken than is written."""
+    return (_in_full(asked) for asked in found if in_full(asked) is not asked)
+
+
 def _in_full(asked: Requirement) -> Warning_:
     if stable := dropped(asked):
         return of_nightly(asked, stable)
+    if release := built(asked):
+        return of_build(asked, release)
     return warn(_SHORT.format(asked=asked.written, taken=in_full(asked).written), asked)
 
 
