@@ -1,9 +1,11 @@
-"""What a conda file lists as a channel and is none."""
+"""What a conda file lists as a channel and is none, and the channels of one that names none."""
 
 from __future__ import annotations
 
 import subprocess
 from pathlib import Path
+
+import pytest
 
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
@@ -40,3 +42,50 @@ def test_what_is_no_channel_is_told_and_left_out(tmp_path: Path) -> None:
     subprocess.run(["bash", "-c", command], check=True)
     kept = [line for line in CHANNELS.splitlines() if line not in out]
     assert (tmp_path / "environment.yml").read_text().splitlines() == kept
+
+
+LIST = "# platform: linux-64\npython=3.7.6=h0371630_2\nnumpy=1.18.1=py37h4f9e942_0\n"
+PAGE = "# Install\n```\n{}\n```\n"
+BY_PAGE = "conda install torchvision cudatoolkit=10.2 -c pytorch\nconda install --channel=conda-forge -c <yours> tool"
+
+
+@pytest.mark.parametrize(
+    ("more", "page", "channels"),
+    [
+        ("", "", ("defaults",)),
+        ("", BY_PAGE, ("defaults", "pytorch", "conda-forge")),
+        ("", "conda create -n a --file spec.txt -c lab\n" + BY_PAGE, ("lab",)),
+        ("magma-cuda101=2.5.1=1\n", "", ("defaults", "pytorch")),
+        ("pytorch=1.6.0=py3.7_cuda10.1.243_cudnn7.6.3_0\n", "", ("defaults", "pytorch")),
+        ("pytorch=1.4.0=cuda101py37h02f0884_0\n", "", ("defaults",)),
+        ("_libgcc_mutex=0.1=conda_forge\n", "", ("defaults", "conda-forge")),
+    ],
+)
+def test_a_list_without_channels_has_those_of_its_page_and_its_builds(
+    tmp_path: Path, more: str, page: str, channels: tuple[str, ...]
+) -> None:
+    (tmp_path / "spec.txt").write_text(LIST + more)
+    (tmp_path / "train.py").write_text("import numpy\n")
+    (tmp_path / "README.md").write_text(PAGE.format(page or "pip install -r spec.txt"))
+    plan = plan_repository(tmp_path).plan
+    assert (plan.python.conda_file, plan.python.conda_channels) == ("spec.txt", channels)
+    assert f"/opt/conda {' '.join(f'--channel {each}' for each in channels)} python=3.7.6" in " ".join(
+        dockerfile(plan).replace("\\\n", "").split()
+    )
+
+
+@pytest.mark.parametrize(
+    ("listed", "before"),
+    [
+        ("", ["CONDA_CHANNELS=pytorch,conda-forge,defaults"]),
+        ("channels: [lab]\n", ["CONDA_CHANNELS=defaults"]),
+        ("channels: [nodefaults, lab]\n", []),
+    ],
+)
+def test_so_has_a_file_without_channels(tmp_path: Path, listed: str, before: list[str]) -> None:
+    (tmp_path / "environment.yml").write_text(f"{listed}dependencies:\n  - python=3.8\n  - numpy\n")
+    (tmp_path / "train.py").write_text("import numpy\n")
+    (tmp_path / "README.md").write_text(PAGE.format("conda env create -f environment.yml\n" + BY_PAGE))
+    text = dockerfile(plan_repository(tmp_path).plan)
+    (line,) = [line for line in text.splitlines() if "micromamba create" in line]
+    assert [word for word in line.split() if word.startswith("CONDA_CHANNELS=")] == before

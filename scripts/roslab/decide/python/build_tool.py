@@ -22,7 +22,7 @@ def tool_of_python(evidence: Evidence, python: Python) -> Choice[BuildTool]:
     """Return the build tool, derived from what the image's Python installs."""
     if python.conda_file:
         return _choice("conda", "a conda environment", python.conda_file, Weight.MANIFEST)
-    said = next((asked for asked in evidence.prose_pip if asked.role not in {"option", "conda"}), None)
+    said = next((asked for asked in evidence.prose_pip if asked.role not in {"option", "conda", "channel"}), None)
     if python.projects or python.requirements or python.pip or said:
         files = [*python.requirements, *(p.file for p in evidence.python if (p.folder or ".") in python.projects)]
         files += [said.file] if said else []

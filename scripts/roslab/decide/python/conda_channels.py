@@ -1,4 +1,4 @@
-"""What a conda file lists as its channels and is none."""
+"""The channels of a conda environment: what its file lists as such and is none, and those that it does not name."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from roslab.decide.decision import Warning_
 from roslab.decide.python.image_python import Python
+from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.reasons import warn
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -16,6 +17,36 @@ _NO_CHANNEL = pattern(
     r"|https?://\S+(?:/download|\.(?:conda|tar\.(?:bz2|gz)|zip|whl))/?"
 )
 """https://docs.conda.io/projects/conda/en/stable/user-guide/concepts/channels.html, read 2026-11-23."""
+
+_DEFAULTS = "defaults"
+_BUILT_BY = (
+    ("pytorch", pattern(r"magma-cuda\d+=.*|.*=py\d\.\d+_(?:cuda[\d.]+_cudnn[\d._]+|cpu_\d+)")),
+    ("conda-forge", pattern(r"python=[\d.]+=\w+_cpython|_libgcc_mutex=[\d.]+=conda_forge")),
+)
+"""How packages of a channel are called in a list, or their builds, and no other's are.
+https://anaconda.org/pytorch/magma-cuda101, https://anaconda.org/pytorch/pytorch/files and
+https://anaconda.org/conda-forge/python/files, 2026-11-27."""
+
+
+def further_channels(evidence: Evidence, conda: str | None) -> tuple[str, ...]:
+    """Return the channels of an environment that names none of its own: those of its page, and those of its builds.
+
+    What conda exports as a list, or its author copied from an export, is without the channels that packages are of.
+    """
+    environment = next((each for each in evidence.conda if each.file == conda), None)
+    if environment is None or (environment.channels and not _of_list(environment)):
+        return ()
+    folder = environment.file.rpartition("/")[0]
+    said = (each for each in evidence.prose_pip if each.role == "channel" and not DEVELOPMENT.search(each.file))
+    found = [each.written for each in said if each.file.rpartition("/")[0] in {"", folder}]
+    listed = [package.written for package in environment.packages]
+    found += (name for name, builds in _BUILT_BY if any(builds.fullmatch(each) for each in listed))
+    return tuple(dict.fromkeys(each for each in found if each != _DEFAULTS))
+
+
+def _of_list(environment: CondaEnvironment) -> bool:
+    """Tell whether an environment is a list of packages, which the page has given no channels."""
+    return environment.file.endswith(".txt") and environment.channels == (_DEFAULTS,)
 
 
 def no_channels(evidence: Evidence, conda: str | None) -> tuple[str, ...]:

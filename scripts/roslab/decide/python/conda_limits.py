@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice
+from roslab.decide.python.conda_channels import further_channels
 from roslab.decide.python.conda_cuda import builds_for_cuda
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import CondaEnvironment, Evidence
 from roslab.values.conda import CondaPackage, conda_package
+from roslab.values.dataclass import replace
 from roslab.values.version import Version, version_of
 
 if TYPE_CHECKING:
@@ -27,6 +29,8 @@ def limits_of(evidence: Evidence, conda: str | None, kind: Kind) -> Choice[tuple
     What the environment names with a version of its own is left to its author.
     """
     environment = next((each for each in evidence.conda if each.file == conda), None)
+    if environment:
+        environment = replace(environment, channels=(*environment.channels, *further_channels(evidence, conda)))
     found = dict(_found(environment)) if environment else {}
     if environment and kind == "cuda" and not environment.specs:
         torch = next((package for package in environment.packages if package.name == "pytorch"), None)

@@ -12,7 +12,7 @@ from roslab.decide.python.beside_nodes import Loose, beside_nodes
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.chosen_reasons import reasons_of
 from roslab.decide.python.conda_alone import conda_alone
-from roslab.decide.python.conda_channels import default_channels, no_channels, told
+from roslab.decide.python.conda_channels import default_channels, further_channels, no_channels, told
 from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
@@ -179,7 +179,7 @@ def decide_python(
         alone=repaired.alone,
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,
-        conda_channels=pixi.channels if pixi else alone.channels,
+        conda_channels=(*(pixi or alone).channels, *further_channels(evidence, conda)),
         conda_local=tuple(each.written for each in listed if each.role == "project"),
         conda_pip=any(each.role != "project" for each in listed),
         conda_no_channels=no_channels(evidence, conda),

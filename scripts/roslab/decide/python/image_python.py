@@ -49,6 +49,7 @@ class Python:
     conda_specs: tuple[str, ...] = ()
     """conda's packages where ``conda_file`` is pixi's, which micromamba does not read, or where there is none."""
     conda_channels: tuple[str, ...] = ()
+    """Those of ``conda_specs``; of a ``conda_file`` that names none, those of its page and of its builds."""
     conda_defaults: bool = False
     """The environment file counts on conda's default channels, which conda adds by itself and micromamba does not."""
     conda_local: tuple[str, ...] = ()

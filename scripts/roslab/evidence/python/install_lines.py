@@ -43,6 +43,7 @@ _CUDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"})
 _PATH = pattern(r"^[./~]|^(?!.*://).*(?:\.whl|\.tar\.gz|/)$")
 _FOLDER = pattern(r"[\w.-]+(?:/[\w.-]+)+(?:\[[\w,-]+\])?")
 """A path in the tree; no name of a package has a slash."""
+_CHANNEL = pattern(r"\w[\w./:-]*")
 _EXACT = pattern(r"\d+(?:\.\d+)*")
 _NAME = pattern(r"[a-z][a-z0-9._-]*")
 
@@ -120,7 +121,7 @@ def _argument(written: str, role: Role, file: str, line: int) -> Requirement:
 
 
 def _environment(command: Command, file: str, default: str) -> Iterator[Requirement]:
-    """Yield the file that ``--file`` names, else the default if there is one, and the channels beside it."""
+    """Yield the file that ``--file`` names, else the default if there is one, and the channels that are given."""
     named, channels = default, []
     for word, following in itertools.pairwise((*command.words[2:], "")):
         flag, _, glued = word.partition("=")
@@ -130,7 +131,7 @@ def _environment(command: Command, file: str, default: str) -> Iterator[Requirem
             channels.append(glued or following)
     if named and UNKNOWN not in named:
         yield _argument(named, "environment", file, command.line)
-        yield from (_argument(channel, "channel", file, command.line) for channel in channels)
+    yield from (_argument(each, "channel", file, command.line) for each in channels if _CHANNEL.fullmatch(each))
 
 
 def conda_asks(command: Command, file: str) -> Iterator[Requirement | Version]:
@@ -144,9 +145,10 @@ def conda_asks(command: Command, file: str) -> Iterator[Requirement | Version]:
         return
     if not {"install", "create", "update"} & set(words[1:3]):
         return
-    yield from _environment(command, file, "")
+    channels = [*_environment(command, file, "")]
     if words[1] != "update":
         yield from _packages(command, file)
+    yield from channels
 
 
 def _packages(command: Command, file: str) -> Iterator[Requirement | Version]:

@@ -118,7 +118,9 @@ def _conda(plan: Plan) -> str:
         copy = manifests.copy(plan, manifests.of_conda(plan))
         source = f"--file {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}"
     without = conda_lines.changed(python, f"{manifests.FOLDER}/{python.conda_file}")
-    more = "CONDA_CHANNELS=defaults " if python.conda_defaults else ""
+    of_page = () if python.conda_specs else python.conda_channels
+    further = ",".join((*of_page, *(["defaults"] if python.conda_defaults else ())))
+    more = f"CONDA_CHANNELS={quote.shell(further)} " if further else ""
     if python.conda_limits:  # they hold only for what is taken: arm64 has no mkl
         more += f"MAMBA_PINNED_PACKAGES={quote.shell(','.join(python.conda_limits))} "
     if python.conda_cuda:
