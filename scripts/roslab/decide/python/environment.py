@@ -45,7 +45,7 @@ from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.refused import Repaired, elsewhere, in_full, of_pages, repair, right, told_in_full, untold
-from roslab.decide.python.too_new import loosened
+from roslab.decide.python.too_new import in_python, loosened
 from roslab.decide.python.torch_build import decide_build
 from roslab.decide.python.undeclared import decide_undeclared
 from roslab.decide.python.weights import PackageWeight as Weight
@@ -154,6 +154,7 @@ def decide_python(
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
     older = setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ())
     in_conda = limits_of(evidence, conda, kind)
+    chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if not in_python(each, runs)))
     compiled_first, guessed = first_and_guesses(
         (*declared, *manifests, *native.answer.brought), chosen, interpreter, cmake=manager != "system"
     )

@@ -17,7 +17,9 @@ from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.days import ended
 from roslab.knowledge.frameworks import Framework, framework, last_below
 from roslab.values.dataclass import dataclass
+from roslab.values.interpreter import Interpreter
 from roslab.values.pattern import pattern
+from roslab.values.requirement import Requirement
 from roslab.values.specifier import admits, specifiers
 from roslab.values.version import Version
 
@@ -153,7 +155,15 @@ def _pinned(pin: Pin) -> Iterator[Range]:
         why = f"{asked.written} has wheels for Python {row.python_min} to {row.python_max}"
         reason = because("python", f"{row.python_min}…{row.python_max}", why, asked, weight=Weight.PINS + pin.trust)
         lowest = Version(row.python_min) if pin.release else Version("0")
-        yield Range(_between(lowest, Version(row.python_max)), reason, pin.trust)
+        fitting = _between(lowest, Version(row.python_max)) | _not_asked(asked)
+        yield Range(fitting, reason, pin.trust)
+
+
+def _not_asked(asked: Requirement) -> frozenset[str]:
+    """Return the Pythons that a requirement is not for, by its marker."""
+    if asked.marker is None:
+        return frozenset()
+    return frozenset(python for python in PREFERRED if not Interpreter(pythons=(python,)).may(asked))
 
 
 def _newest_allowed(pin: Pin) -> Framework | None:

@@ -15,7 +15,7 @@ from roslab.decide.python.nightlies import dropped
 from roslab.decide.python.nightlies import told as of_nightly
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
-from roslab.decide.python.too_new import loosened, told, too_new
+from roslab.decide.python.too_new import in_python, loosened, told, unmet
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
@@ -170,7 +170,7 @@ def repair(
             missing = [asked for asked in missing if not of_ros(asked.key)]
         short = [asked for asked in found if in_full(asked) is not asked]
         gone = [path for _, path in lacking(evidence, [file])]
-        newer = [asked for asked in found if asked in loose or too_new(asked, python)]
+        newer = [each for each in found if each in loose or unmet(each, python) or in_python(each, python)]
         if not any((spelled, short, taken, missing, gone, newer, any(asked.role == "project" for asked in found))):
             continue
         broken.add(file.file)
@@ -189,7 +189,7 @@ def repair(
         taken = [asked for asked in found if _from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
         missing = [asked for asked in missing if asked.key not in names]
-        newer = [asked for asked in found if too_new(asked, python)]
+        newer = [each for each in found if unmet(each, python) or in_python(each, python)]
         short = [asked for asked in found if in_full(asked) is not asked]
         # A role: pip would look for it in the wrong place
         if any((taken, missing, short, newer, any(asked.role for asked in found))):

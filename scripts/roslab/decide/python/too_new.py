@@ -1,4 +1,7 @@
-"""Pins and lower bounds that no release for the image's Python meets: single lines; the others need that Python."""
+"""Requirements that pip cannot meet with the image's Python: single lines of lists; the others need that Python.
+
+Pins and lower bounds that no release for it meets, pins whose wheels end before it, and modules that it has itself.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,9 @@ from collections.abc import Container, Iterable, Iterator
 
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
-from roslab.knowledge.frameworks import framework
+from roslab.knowledge.backports import backports
+from roslab.knowledge.frameworks import Framework, framework, tabled
+from roslab.knowledge.without_source import without_source
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
@@ -14,17 +19,36 @@ from roslab.values.requirement_line import stated
 from roslab.values.version import Version
 
 
-def too_new(asked: Requirement, python: str | None) -> bool:
-    """Tell whether a requirement is pinned to a release whose first Python is newer than this one, or begins there.
+def unmet(asked: Requirement, python: str | None) -> bool:
+    """Tell whether a requirement is for another Python than this one.
 
-    Robots that raise single lines of old lists leave such pins, and lists that were written on another machine such
-    bounds: pip finds no release for them and stops.
+    It is pinned to a release whose first Python is newer, or begins there, or is pinned to one without a wheel and a
+    source for it. Robots that raise single lines of old lists leave such pins, and lists that were written on another
+    machine such bounds: pip finds no release for them and stops.
     """
+    return _row(asked, python) is not None
+
+
+def _row(asked: Requirement, python: str | None) -> Framework | None:
+    """Return the row of a release that does not run on a Python, ``None`` where it does, or nothing is known."""
     release = _lowest(asked)
     if python is None or release is None or not Interpreter(pythons=(python,)).may(asked):
-        return False
+        return None
     row = framework(asked.key, release)
-    return row is not None and Version(python) < Version(row.python_min)
+    if row is None:
+        return None
+    return row if _ended(asked, row, python) or Version(python) < Version(row.python_min) else None
+
+
+def _ended(asked: Requirement, row: Framework, python: str) -> bool:
+    newer = without_source().get(tabled(asked.key)) if asked.release else None
+    return newer is not None and row.first not in newer and Version(python) > Version(row.python_max)
+
+
+def in_python(asked: Requirement, python: str | None) -> bool:
+    """Tell whether a package brings a module that this Python has itself: newer ones refuse it, or break with it."""
+    since = backports().get(asked.key) if python and not asked.url else None
+    return since is not None and Version(python or "0") >= since and Interpreter(pythons=(python or "",)).may(asked)
 
 
 def _lowest(asked: Requirement) -> str | None:
@@ -34,9 +58,14 @@ def _lowest(asked: Requirement) -> str | None:
 def loosened(
     found: Iterable[Requirement], python: str | None, also: Container[Requirement] = ()
 ) -> Iterator[Requirement]:
-    """Yield the requirements, those without their version that are too new for the Python, and ``also`` these."""
+    """Yield the requirements without what the Python has itself, and without the versions that are for another one.
+
+    ``also``: these, too, without their versions.
+    """
     for asked in found:
-        if asked in also or too_new(asked, python):
+        if in_python(asked, python):
+            continue
+        if asked in also or unmet(asked, python):
             free = stated(asked.name or asked.key, asked.origin, asked.file, asked.line)
             yield replace(free, marker=asked.marker, extras=asked.extras, role=asked.role)
         else:
@@ -45,7 +74,14 @@ def loosened(
 
 def told(asked: Requirement, python: str | None) -> Warning_:
     """Return the warning about one of them."""
-    row = framework(asked.key, _lowest(asked) or "")
+    if in_python(asked, python):
+        message = f"{asked.written} is left out: Python {backports()[asked.key]} and newer have it themselves"
+        return warn(f"{message}, and the image has {python}", asked)
+    row = _row(asked, python)
     needs = row.python_min if row else "a newer one"
+    if row and Version(python or "0") > Version(row.python_max):
+        message = f"{asked.written} has no wheel for a Python newer than {row.python_max}, and no source"
+        instead = f'`base.python: "{row.python_max}"` in roslab.yaml takes this one'
+        return warn(f"{message}, and the image has {python}: pip takes a release that runs there; {instead}", asked)
     message = f"{asked.written} needs Python {needs}, and the image has {python}"
     return warn(f"{message}: pip takes a release of {asked.name} that runs there", asked)
