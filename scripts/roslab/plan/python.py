@@ -49,6 +49,7 @@ class PythonPlan:
     beside_files: tuple[str, ...] = ()
     cloned_files: tuple[str, ...] = ()
     unseen: tuple[str, ...] = ()
+    gpu_asked: tuple[str, ...] = ()
     setuptools: str = ""
     copied: tuple[str, ...] = ()
     """Own projects that are not installed editable."""
@@ -99,6 +100,7 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         beside_files=_lines(python.beside_files),
         cloned_files=python.cloned_files,
         unseen=python.unseen,
+        gpu_asked=python.gpu_asked,
         setuptools=python.setuptools.written if python.setuptools else "",
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,

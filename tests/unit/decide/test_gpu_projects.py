@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
 from roslab.evidence.python.needs_gpu import needs_gpu
+from roslab.pipeline import plan_repository
+from roslab.render import image_scripts
+from roslab.render.dockerfile import dockerfile
 
 Tree = Callable[[dict[str, str]], Decision]
 SETUP = "import torch\nfrom setuptools import setup\n{check}\nsetup(name='ops', packages=['ops'])\n"
@@ -33,6 +40,60 @@ PYPROJECT = '[project]\nname = "net"\nversion = "1"\ndependencies = ["einops"]\n
 )
 def test_what_stops_without_a_gpu(check: str, stops: bool) -> None:
     assert needs_gpu(SETUP.format(check=check)) is stops
+
+
+ASKS_MORE = RAISES + "\nMAJOR = torch.cuda.get_device_capability()[0]"
+OPS = {
+    "run.py": "import MultiScale\n\nif __name__ == '__main__':\n    print(MultiScale)\n",
+    "requirements.txt": "torch==1.13.1\n",
+    "ops/ops/__init__.py": "",
+    "ops/make.sh": "python setup.py build install\n",
+}
+EXTENSION = "from torch.utils.cpp_extension import CUDAExtension\nPARTS = [CUDAExtension('MultiScale', ['a.cu'])]\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "projects", "line"),
+    [
+        ("pip install -e ops", ("ops",), "with-gpu-said python3 -m pip install "),
+        ("cd ops\nsh make.sh", (), "{ with-gpu-said bash make.sh || echo "),
+    ],
+)
+def test_what_only_asks_for_a_gpu_is_told_that_there_is_one(
+    tmp_path: Path, page: str, projects: tuple[str, ...], line: str
+) -> None:
+    files = {**OPS, "ops/setup.py": EXTENSION + SETUP.format(check=RAISES), "README.md": f"```\n{page}\n```\n"}
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    plan = plan_repository(tmp_path).plan
+    assert (plan.kind, plan.workspace.python_projects, plan.python.gpu_asked) == ("cuda", projects, ("ops",))
+    assert line in dockerfile(plan)
+    assert "COPY --from=scripts /with-gpu-said /usr/local/bin/" in dockerfile(plan)
+    assert not any("no GPU" in each.message for each in plan.warnings)
+
+
+def test_what_asks_for_more_is_left_out(tree: Tree) -> None:
+    decided = tree(
+        {**OPS, "ops/setup.py": EXTENSION + SETUP.format(check=ASKS_MORE), "README.md": "pip install ./ops\n"}
+    )
+    assert (decided.python.projects, decided.python.gpu_asked) == ((), ())
+    assert any(each.message.startswith("ops is not installed") for each in decided.warnings)
+
+
+def test_torch_says_that_there_is_a_gpu(tmp_path: Path) -> None:
+    for path in ("torch/__init__.py", "torch/cuda/__init__.py"):
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+    (tmp_path / "torch/__init__.py").write_text("from torch import cuda\n")
+    (tmp_path / "torch/cuda/__init__.py").write_text("def is_available():\n    return False\n")
+    ask = [sys.executable, "-c", "import torch; print(torch.cuda.is_available())"]
+    script = Path(image_scripts.__path__[0]) / "with-gpu-said.sh"
+    surroundings = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    for before, said in (((), "False"), (("bash", str(script)), "True")):
+        done = subprocess.run([*before, *ask], env=surroundings, capture_output=True, text=True, check=True)
+        assert done.stdout.strip() == said
+    failed = subprocess.run(["bash", str(script), "sh", "-c", "exit 7"], env=surroundings, check=False)
+    assert failed.returncode == 7
 
 
 def test_a_part_that_needs_a_gpu_does_not_stop_the_build(tree: Tree) -> None:

@@ -24,7 +24,7 @@ from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first_and_guesses
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.gone_lists import gone_lists
-from roslab.decide.python.gpu_projects import left_to_gpus
+from roslab.decide.python.gpu_projects import asking, left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.indexes import file_options, indexes_of
@@ -177,6 +177,7 @@ def decide_python(
         manifests=beside(evidence, whole, conda),
         projects=tuple(project.folder or "." for project in chosen.projects),
         unseen=unseen(evidence, chosen.projects),
+        gpu_asked=asking(evidence, kind),
         alone=repaired.alone,
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,
@@ -230,7 +231,7 @@ def decide_python(
             *numpy.warnings,
             *options.warnings,
             *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
-            *left_to_gpus(evidence),
+            *left_to_gpus(evidence, kind),
             *left_frameworks(evidence, kind, everything),
             *lost(evidence, kind, chosen, ubuntu if manager == "system" else None),
             *without_history(evidence),

@@ -43,6 +43,8 @@ class Python:
     """Folders to ``pip install``, ``.`` for the root; installed in this order, editable, after the source is copied."""
     unseen: tuple[str, ...] = ()
     """Those of ``projects`` that lie in submodules which are not checked out: they may be none."""
+    gpu_asked: tuple[str, ...] = ()
+    """Folders with a setup.py that stops where torch sees no GPU, and asks for nothing else of one."""
     alone: tuple[str, ...] = ()
     """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
     conda_file: str | None = None

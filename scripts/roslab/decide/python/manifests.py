@@ -10,7 +10,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.python.beside_lock import beside_lock, left_to_lock
 from roslab.decide.python.compiling import COMPILED_ON_IMPORT
-from roslab.decide.python.gpu_projects import only_on_gpu
+from roslab.decide.python.gpu_projects import by_scripts, only_on_gpu
 from roslab.decide.python.machine_lists import not_installed, of_machines
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
@@ -168,7 +168,9 @@ def projects(
     by_cmake_alone = {
         manifest.file.rpartition("/")[0] for manifest in evidence.manifests if types(manifest) == {"cmake"}
     }
-    usable = {p.folder: p for p in evidence.python if p.installable and not only_on_gpu(p)}
+    compiled = by_scripts(evidence)
+    installable = (p for p in evidence.python if p.installable and not only_on_gpu(p, kind))
+    usable = {p.folder: p for p in installable if p.folder not in compiled}
     chosen: dict[str, PythonProject] = {}
     if "" in usable and "" not in manifests:
         members = {asked.key for asked in usable[""].requirements if asked.role == "member"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.evidence.python.needs_gpu import needs_gpu
+from roslab.evidence.python.needs_gpu import needs_gpu, only_asks
 from roslab.values.pattern import pattern
 
 _BUILDING = frozenset({"build", "build_ext", "build_py", "build_clib", "develop", "editable_wheel"})
@@ -24,7 +24,7 @@ def extensions(text: str) -> tuple[str, ...]:
     """Return what kinds of code a build script compiles, by the names it uses."""
     found = [kind for kind, names in _KINDS if names.search(text)]
     if needs_gpu(text):
-        found.append("gpu")
+        found.append("gpu asked" if only_asks(text) else "gpu")
     if _NOT_EDITABLE.search(text):
         found.append("not editable")
     return tuple(found)

@@ -5,8 +5,14 @@ from __future__ import annotations
 import ast
 
 from roslab.evidence.python.parsed import parsed
+from roslab.values.pattern import pattern
 
 _CALL = "cuda.is_available()"
+_ASKS_MORE = pattern(
+    r"cuda\.(?:get_device|device_count|current_device|get_arch|init|mem_get|set_device|device\b)|nvidia-smi|"
+    r"\.cuda\(|device\s*=|\.to\(|getDevice"
+)
+"""What only a machine with a GPU answers."""
 
 
 def needs_gpu(text: str) -> bool:
@@ -15,6 +21,11 @@ def needs_gpu(text: str) -> bool:
         return False
     tree = parsed(text)
     return tree is not None and any(_stops(node) for node in ast.walk(tree))
+
+
+def only_asks(text: str) -> bool:
+    """Tell whether such a script wants to know of a GPU only whether there is one: it compiles without it, too."""
+    return not _ASKS_MORE.search(text)
 
 
 def _stops(node: ast.AST) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import building, caches, python, secrets, shell
+from roslab.render.layers import building, caches, gpu_said, python, secrets, shell
 from roslab.values.secret import NETRC
 
 
@@ -44,6 +44,7 @@ def projects(plan: Plan) -> str:
     isolation = " --no-build-isolation" if plan.python.first else ""
     options = f"{caches.pip_option(plan)}{isolation}{python.pip_options(plan.python.options)}"
     pip = f"{python.interpreter(plan)} -m pip install {options}"
+    pip = f"{gpu_said.SCRIPT} {pip}" if any(gpu_said.asked(plan, folder) for folder in folders) else pip
     pip = "".join(f"{name}={quote.shell(flags)} " for name, flags in building.macros(plan)) + pip
     if plan.python.native_parts and NETRC not in plan.secrets:  # a setup.py looks for them at home; root's has a .netrc
         pip = f'HOME="/home/${{NB_USER}}" {pip}'
@@ -57,7 +58,8 @@ def projects(plan: Plan) -> str:
     run = shell.run(*commands, secrets=secrets.for_pip(plan))
     editable = "" if copied.issuperset(folders) else ", editable"
     header = f"{text}\n" if (text := building.older_names(plan)) else ""
-    return f"# The repository's own Python packages{editable}\nUSER root\n{header}{run}"
+    copy = "".join(f"{line}\n" for line in gpu_said.script(commands))
+    return f"# The repository's own Python packages{editable}\nUSER root\n{header}{copy}{run}"
 
 
 def _if_there(folder: str, install: str) -> str:

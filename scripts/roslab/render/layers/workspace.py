@@ -186,22 +186,6 @@ def compile_inside(plan: Plan) -> str:
     return "\n".join(["# Libraries inside the repository", "USER ${NB_USER}", *runs])
 
 
-def own_scripts(plan: Plan) -> str:
-    """Run what compiles something; what fails beside the program is told and stops nothing."""
-    if not plan.workspace.scripts:
-        return ""
-    runs = []
-    for script in plan.workspace.scripts:
-        where = quote.shell_with_user(f"{source_folder(plan)}/{script.folder}".rstrip("/"))
-        left_out = quote.shell(f"roslab: left out: {script.command} failed")
-        command = script.command if script.required else f"{{ {script.command} || echo {left_out}; }}"
-        runs.append(shell.run(f"cd {where}", command))
-    head = "# What is compiled beside the program: by scripts that the README runs, and in other folders"
-    if plan.workspace.scripts[0].required:
-        head = "# What the script of the repository compiles"
-    return "\n".join([head, "USER root", *runs, own_home(plan)])
-
-
 def compile_workspace(plan: Plan) -> str:
     """Compile the ROS workspace as the user, who can then compile it again."""
     build = plan.workspace.ros
