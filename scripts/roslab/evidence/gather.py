@@ -59,6 +59,7 @@ from roslab.evidence.prose import (
     named_ports,
     named_weights,
     notebook_installs,
+    of_other_indexes,
     own_packages,
     page_lists,
     patches,
@@ -125,7 +126,7 @@ from roslab.repository.checkout import Repository
 
 MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, named_ports.read, opened.read),
-    *(said_in_code.read, shared_objects.made_on, started_by_scripts.calls, templates.read),
+    *(of_other_indexes.read, said_in_code.read, shared_objects.made_on, started_by_scripts.calls, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""
 PROSE = (

@@ -39,6 +39,7 @@ from roslab.decide.python.numpy_limit import numpy_limit
 from roslab.decide.python.old_setuptools import setuptools_of
 from roslab.decide.python.older_torch import older_torch, without_release
 from roslab.decide.python.other_environments import left_to_others
+from roslab.decide.python.other_indexes import consents
 from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
 from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
@@ -235,6 +236,7 @@ def decide_python(
             *left_frameworks(evidence, kind, everything),
             *lost(evidence, kind, chosen, ubuntu if manager == "system" else None),
             *without_history(evidence),
+            *consents(chosen.guessed, evidence),
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
             *(gone_lists(evidence) if kind in {"python", "cuda"} else ()),
