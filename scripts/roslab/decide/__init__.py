@@ -195,6 +195,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         dockerfile=dockerfile,
         apt=frozenset((*system.answer.apt, *system.answer.apt_guessed, *map(target.ros, system.answer.rosdep))),
         downloads=downloads.answer,
+        libraries=(source.name for source, _ in libraries),
     )
     on_cuda = "nvidia" in base.answer.image or kind.answer == "cuda" or bool(config.base.cuda)
     cuda = with_too_old_sources(cuda, everything) if on_cuda else in_no_image(cuda)

@@ -9,6 +9,7 @@ from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Download, Warning_
 from roslab.decide.launched_windows import opened_by_nodes
+from roslab.decide.python.library_modules import variables_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.author_variables import author_variables
 from roslab.decide.ros.linked_folders import linked_folders
@@ -50,6 +51,7 @@ def decide_variables(
     dockerfile: str | None = None,
     apt: AbstractSet[str] = frozenset(),
     downloads: Iterable[Download] = (),
+    libraries: Iterable[str] = (),
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return each variable with the value that roslab.yaml gives it, else a page first.
 
@@ -57,7 +59,8 @@ def decide_variables(
     new CMake from refusing old code; ``asked``: what pip installs or builds with. Where the base ``image`` has CUDA's
     compiler, the folder that it lies in: NVIDIA's images do not say it, and build files read it. Without ``gui``, what
     has packages draw where there is no display; with it, what they need to open a window. ``dockerfile``: the author's
-    that the image is made with; ``apt``: what is installed; ``downloads``: what is fetched, some of it for the home.
+    that the image is made with; ``apt``: what is installed; ``downloads``: what is fetched, some of it for the home;
+    ``libraries``: those that are built.
     """
     if config.compatible:
         return Choice(answer=())
@@ -89,11 +92,12 @@ def decide_variables(
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
     windows = _windows(command, evidence)
-    further: list[tuple[str, str, str, Requirement | Dependency | Mention]] = [
+    further: list[tuple[str, str, str, Requirement | Dependency | Mention | None]] = [
         *author_variables(evidence, ros, dockerfile, apt),
         *compiler_variables(evidence),
         *nested_headers(evidence, ros),
         *linked_folders(evidence, ros),
+        *((name, value, why, None) for name, value, why in variables_of(libraries)),
     ]
     for name, value, why, asks in (*(_drawing(asked, windows) if gui else _offscreen(asked)), *further):
         if name not in {*pairs, *given}:

@@ -96,10 +96,13 @@ def of_ros(name: str) -> bool:
     return bool((_table(name) or {}).get("of_ros", False))
 
 
-def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS) -> tuple[Recipe, ...]:
+def recipe(
+    name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS, day: str | None = None
+) -> tuple[Recipe, ...]:
     """Return what to build for a library, its own needs first; empty if the table does not have it.
 
-    ``bounds``: of libraries, the versions that the code compiles with.
+    ``bounds``: of libraries, the versions that the code compiles with; ``day``: the one whose release is meant, where
+    the table knows those of several days.
     """
     found = _table(name)
     if found is None:
@@ -108,12 +111,20 @@ def recipe(name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]
     own = Recipe(
         name=name,
         repo=found["repo"],
-        ref=_fitting(found, found.get("ref_on", {}).get(ubuntu or "", found["ref"]), bounds.get(name, ())),
+        ref=_fitting(found, _usual(found, ubuntu, day), bounds.get(name, ())),
         depends=depends,
         options=tuple(found.get("options", ())),
         make=found.get("make"),
     )
-    return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu, bounds)), own)
+    return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu, bounds, day)), own)
+
+
+def _usual(found: dict[str, Any], ubuntu: str | None, day: str | None) -> str:
+    """Return the ref for an Ubuntu, else the newest of a day, else that of today; of before all of them the oldest."""
+    days: dict[str, str] = found.get("of_day", {}) if day else {}
+    then = max((each for each in days if each <= (day or "")), default=min(days, default=""))
+    ref: str = found.get("ref_on", {}).get(ubuntu or "", days.get(then, found["ref"]))
+    return ref
 
 
 def _fitting(found: dict[str, Any], usual: str, bounds: tuple[Bound, ...]) -> str:

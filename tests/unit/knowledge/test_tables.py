@@ -102,7 +102,12 @@ def test_recipes_are_pinned_and_complete(name: str) -> None:
     assert found["repo"].startswith("https://")
     assert found["source"].startswith(("https://", "PyPI: "))
     assert DATE.match(str(found["date"]))
-    for ref in (found["ref"], *found.get("ref_on", {}).values(), *found.get("releases", {}).values()):
+    for ref in (
+        found["ref"],
+        *found.get("ref_on", {}).values(),
+        *found.get("releases", {}).values(),
+        *found.get("of_day", {}).values(),
+    ):
         assert re.fullmatch(r"[0-9a-f]{40}|v?\d[\w.-]*", ref), f"{name}: {ref!r} is no tag or commit"
     assert set(found.get("ref_on", {})) <= set(ubuntus().values())
     assert all(APT.match(package) for package in found["depends"])

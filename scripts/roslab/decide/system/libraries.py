@@ -55,7 +55,9 @@ def decide_libraries(
         *too_new_here(evidence, target),
         *refused_here(required, target),
     )
-    tabled = as_written(recipes_for(wanted, target.ubuntu, (*evidence.limits, *required), own), evidence)
+    tabled = as_written(
+        recipes_for(wanted, target.ubuntu, (*evidence.limits, *required), own, evidence.pip_day), evidence
+    )
     submodules = (git.name for git in evidence.sources if git.kind == "submodule")
     elsewhere = {plain(name) for name in (*submodules, *(source.name for source, _ in tabled))}
     taken = sources.names | packages.names | own | elsewhere

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
+from roslab.decide.python.library_modules import OF_MODULE
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_make import builds_all
@@ -61,6 +62,7 @@ def _all(
         started_by = kind in {"ros1", "ros2"} and dependency.role in {"shebang", ROLE}
         if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:
             yield dependency, False
+    yield from ((asked, True) for asked in evidence.code if asked.role == OF_MODULE)
     for dependency in _made(evidence) if kind in {"cpp", "cuda"} else ():
         yield dependency, dependency.strength == "declared"
     for dependency in needs_of_libraries(evidence) if kind != "python" else ():

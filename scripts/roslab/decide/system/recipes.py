@@ -20,12 +20,17 @@ from roslab.values.version import Version
 
 
 def recipes_for(
-    wanted: Iterable[tuple[str, Dependency]], ubuntu: str | None, limits: Iterable[CodeLimit], own: frozenset[str]
+    wanted: Iterable[tuple[str, Dependency]],
+    ubuntu: str | None,
+    limits: Iterable[CodeLimit],
+    own: frozenset[str],
+    day: str | None = None,
 ) -> tuple[tuple[Source, Dependency], ...]:
     """Return the sources of libraries, each once with what asked for it, in the order to build them.
 
     ``limits`` are the signs of versions in the code, which choose the release; ``own`` are names of the repository
-    itself, which is none of them, though what it needs is.
+    itself, which is none of them, though what it needs is;
+    ``day``: that of the work, where it is old.
     """
     bounds: dict[str, tuple[Bound, ...]] = {}
     for limit in limits:
@@ -33,7 +38,7 @@ def recipes_for(
         bounds[name] = (*bounds.get(name, ()), (limit.at_least, limit.below))
     found: dict[str, tuple[Source, Dependency]] = {}
     for name, dependency in wanted:
-        for built in recipe(name, ubuntu, bounds):
+        for built in recipe(name, ubuntu, bounds, day):
             if plain(built.name) not in own:
                 found.setdefault(built.name, (_source(built), dependency))
     return tuple(found.values())
