@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from roslab.evidence import places
+from roslab.evidence.prose.blank_programs import with_programs
 from roslab.evidence.prose.blanks import chosen
 from roslab.evidence.prose.block_values import with_values
 from roslab.evidence.prose.comments import without_comments
@@ -58,11 +59,11 @@ _ABOUT = pattern(r"readme|install")
 def text_of(repository: Repository, file: File) -> str:
     """Return what a page says to those who read it, with all its blocks of code fenced.
 
-    That is not what it comments out, nor what it says of another branch.
+    That is not what it comments out, nor what it says of another branch. Blanks in names of programs are filled in.
     """
     texts = repository.once(_texts)
     if file.path not in texts:
-        texts[file.path] = without(repository, _shown(repository.read(file)))
+        texts[file.path] = with_programs(without(repository, _shown(repository.read(file))), repository, file)
     return texts[file.path]
 
 
