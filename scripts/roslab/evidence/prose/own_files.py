@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose.authors_words import of_author
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.evidence.prose.script_folders import started_above
 from roslab.evidence.prose.started_in import beside_build, ends, script_in, started_in
@@ -27,7 +28,7 @@ _BEFORE = pattern(r"^(?:\.{1,2}/)+")
 def with_files(mention: Mention, repository: Repository) -> Mention:
     """Return a command of a page with the files of the tree that it names, by their paths from the root."""
     mention = _by_its_shell(mention, repository)
-    words = mention.value.split()
+    words = of_author(mention.value.split(), repository)
     folder = posixpath.dirname(mention.file)
     found: list[str] = []
     unseen = ""
