@@ -32,12 +32,15 @@ def decide_author_folders(
     """Return the author's folders, each with what a link there leads to: ``source/...`` or ``workspace/install``.
 
     Only those that files of packages name which are built: the rest of a tree may be of another machine altogether.
+    Of a tree without packages those of which it has all that a path names.
     """
-    if config.compatible or build_tool in _PLAIN or not evidence.author_paths:
+    if config.compatible or (build_tool in _PLAIN and evidence.manifests) or not evidence.author_paths:
         return Choice(answer=())
     built = tuple(each.file.rpartition("/")[0] for each in packages.built)
     inside = tuple(f"{folder}/" if folder else "" for folder in built)
     named = (p for p in evidence.author_paths if any(_holds(folder, p.file) for folder in inside))
+    if not evidence.manifests:
+        named = (p for p in evidence.author_paths if p.there and not places.aside(p.file))
     made = _MADE.get(build_tool) if layout.workspace != "none" else None
     found = [each for each in _folders(named) if not each.made or each.folder == made][:MOST]
     why = "a file names it, and the tree has what is meant: a link there leads to it"

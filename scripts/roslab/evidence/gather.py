@@ -183,7 +183,7 @@ def gather(repository: Repository) -> Evidence:
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
     otherwise = tuple(other_builders.read(repository))
     folders = tuple((each.name, posixpath.dirname(each.file)) for each in manifests if each.name)
-    paths = author_folders.read(repository, folders) if manifests else ()
+    paths = author_folders.read(repository, folders)
     dates = manifests or cmake_projects or made or listed or by_file or otherwise
     return Evidence(
         manifests=manifests,

@@ -171,3 +171,27 @@ def test_what_cmake_takes_from_there_is_linked_or_told(tree: Tree, path: str, *,
     assert decision.author_folders == ((("/home/me/ws/src", "source"),) if found else ())
     told = [(w.file, w.line) for w in decision.warnings if "is a folder of its author's computer" in w.message]
     assert told == ([] if found else [("server/CMakeLists.txt", 3)])
+
+
+PROGRAM = "import numpy\nimport argparse\nCFG = {path!r}\nif __name__ == '__main__':\n    print(open(CFG).read())\n"
+
+
+@pytest.mark.parametrize(
+    ("path", "found"),
+    [
+        ("/home/bob/work/thesis/cfg/a.yaml", [("/home/bob/work/thesis", "source")]),
+        ("/home/bob/work/thesis/data/a.yaml", []),
+        ("/home/bob/work/thesis/a.yaml", []),
+        ("/home/jovyan/thesis/cfg/a.yaml", []),
+    ],
+)
+def test_a_program_of_no_package_finds_the_tree_where_its_author_had_it(
+    tree: Tree, path: str, found: list[tuple[str, str]]
+) -> None:
+    given = tree({"run.py": PROGRAM.format(path=path), "cfg/a.yaml": "a: 1\n"})
+    assert list(given.author_folders) == found
+
+
+def test_what_a_program_of_no_package_lacks_is_told(tree: Tree) -> None:
+    given = tree({"run.py": PROGRAM.format(path="/home/bob/sets/kitti/00.bin")})
+    assert any("/home/bob/sets/kitti/00.bin, a path of its author's computer" in w.message for w in given.warnings)

@@ -131,7 +131,11 @@ class _Tree:
         if same < len(has):
             return False  # of no package, and not from the root
         two = parts[len(parts) - same - 2] if len(parts) > same + 1 else ""
-        return before in self.names or (same > 1 and two == "src")
+        return before in self.names or (same > 1 and (two == "src" or self._alone(path)))
+
+    def _alone(self, path: str) -> bool:
+        """Tell whether a path is a file of a tree without packages: its last two parts are known well enough."""
+        return not self.inside and not self.packages and self.repository.has(path)
 
     def _named(self, name: str) -> Collection[str]:
         if self.by_name is None:
