@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import shlex
-from collections.abc import Sequence
+from collections.abc import Container, Mapping, Sequence
 from typing import Literal
 
 from roslab.values.dataclass import dataclass
@@ -61,11 +61,25 @@ def there(candidate: Candidate, within: str | None = None) -> str:
     """
     folder = candidate.inside or "."
     ours = {*candidate.files, *(word for word in candidate.argv if word.endswith(".py"))}
-    words = (posixpath.relpath(word, folder) if word in ours else word for word in candidate.argv)
+    words = [posixpath.relpath(word, folder) if word in ours else word for word in candidate.argv]
+    if words[0].startswith(f"./{folder}/"):
+        words[0] = f"./{posixpath.relpath(words[0], folder)}"
     goes = candidate.inside if within is None else within
     before = f"cd {shlex.quote(goes)} && " if goes else ""
     before += f"mkdir -p {shlex.join(candidate.makes)} && " if candidate.makes else ""
     return f"{before}exec {shlex.join(words)}"
+
+
+def inside_of(argv: Sequence[str], page: str, beside: Container[str], made: Mapping[str, str]) -> str:
+    """Return the folder in which a page has a program started, ``""`` where any will do; ``page``: where the page is.
+
+    ``beside``: programs that are started in the folder of their build. What make compiles in a folder (``made``) is
+    started there where it is given a path above.
+    """
+    if argv[0].startswith(("python", "bash")) or argv[0] in beside:
+        return page
+    folder = made.get(argv[0].rpartition("/")[2], "")
+    return folder if any(word.rpartition("=")[2].startswith("../") for word in argv[1:]) else ""
 
 
 def is_python(candidate: Candidate) -> bool:

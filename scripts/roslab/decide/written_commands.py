@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from roslab.config.model import Kind
 from roslab.decide.absent import absent
 from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
-from roslab.decide.candidate import Candidate, is_component, program_of
+from roslab.decide.candidate import Candidate, inside_of, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import (
     call_of,
@@ -135,7 +135,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
                 strong=strong,
                 heading=mention.heading,
                 files=mention.files,
-                inside=mention.inside if argv[0].startswith(("python", "bash")) or argv[0] in beside else "",
+                inside=inside_of(argv, mention.inside, beside, tree.made),
                 cut=bool(gap) and told != {"default"},
                 demands="required" if "required" in told else "open" if "open" in told else "",
                 absent=absent(argv, mention.files, fetched),

@@ -103,3 +103,41 @@ def test_a_rule_for_any_file_makes_the_programs_that_have_a_main(
     page = {"README.md": "# Run\n```\nmake\n./build/show-map data/00\n./build/library\n```\n"}
     files = {"show-map.cpp": CODE["main.cpp"], "library.cpp": CODE["map.cpp"], "Makefile": rule}
     assert tree({**files, **page}).command == command
+
+
+RULES = {
+    "Mk/rules.mk": "$(OBJS): %.o: %.cpp\n\t$(CXX) -c $< -o $@\n$(TARGET): $(OBJS)\n\t$(CXX) -o $@ $(OBJS) $(LIBS)\n"
+}
+INCLUDING = "include Mk/libs.mk\nOBJS=main.o map.o\nTARGET=slam\ninclude Mk/rules.mk\n"
+
+
+def test_what_a_makefile_includes_is_its_own(tree: Tree) -> None:
+    below = {"solver/Makefile": MADE.replace("slam", "solve"), "solver/main.cpp": "int main() {}\n"}
+    decision = tree({**CODE, **RULES, **below, "Makefile": INCLUDING, "Mk/libs.mk": "LIBS += -lfftw3\n"})
+    assert [(script.folder, script.required) for script in decision.scripts] == [("", True)]
+    assert decision.command == ("./slam",)
+    assert "libfftw3-dev" in {*decision.apt, *decision.apt_guessed}
+
+
+def test_an_included_file_that_calls_cmake_for_a_library_does_not_make_it_another_builder(tree: Tree) -> None:
+    rules = {"Mk/rules.mk": RULES["Mk/rules.mk"] + "flann:\n\tcd lib/flann; cmake ..; make\n"}
+    decision = tree({**CODE, **rules, "Makefile": INCLUDING})
+    assert [script.command for script in decision.scripts] == ["make"]
+
+
+def test_a_program_that_reads_above_is_started_where_it_is_made(tree: Tree) -> None:
+    files = {f"sources/{path}": text for path, text in {**CODE, "Makefile": MADE}.items()}
+    page = {"README.md": "```\n./slam --map=../data/a.txt\n```\n", "data/a.txt": ""}
+    assert tree({**files, **page}).command == "cd sources && exec ./slam --map=../data/a.txt"
+
+
+MODULE = {".gitmodules": '[submodule "crl"]\n\tpath = crl\n\turl = https://github.com/comrob/crl.git\n'}
+
+
+@pytest.mark.parametrize(("script", "commands"), [("install.sh", ["bash install.sh", "make"]), ("start.sh", ["make"])])
+def test_scripts_of_a_submodule_run_before_make(tree: Tree, script: str, commands: list[str]) -> None:
+    page = f"# Demo\nCompile the submodule<br />\n`cd crl ; ./{script} ; cd ..`<br />\n\nRun<br />\n`./slam`\n"
+    decision = tree({**CODE, **MODULE, "Makefile": MADE, "README.md": page})
+    assert [each.command for each in decision.scripts] == commands
+    assert decision.scripts[-1].required
+    assert decision.command == ("./slam",)

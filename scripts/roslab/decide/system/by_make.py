@@ -11,6 +11,7 @@ def builds_all(evidence: Evidence) -> Makefile | None:
 
     Nor where a page compiles the tree by a script.
     """
-    by_script = any(each.topic == "build_script" and each.source == "readme" for each in evidence.mentions)
+    said = (each for each in evidence.mentions if each.topic == "build_script" and each.source == "readme")
+    by_script = any(each.files for each in said)
     made = evidence.makefiles[0] if len(evidence.makefiles) == 1 else None
     return made if made and not (by_script or made.folder or made.script or made.qt) else None

@@ -30,6 +30,8 @@ WEIGHT = 300
 MOST = 6
 _UNREAD = pattern(r"(?:^|/)(?:build|make|compile)(?:[_-]\w+)*\.(?:sh|py)$")
 """What is run though nobody has read it, because it lies in a submodule that the image clones."""
+_INSTALLS = pattern(r"(?:^|/)(?:build|make|compile|install)(?:[_-]\w+)*\.sh$")
+"""Such scripts of a submodule as a page calls before make: without what they compile, make has nothing to link."""
 _ASIDE = pattern(
     r"\b(?:docker|docs?|documentation|tests?|wheels?|release|optional|windows?|mac\w*|jetson|real)\b", re.IGNORECASE
 )
@@ -185,29 +187,41 @@ def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
     """Return the call of make in each folder whose Makefile builds the project, or the scripts that do in its place.
 
     Of scripts the first is the build, and so is the one Makefile at the root of a tree of C++: without what it makes,
-    the image has nothing to run.
+    the image has nothing to run. Before it, the scripts of submodules that a page has the reader call.
     """
     made = evidence.makefiles
     why = "its Makefile compiles the project"
+    absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
+    said = (m for m in evidence.mentions if m.topic == "build_script" and m.source == "readme" and not m.files)
+    first = {s.path: (s, m) for m in said if not _ASIDE.search(m.heading) and (s := _script(m, absent, _INSTALLS))}
     return Choice(
-        answer=tuple(
-            OwnScript(
-                folder=each.folder,
-                path=each.file,
-                command=each.script or (f"{_QMAKE} && make" if each.qt else "make"),
-                required=each is made[0] if each.script else kind == "cpp" and builds_all(evidence) is each,
-            )
-            for each in made
+        answer=(
+            *(script for script, _ in first.values()),
+            *(
+                OwnScript(
+                    folder=each.folder,
+                    path=each.file,
+                    command=each.script or (f"{_QMAKE} && make" if each.qt else "make"),
+                    required=each is made[0] if each.script else kind == "cpp" and builds_all(evidence) is each,
+                )
+                for each in made
+            ),
         ),
-        reasons=tuple(
-            because("source", each.file, "a page runs it to compile" if each.script else why, each, weight=WEIGHT)
-            for each in made
+        reasons=(
+            *(because("source", s.path, "a page runs it before make", m, weight=WEIGHT) for s, m in first.values()),
+            *(
+                because("source", each.file, "a page runs it to compile" if each.script else why, each, weight=WEIGHT)
+                for each in made
+            ),
         ),
     )
 
 
-def _script(mention: Mention, absent: tuple[str, ...]) -> OwnScript | None:
-    """Return how a script is run from the root; ``None`` for one that is neither in the tree nor in a submodule."""
+def _script(mention: Mention, absent: tuple[str, ...], unread: re.Pattern[str] = _UNREAD) -> OwnScript | None:
+    """Return how a script is run from the root; ``None`` for one that is neither in the tree nor in a submodule.
+
+    Of one in a submodule, only if its name is among the ``unread`` that may be run.
+    """
     folder, script, *words = mention.value.split()
     folder = "" if folder == "." else folder
     if not all(map(_PLAIN.fullmatch, (script, *words))):
@@ -217,7 +231,7 @@ def _script(mention: Mention, absent: tuple[str, ...]) -> OwnScript | None:
     else:
         path = posixpath.normpath(posixpath.join(folder, script))
         inside = next((name for name in absent if f"/{name}/" in f"/{path}"), None)
-        if not _UNREAD.search(path):
+        if not unread.search(path):
             return None
         if inside is not None:
             above = f"/{path}".index(f"/{inside}/")  # a page may begin above the root

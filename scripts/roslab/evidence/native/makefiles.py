@@ -39,6 +39,7 @@ _OF_ANY = pattern(r"^[^\s#][^\n:=]{0,100}%[^\n:=]{0,100}:(?!=)|\$[({]wildcard\s"
 """A rule for files of any name, or a list of the files that are there."""
 _PROGRAM = pattern(r"(?:[\w.-]+/){0,4}[\w.-]+")
 _NO_PROGRAMS = (".a", ".so", ".o", ".exe", ".dll", ".cpp", ".cc", ".c")
+_INCLUDE = pattern(r"^-?s?include[ \t]+([\w./ -]{1,200})$", re.MULTILINE)
 _MAIN = pattern(r"^[ \t]*(?:int|auto)\s+main\s*\(", re.MULTILINE)
 _SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu")
 MOST_SOURCES = 200
@@ -89,7 +90,10 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
     from roslab.evidence.native import compile_scripts  # noqa: PLC0415 - as above
 
     text = repository.read(file)
-    if _OTHERS.search(text) or not _COMPILES.search(text):
+    if _OTHERS.search(text):
+        return None
+    text = with_included(text, file.folder, repository)
+    if not _COMPILES.search(text):
         return None
     names = [*_OUTPUT.findall(text)]
     names += [posixpath.basename(word) for written in _TARGET.findall(text) for word in written.split()]
@@ -105,6 +109,22 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
         cuda=compile_scripts.for_cuda(text),
         modules=compile_scripts.modules(text),
     )
+
+
+def with_included(text: str, folder: str, repository: Repository) -> str:
+    """Return a Makefile with the text of each file of the tree that it includes by its name in the place of that line.
+
+    What these include in turn is taken too, by its path from the ``folder`` in which make is run.
+    """
+    taken: set[str] = set()
+
+    def put(match: re.Match[str]) -> str:
+        paths = [posixpath.normpath(posixpath.join(folder, word)) for word in match[1].split()]
+        new = [path for path in paths if path not in taken and repository.has(path)]
+        taken.update(new)
+        return "".join(f"\n{_INCLUDE.sub(put, repository.read(path, limit=MAX_SIZE))}\n" for path in new) or match[0]
+
+    return _INCLUDE.sub(put, text) if "include" in text else text
 
 
 def _only(text: str) -> str | None:

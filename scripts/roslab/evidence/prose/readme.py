@@ -39,6 +39,7 @@ from roslab.evidence.prose.failing import of_failure
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
 from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
+from roslab.evidence.prose.in_sentences import IN_SENTENCES, in_sentence
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.own_files import with_files, with_files_below
@@ -61,41 +62,13 @@ _START = pattern(
     r"rosrun|gz|ign|gazebo|webots|catkin|catkin_make|catkin_make_isolated|colcon|cmake|make|ninja|uv|poetry|pipenv|pdm|pixi|xvfb-run|mpirun|torchrun|accelerate|torchpack|horovodrun|streamlit|jupyter(?:-notebook|-lab)?|(?:ba)?sh|mkdir|(?:ros)?cd|"
     r"wget|curl|gdown|dpkg|docker|add-apt-repository)\s.*|catkin_make(?:_isolated)?|(?:\.{1,2}|build|bin)/[\w./+-]+(?:\s.*)?)$"
 )
-_NAMED = pattern(r"\b(?:run|start|launch|execute)\b(?:\s+the)?(?:\s+\w+)?\s+`([A-Za-z][\w+-]*)`", re.IGNORECASE)
-"""A sentence that runs a program by its name."""
-_GO_INTO = pattern(
-    r"\b(?:go|change|move|navigate|enter|cd)\b(?:\s+(?:in|to|into|inside|the|folder|directory)){0,4}\s+"
-    r"`([\w.-]+/[\w./-]*)`",
-    re.IGNORECASE,
-)
-"""A sentence that goes into a folder of the tree before a block of commands."""
-_CLONED = pattern(
-    r"\bclone\b(?:\s+(?:the|from|repo|repository|package|library|official)){0,4}[\s:]+(?:\[[^\]\n]{1,80}\]\()?<?"
-    r"(https://(?:github|gitlab)\.com/[\w-]+/[\w.-]*\w)(?=[\s)>.,;]|$)(?![^`]*`)",
-    re.IGNORECASE,
-)
-"""A sentence that has the reader clone a repository by its address."""
-_NAMED_PYTHON = pattern(
-    r"\b(?:run|runn?ing|start|launch|execute|use)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
-    r"`{1,3}([\w./-]+\.py(?: [^`\n]{0,200})?)`{1,3}(?!`|\s+as\b)",
-    re.IGNORECASE,
-)
-"""A sentence that runs a file of Python; what is used *as* something is read by another program."""
-_NAMED_SHELL = pattern(
-    r"\b(?:run|runn?ing|start|launch|execute)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
-    r"`(?:(?:\./)?~/[\w.-]+/|\./)((?:[\w.-]+/)+[\w.-]+\.sh(?: [^`<\n]{0,200})?)`",
-    re.IGNORECASE,
-)
-"""A sentence that runs a script below a folder of the tree, which may lie in the reader's home."""
-_IN_SENTENCES: Signs = (("`", _NAMED), (".py", _NAMED_PYTHON), (".sh", _NAMED_SHELL), ("`", _GO_INTO), ("://", _CLONED))
-"""What a sentence tells to do, each after a part of it."""
-_SAID_LAUNCH = pattern(
-    r"(?<![`\w/-])(?:roslaunch|ros2 launch) +(?:[a-z]\w+ +[\w./-]+|(?:~/)?[\w.-]+/[\w./-]+)"
-    r"(?:\.launch(?:\.(?:py|xml|ya?ml))?|_launch\.py)"
-    r"(?: +\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
-)
-"""A launch in a sentence, by a package or a path: ``Run "roslaunch demo map.launch" to start``."""
 _SPAN = pattern(r"(`+)(.+?)\1")
+_ALONE = pattern(
+    r"\s{0,12}(?:[-*+]\s+|\d{1,2}[.)]\s+)?(`{1,2})\s{0,4}(?:\$\s+)?([^`\n]{1,300}?)\s{0,4}\1\s{0,4}(?:<br\s?/?>)?\s*"
+)
+"""A line that is nothing but code."""
+_BARE = pattern(r"make|ninja|\./[\w./+-]+")
+"""A command without arguments, where it is the whole line."""
 _SUBSTITUTED = pattern(r"(?<=[\w:=/-])`[^`\n]+`|`[^`\n]+`(?=/\w)")
 """What a shell fills in within a word: ``-I:`rospack find demo`/msg``."""
 _THERE = pattern(r"cd\s+[^\s;&|()]+\s*(?:;|&&)\s*[^\s()][^()]*$")
@@ -240,7 +213,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     shown = with_examples(with_first_choice(without_remarks(text)))
     lines = with_synopses(shown.split("\n")) if "[-" in shown else shown.split("\n")
     signs = signs_in(shown) if not also else ()
-    signed = lines_with(shown, (*signs, *_IN_SENTENCES)) if not also else frozenset()
+    signed = lines_with(shown, (*signs, *IN_SENTENCES)) if not also else frozenset()
     titles: dict[int, str] = {}
     elsewhere = index = 0
     fenced = False
@@ -276,11 +249,13 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
 
 def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
     """Tell whether a line may hold a command; ``signs`` are those of its page."""
-    return telling(line, signs) or (not fenced and telling(line, _IN_SENTENCES))
+    return telling(line, signs) or (not fenced and telling(line, IN_SENTENCES))
 
 
 def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
     line = typed(line)
+    if not fenced and (alone := _ALONE.fullmatch(line)) and (_START.match(alone[2]) or _BARE.fullmatch(alone[2])):
+        line, fenced = alone[2], True
     if match := _START.match(line.replace("\\\n", "\\\x01")):
         shell = _PROMPT.sub("", match[1].strip()).replace("\\\x01", "\\\n")
         # In a block they are the shell's, else Markdown's, but for the distribution in ros-`rosversion -d`-tf
@@ -291,10 +266,4 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
         spans = (typed(s[2]) for s in _SPAN.finditer(line) if not of_failure(line, s.start(), s.end(), s[2].strip()))
         told = (span for span in spans if telling(span, signs) and " " in span)
         yield from (f"({span})" if _THERE.match(span) else span for span in told)  # a shell of its own
-        yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
-        yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
-        quoted = "`" in line
-        yield from (f"cd {named[1]}" for named in (_GO_INTO.finditer(line) if quoted else ()))
-        yield from (f"./{named[1]}" for named in (_NAMED.finditer(line) if quoted else ()))
-        yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
-        yield from (f"./{named[1]}" for named in (_NAMED_SHELL.finditer(line) if ".sh" in line else ()))
+        yield from in_sentence(line)
