@@ -27,7 +27,7 @@ def require_something(evidence: Evidence, config: Config, folder_name: str) -> N
     sources = [git for git in evidence.sources if git.kind != "link" and plain(git.name) != plain(folder_name)]
     found = (
         *(evidence.manifests, evidence.cmake, evidence.python, evidence.requirements, evidence.conda),
-        *(evidence.dockerfiles, evidence.programs, evidence.notebooks),
+        *(evidence.makefiles, evidence.dockerfiles, evidence.programs, evidence.notebooks),
         *(sources, evidence.code, evidence.cuda_files),
         *(mention for mention in evidence.mentions if file_of(mention)),
     )

@@ -40,17 +40,37 @@ def test_nothing_is_replaced_where_nothing_is_said(tmp_path: Path) -> None:
     assert "any-processor" not in written(tmp_path, files)
 
 
+MAKE = {
+    "Makefile": "include flags.mk\nTARGET = a\n$(TARGET): a.cpp\n\t$(CXX) $(CXXFLAGS) -o $@ $<\n",
+    "flags.mk": "CXXFLAGS += -O3 -march=native\n",
+    "a.cpp": "int main() {}\n",
+}
+
+
+def test_the_option_of_a_makefile_is_replaced_before_make(tmp_path: Path) -> None:
+    text = written(tmp_path, MAKE)
+    assert text.index("\nRUN any-processor /home/${NB_USER}/") < text.index("\n && make")
+
+
+def test_makefiles_beside_cmake_are_not_read(tmp_path: Path) -> None:
+    assert "any-processor" not in written(
+        tmp_path, MAKE | {"CMakeLists.txt": CPP["CMakeLists.txt"].replace(NATIVE, "")}
+    )
+
+
 @pytest.mark.skipif(platform.machine() != "x86_64", reason="the words are those of a PC")
-def test_the_script_replaces_the_option_in_cmake_files_only(tmp_path: Path) -> None:
+def test_the_script_replaces_the_option_in_build_files_only(tmp_path: Path) -> None:
     said = "add_compile_options(-march=native -mtune=native -marchnative)\n"
     (tmp_path / "a folder").mkdir()
-    for name in ("a folder/CMakeLists.txt", "flags.cmake", "README.md"):
+    for name in ("a folder/CMakeLists.txt", "flags.cmake", "flags.mk", "README.md"):
         (tmp_path / name).write_text(said, encoding="utf-8")
     script = Path(image_scripts.__path__[0]) / "any-processor.sh"
     subprocess.run(["bash", str(script), str(tmp_path)], check=True)
     other = "add_compile_options(-march=core-avx2 -mtune=native -marchnative)\n"
-    found = [(tmp_path / name).read_text() for name in ("a folder/CMakeLists.txt", "flags.cmake", "README.md")]
-    assert found == [other, other, said]
+    found = [
+        (tmp_path / name).read_text() for name in ("a folder/CMakeLists.txt", "flags.cmake", "flags.mk", "README.md")
+    ]
+    assert found == [other, other, other, said]
 
 
 @pytest.mark.parametrize(("machine", "option"), [("x86_64", "-msse4.2"), ("aarch64", "-pipe")])

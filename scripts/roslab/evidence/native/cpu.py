@@ -12,6 +12,7 @@ from roslab.values.pattern import pattern
 MAX_FILES = 300
 """Most CMake files that are searched, those nearest to the root first."""
 MAX_SIZE = 64 * 1024
+MAKEFILES = ("Makefile", "makefile", "GNUmakefile")
 _NATIVE = pattern(r"^[^#\n]*?(-m(?:arch|cpu)=native)\b", re.MULTILINE)
 
 
@@ -22,8 +23,13 @@ _WHY = (
 
 
 def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
-    """Yield what the author should know of the first such option: the message, the file and the line."""
+    """Yield what the author should know of the first such option: the message, the file and the line.
+
+    Makefiles count where neither CMake nor ROS builds the tree.
+    """
     files = [*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake")]
+    if not repository.named("CMakeLists.txt", "package.xml"):
+        files = [*repository.named(*MAKEFILES), *repository.suffixed(".mk")]
     kept = (f for f in files if f.size <= MAX_SIZE and not places.test(f.path) and not places.example(f.path))
     for file in sorted(kept, key=lambda f: (places.vendored(f.path), f.path.count("/"), f.path))[:MAX_FILES]:
         text = repository.read(file)

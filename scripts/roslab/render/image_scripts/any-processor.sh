@@ -1,6 +1,6 @@
 #!/bin/bash
 # usage: any-processor FOLDER [OPTION...]
-# Lets CMake files below the folder compile for usual PCs since 2013, or for every ARM of 64 bits, where they compile for the
+# Lets CMake files and Makefiles below the folder compile for usual PCs since 2013, or for every ARM of 64 bits, where they compile for the
 # processor of the machine that builds: on another one the programs may stop with an illegal instruction. What uses
 # instructions of that PC, AVX2 and older ones, compiles as before.
 # The options, which the compiler for ARM does not know, are replaced there by one without effect; where CMake only asks
@@ -23,5 +23,6 @@ if [ "$processor" = armv8-a ]; then
   done
 fi
 { grep --recursive --files-with-matches --null --include=CMakeLists.txt --include='*.cmake' \
+  --include=Makefile --include=makefile --include=GNUmakefile --include='*.mk' \
   --regexp='-m\(arch\|cpu\)=native' "${@/#/--regexp=}" "$folder" || true; } |
   xargs --null --no-run-if-empty sed --in-place --regexp-extended "${edit[@]}"

@@ -167,7 +167,7 @@ def setups(plan: Plan) -> list[str]:
 def any_processor(plan: Plan) -> str:
     """Let what is compiled run on all machines of a platform."""
     place = plan.workspace
-    if not (place.native or place.without) or not (place.ros or place.program or place.inside):
+    if not (place.native or place.without) or not (place.ros or place.program or place.inside or place.scripts):
         return ""
     folder = f"{WS}/src" if place.ros else quote.shell_with_user(source_folder(plan))
     comment = "For every machine of the platform, not only for the one that builds"
