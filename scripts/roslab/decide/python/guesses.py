@@ -87,6 +87,16 @@ def guesses(
     return tuple(found.values())[:MAX_GUESSES]
 
 
+def _tries_torch(evidence: Evidence) -> bool:
+    """Tell whether CMake only tries to find torch: where pip's is there, whose CUDA the base lacks, it stops.
+
+    https://github.com/pytorch/pytorch/blob/v2.1.0/cmake/Caffe2Config.cmake.in, read 2026-11-27.
+    """
+    asked = (each for made in evidence.cmake if not places.aside(made.file) for each in made.dependencies)
+    found = [each.strength for each in asked if each.namespace == "cmake" and each.name == "Torch"]
+    return bool(found) and all(strength == "optional" for strength in found)
+
+
 def _limits(evidence: Evidence) -> dict[str, str]:
     """Return by name the versions that packages of the tree allow of what they need, installed or not."""
     asked = (each for project in evidence.python if not places.vendored(project.file) for each in project.requirements)
@@ -137,7 +147,8 @@ def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
     """
     for each in evidence.code:
         told = each.role == "told" and each.name not in FRAMEWORKS
-        counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests))
+        tried = each.name == "torch" and _tries_torch(evidence)
+        counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests) and not tried)
         if each.namespace == "import" and counts and not places.test(each.file):
             yield each
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslab.evidence.python.needs_gpu import needs_gpu, only_asks
@@ -17,15 +18,17 @@ _KINDS = (
     ("cython", pattern(r"cythonize|[Cc]ython")),
     ("cmake", pattern(r"CMakeExtension|CMakeBuild|skbuild|scikit_build|['\"]cmake['\"]")),
 )
+_COMMENTS = pattern(r"^[ \t]*#[^\n]*", re.MULTILINE)
 _NOT_EDITABLE = pattern(r"\bdisable_editable\s*=\s*True\b")
 
 
 def extensions(text: str) -> tuple[str, ...]:
-    """Return what kinds of code a build script compiles, by the names it uses."""
-    found = [kind for kind, names in _KINDS if names.search(text)]
-    if needs_gpu(text):
-        found.append("gpu asked" if only_asks(text) else "gpu")
-    if _NOT_EDITABLE.search(text):
+    """Return what kinds of code a build script compiles, by the names it uses; not in lines that are a comment."""
+    code = _COMMENTS.sub("", text) if "#" in text else text
+    found = [kind for kind, names in _KINDS if names.search(code)]
+    if needs_gpu(code):
+        found.append("gpu asked" if only_asks(code) else "gpu")
+    if _NOT_EDITABLE.search(code):
         found.append("not editable")
     return tuple(found)
 
