@@ -41,6 +41,7 @@ from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
 from roslab.evidence.prose.in_sentences import IN_SENTENCES, in_sentence
 from roslab.evidence.prose.installs import Collector
+from roslab.evidence.prose.marks import without_marks
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.own_files import with_files, with_files_below
 from roslab.evidence.prose.own_scripts import called, checked, of_python
@@ -253,8 +254,8 @@ def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
 
 
 def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
-    line = typed(line)
-    if not fenced and (alone := _ALONE.fullmatch(line)) and (_START.match(alone[2]) or _BARE.fullmatch(alone[2])):
+    line = without_marks(typed(line))
+    if (alone := _ALONE.fullmatch(line)) and (_START.match(alone[2]) or _BARE.fullmatch(alone[2])):
         line, fenced = alone[2], True
     if match := _START.match(line.replace("\\\n", "\\\x01")):
         shell = _PROMPT.sub("", match[1].strip()).replace("\\\x01", "\\\n")
