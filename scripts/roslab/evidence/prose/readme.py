@@ -254,7 +254,7 @@ def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
 
 
 def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
-    line = without_marks(typed(line))
+    line = without_marks(typed(line), fenced=fenced)
     if (alone := _ALONE.fullmatch(line)) and (_START.match(alone[2]) or _BARE.fullmatch(alone[2])):
         line, fenced = alone[2], True
     if match := _START.match(line.replace("\\\n", "\\\x01")):
