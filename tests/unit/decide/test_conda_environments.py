@@ -189,3 +189,16 @@ def test_pip_gets_of_conda_s_list_what_it_had_installed_where_no_environment_is_
     decision = tree({"ws/node/package.xml": package, "ws/node/CMakeLists.txt": cmake, "ws/node/requirements.txt": text})
     assert [each.text for each in decision.python.pip if each.file.endswith(".txt")] == ["einops==0.3.0"]
     assert [each.text for each in decision.python.pip_tried] == ["einops==0.3.0"]
+
+
+REFUSED = "dependencies:\n  - python=3.8\n  - numpy\n  - pip:\n    - pytorch3d\n    - dataclasses==0.8\n    - click\n"
+
+
+def test_what_pip_cannot_install_is_taken_out_of_a_conda_file(tree: Tree) -> None:
+    found = tree({"environment.yml": REFUSED, "main.py": "import numpy, click\n"})
+    assert found.python.conda_local == ("pytorch3d", "dataclasses==0.8")
+    assert found.python.conda_pip
+    assert [each.url for each in found.python.pip_guessed] == ["git+https://github.com/facebookresearch/pytorch3d"]
+    told = " ".join(each.message for each in found.warnings)
+    assert "pip cannot install pytorch3d" in told
+    assert "3.8 has the module itself" in told

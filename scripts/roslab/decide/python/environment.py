@@ -16,6 +16,7 @@ from roslab.decide.python.conda_channels import default_channels, further_channe
 from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
+from roslab.decide.python.conda_refused import conda_refused, instead_of, told_of
 from roslab.decide.python.contradicted import contradicted
 from roslab.decide.python.contradicting import contradicting
 from roslab.decide.python.extension_code import decide_defines
@@ -153,15 +154,25 @@ def decide_python(
     ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
+    off = conda_refused(listed, number)
     older = setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ())
     in_conda = limits_of(evidence, conda, kind)
     chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if not in_python(each, runs)))
     compiled_first, guessed = first_and_guesses(
         (*declared, *manifests, *native.answer.brought), chosen, interpreter, cmake=manager != "system"
     )
-    by_name = bool(compiled_first or declared or chosen.guessed or chosen.projects)
     options = fitting_pages(
-        (*indexes, *build.answer[1], *file_options(evidence, chosen, repaired, by_name=by_name), *chosen.options),
+        (
+            *indexes,
+            *build.answer[1],
+            *file_options(
+                evidence,
+                chosen,
+                repaired,
+                by_name=bool(compiled_first or declared or chosen.guessed or chosen.projects),
+            ),
+            *chosen.options,
+        ),
         (*limits, *everything),
     )
     answer = Python(
@@ -171,7 +182,7 @@ def decide_python(
         interpreter=interpreter,
         pip=tuple(dict.fromkeys(declared)),
         pip_tried=repaired.tried,
-        pip_guessed=tuple(dict.fromkeys(one_build(right(guessed), cuda))),
+        pip_guessed=tuple(dict.fromkeys((*one_build(right(guessed), cuda), *instead_of(off, number)))),
         requirements=tuple(file.file for file in whole),
         beside_files=beside_lists(right(chosen.guessed), whole),
         cloned_files=cloned_files(evidence, chosen.files),
@@ -183,8 +194,8 @@ def decide_python(
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,
         conda_channels=(*(pixi or alone).channels, *further_channels(evidence, conda)),
-        conda_local=tuple(each.written for each in listed if each.role == "project"),
-        conda_pip=any(each.role != "project" for each in listed),
+        conda_local=tuple(each.written for each in listed if each.role == "project" or each in off),
+        conda_pip=any(each.role != "project" and each not in off for each in listed),
         conda_no_channels=no_channels(evidence, conda),
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
@@ -237,6 +248,7 @@ def decide_python(
             *lost(evidence, kind, chosen, ubuntu if manager == "system" else None),
             *without_history(evidence),
             *consents(chosen.guessed, evidence),
+            *told_of(off, number),
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
             *(gone_lists(evidence) if kind in {"python", "cuda"} else ()),

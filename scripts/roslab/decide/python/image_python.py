@@ -55,7 +55,7 @@ class Python:
     conda_defaults: bool = False
     """The environment file counts on conda's default channels, which conda adds by itself and micromamba does not."""
     conda_local: tuple[str, ...] = ()
-    """Folders of the tree that the conda file installs, as it writes them; they are ``projects``."""
+    """Lines for pip that are taken out of the conda file: folders of the tree, and what pip cannot install."""
     conda_pip: bool = True
     """The conda file has pip install something else."""
     conda_no_channels: tuple[str, ...] = ()

@@ -182,7 +182,7 @@ def repair(
         warnings += map(_in_full, short)
         cloned = cloned_files(evidence, [file])
         warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
-        warnings += [_warning(asked) for asked in missing if asked.key not in names]
+        warnings += [unfit(asked) for asked in missing if asked.key not in names]
         warnings += [loose.get(asked) or told(asked, python) for asked in newer]
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
@@ -195,7 +195,7 @@ def repair(
         if any((taken, missing, short, newer, any(asked.role for asked in found))):
             alone.append(project.folder or ".")
             kept += _kept(loosened(found, python), names, pages)
-            warnings += [*map(_warning, missing), *map(_in_full, short), *(told(asked, python) for asked in newer)]
+            warnings += [*map(unfit, missing), *map(_in_full, short), *(told(asked, python) for asked in newer)]
     return Repaired(
         requirements=tuple(kept),
         tried=tuple(dict.fromkeys(tried)),
@@ -209,7 +209,7 @@ def untold(guessed: Iterable[Requirement], brought: Collection[str]) -> Iterator
     """Yield a warning for each guess that pip cannot install and that nothing else, such as conda, has ``brought``."""
     for asked in guessed:
         if (row := refused(asked)) and not row.instead and asked.key not in brought and asked.origin != "import":
-            yield _warning(asked)
+            yield unfit(asked)
 
 
 def _kept(found: Iterable[Requirement], own: set[str], pages: Mapping[str, Requirement]) -> list[Requirement]:
@@ -230,7 +230,8 @@ def _in_full(asked: Requirement) -> Warning_:
     return warn(_SHORT.format(asked=asked.written, taken=in_full(asked).written), asked)
 
 
-def _warning(asked: Requirement) -> Warning_:
+def unfit(asked: Requirement) -> Warning_:
+    """Return the warning about a name that pip cannot install, with what is installed in its place."""
     if row := of_ros(asked.key):
         message = f"{row.why}, which its own packages bring and pip does not; it is left out here ({row.source})"
         return warn(f"{asked.key} is not installed by pip: {message}", asked)
