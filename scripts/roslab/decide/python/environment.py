@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
-from roslab.decide.decision import Choice, Reason
+from roslab.decide.decision import Choice
 from roslab.decide.python.agreeing import agreeing
 from roslab.decide.python.beside_nodes import Loose, beside_nodes
 from roslab.decide.python.bounds import decide_bounds
@@ -29,6 +29,7 @@ from roslab.decide.python.gpu_projects import asking, left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.indexes import file_options, indexes_of
+from roslab.decide.python.kept_by_build_types import kept_by_build_types
 from roslab.decide.python.left_frameworks import left_frameworks
 from roslab.decide.python.locked import locked_releases, of_what_is_installed
 from roslab.decide.python.lost import lost, with_told_links, without_history
@@ -50,19 +51,14 @@ from roslab.decide.python.refused import Repaired, elsewhere, in_full, of_pages,
 from roslab.decide.python.too_new import in_python, loosened
 from roslab.decide.python.torch_build import decide_build
 from roslab.decide.python.undeclared import decide_undeclared
-from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.python.wheel_pages import fitting_pages
-from roslab.decide.reasons import because
-from roslab.decide.ros.workspace import packages_of, ros_versions, types
 from roslab.decide.system.cmake_version import from_pip
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import python_of_ubuntu
-from roslab.knowledge.frameworks import kept_for_build_types
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
-from roslab.values.requirement_line import stated
 from roslab.values.version import minor_of
 
 
@@ -95,7 +91,7 @@ def decide_python(
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
     of_file = [asked for asked in _of_environment(evidence, chosen) if not asked.role and (manager != "conda" or pixi)]
     declared = [*lists.requirements, *repaired.requirements, *map(in_full, of_file)]
-    kept = dict(_kept(evidence, [*declared, *chosen.guessed, *manifests]))
+    kept = dict(kept_by_build_types(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
     extended = kind == "cuda" and manager != "system" and (extends_torch(evidence, chosen) or bool(by_script(evidence)))
     aged = older_torch((pin.requirement for pin in pins), cuda) if extended else None
@@ -281,18 +277,6 @@ def _own_names(evidence: Evidence) -> set[str]:
     """Return the names of the tree's own projects and of what is cloned."""
     names = {project.name for project in evidence.python} | {git.name.rpartition("/")[2] for git in evidence.sources}
     return {canonicalize_name(name) for name in names if name}
-
-
-def _kept(evidence: Evidence, asked: Sequence[Requirement]) -> Iterator[tuple[Requirement, Reason]]:
-    """Yield what building the packages needs in a version that pip might replace, if pip installs anything."""
-    named = {each.key for each in asked}
-    for manifest in packages_of(evidence).built if asked else ():
-        for build_type in sorted(types(manifest, 2)) if 2 in ros_versions(manifest) else ():
-            for line, why in kept_for_build_types().get(build_type, ()):
-                kept = stated(line, "table", manifest.file, manifest.line)
-                if kept.key not in named:
-                    named.add(kept.key)
-                    yield kept, because("dependencies", line, f"{build_type}: {why}", manifest, weight=Weight.MANIFEST)
 
 
 def _of_manifests(evidence: Evidence, chosen: Chosen) -> list[Requirement]:
