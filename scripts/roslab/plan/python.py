@@ -50,6 +50,8 @@ class PythonPlan:
     cloned_files: tuple[str, ...] = ()
     unseen: tuple[str, ...] = ()
     gpu_asked: tuple[str, ...] = ()
+    imported: tuple[str, ...] = ()
+    """Those of ``unseen`` that are left out where pip cannot install them."""
     setuptools: str = ""
     copied: tuple[str, ...] = ()
     """Own projects that are not installed editable."""
@@ -101,6 +103,7 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         cloned_files=python.cloned_files,
         unseen=python.unseen,
         gpu_asked=python.gpu_asked,
+        imported=python.imported,
         setuptools=python.setuptools.written if python.setuptools else "",
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,

@@ -206,3 +206,33 @@ def test_a_node_imports_what_no_table_knows(tree: Tree, files: dict[str, str], t
     said = [w for w in found.warnings if "no table knows which package brings it" in w.message]
     assert [(w.file, w.line) for w in said] == told
     assert all("or its repository under `source`" in w.message for w in said)
+
+
+@pytest.mark.parametrize(
+    ("name", "more", "told"),
+    [
+        ("arm-brumby", "", True),
+        ("brumby-arm-play", "", True),
+        ("arm-brumby", ", ext_modules=[Extension('brumby', [])]", False),
+        ("arm-play", ", extras_require={'sim': ['brumby-core']}", False),
+    ],
+)
+def test_a_project_is_called_after_what_it_needs(tree: Tree, name: str, more: str, *, told: bool) -> None:
+    setup = SETUP.replace("'play'", repr(name)).replace("])", "]" + more + ")")
+    found = tree({**PAGE, "play.py": "import numpy\nimport brumby\n", "setup.py": setup})
+    assert any("brings it: brumby;" in warning.message for warning in found.warnings) == told
+
+
+@pytest.mark.parametrize("package", ["brumby_mpc", "mpc_brumby"])
+def test_a_package_of_ros_is_called_after_what_it_needs(tree: Tree, package: str) -> None:
+    manifest = f"<package><name>{package}</name><buildtool_depend>catkin</buildtool_depend></package>"
+    cmake = f"project({package})\nfind_package(catkin REQUIRED)\n"
+    found = tree({"package.xml": manifest, "CMakeLists.txt": cmake, "src/a.py": "import rospy\nimport brumby\n"})
+    assert any("brings it: brumby;" in warning.message for warning in found.warnings)
+
+
+def test_what_a_page_only_clones_may_bring_it_and_is_not_in_the_image(tree: Tree) -> None:
+    page = "# Install\n```\ngit clone git@github.com:lab/brumby_control.git\n```\n# Run\n```\npython play.py\n```\n"
+    found = tree({"README.md": page, "play.py": "import numpy\nimport brumby\n", "requirements.txt": "numpy\n"})
+    (said,) = [warning.message for warning in found.warnings if "no table" in warning.message]
+    assert "unless a declared package or brumby_control (https://github.com/lab/brumby_control.git) brings it" in said

@@ -232,3 +232,70 @@ def test_the_distributions_library_in_place_of_a_submodule_is_told(
     files = {".gitmodules": CARRIES, "CMakeLists.txt": TOP.format(cmake), "a.cpp": "int main() {}\n"}
     warnings = [w.message for w in tree(files | more).warnings if "as the submodule deps/yaml-cpp" in w.message]
     assert bool(warnings) == told
+
+
+def linked(tmp_path: Path, files: dict[str, str], folder: str) -> Path:
+    def git(*words: str) -> None:
+        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
+
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    git("init")
+    git("add", ".")
+    git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{folder}")
+    git("commit", "--message", "a")
+    return tmp_path
+
+
+PLAY = {"play.py": f"import numpy\nfrom brumby.utils import load\n{MAIN}", "requirements.txt": "numpy\n"}
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        "git@github.com:lab/brumby_control.git",
+        "ssh://git@github.com/lab/brumby_control.git",
+        "git://github.com/lab/brumby_control.git",
+        "https://github.com/lab/brumby_control.git",
+    ],
+)
+def test_an_address_of_ssh_is_cloned_by_https(tmp_path: Path, url: str) -> None:
+    page = f"# Install\n```\ngit clone {url}\n```\n# Run\n```\npython play.py\n```\n"
+    plan = plan_repository(linked(tmp_path, {"README.md": page, **PLAY}, "brumby_control")).plan
+    modules = [(each.name, each.repo, each.ref) for each in plan.workspace.submodules]
+    assert modules == [("brumby_control", "https://github.com/lab/brumby_control.git", COMMIT)]
+    text = dockerfile(plan)  # what it holds is unknown: the package may lie at its top, or in its own folder
+    for folder in ("brumby_control", "brumby_control/brumby"):
+        assert f"--editable ./{folder} || echo 'roslab: left out: pip cannot install {folder}'; \\\n" in text
+        assert f"if [ -e ./{folder}/setup.py ] || [ -e ./{folder}/pyproject.toml ]; then" in text
+
+
+@pytest.mark.parametrize(
+    ("code", "page", "folders"),
+    [
+        ("import brumby_control", "", ("brumby_control", "brumby_control/brumby_control")),
+        ("import brumby", "pip install -e brumby_control/brumby\n", ("brumby_control/brumby",)),  # the page says where
+        ("import control", "", ()),  # the end of its name, and a package of pip's index
+        ("try:\n    import brumby\nexcept ImportError:\n    pass", "", ()),
+        ("import brumbys", "", ()),
+    ],
+)
+def test_a_submodule_is_installed_where_the_code_imports_it(
+    tree: Tree, code: str, page: str, folders: tuple[str, ...]
+) -> None:
+    modules = '[submodule "a"]\n\tpath = brumby_control\n\turl = https://github.com/lab/brumby_control.git\n'
+    files = {"play.py": f"import numpy\n{code}\n{MAIN}", "requirements.txt": "numpy\n", ".gitmodules": modules}
+    python = tree({**files, "README.md": f"# Run\n```\n{page}python play.py\n```\n"}).python
+    assert python.projects == python.unseen == folders
+    assert python.imported == (() if page else folders)
+
+
+def test_a_submodule_that_cannot_be_cloned_is_told(tree: Tree) -> None:
+    modules = '[submodule "a"]\n\tpath = planner\n\turl = ../planner.git\n'  # of an origin that nothing tells
+    decision = tree({**PLAY, ".gitmodules": modules})
+    assert decision.submodules == ()
+    (told,) = [each for each in decision.warnings if "is empty in the image" in each.message]
+    assert told.message.startswith("planner is empty in the image, and what needs it stops: ../planner.git is no addr")
+    assert (told.file, told.line) == (".gitmodules", 3)

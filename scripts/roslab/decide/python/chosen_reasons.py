@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.decide.decision import Reason
+from roslab.decide.python.imported_submodules import imported
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
@@ -19,8 +20,10 @@ def reasons_of(chosen: Chosen, alone: Iterable[Requirement]) -> Iterator[Reason]
     """Yield a reason for each list, project, environment and package; ``alone``: what conda alone has."""
     for file in chosen.files:
         yield because("dependencies", file.file, "requirements of the project", file, weight=Weight.MANIFEST)
+    sought = {*imported(chosen.projects)}
     for project in chosen.projects:
-        yield because("dependencies", project.folder or ".", "installable project", project, weight=Weight.MANIFEST)
+        why = "installable project" if project.folder not in sought else "imported, and the submodule is called like it"
+        yield because("dependencies", project.folder or ".", why, project, weight=Weight.MANIFEST)
     for asked in chosen.declared:
         why = f"{asked.file} declares it; what builds the project stops at it"
         yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)

@@ -28,6 +28,7 @@ from roslab.decide.python.gone_lists import gone_lists
 from roslab.decide.python.gpu_projects import asking, left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.image_python import Python
+from roslab.decide.python.imported_submodules import imported
 from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.kept_by_build_types import kept_by_build_types
 from roslab.decide.python.left_frameworks import left_frameworks
@@ -186,6 +187,7 @@ def decide_python(
         projects=tuple(project.folder or "." for project in chosen.projects),
         unseen=unseen(evidence, chosen.projects),
         gpu_asked=asking(evidence, kind),
+        imported=imported(chosen.projects),
         alone=repaired.alone,
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,

@@ -45,6 +45,8 @@ class Python:
     """Those of ``projects`` that lie in submodules which are not checked out: they may be none."""
     gpu_asked: tuple[str, ...] = ()
     """Folders with a setup.py that stops where torch sees no GPU, and asks for nothing else of one."""
+    imported: tuple[str, ...] = ()
+    """Those of ``unseen`` for which nothing but an import speaks: what pip cannot install of them is left out."""
     alone: tuple[str, ...] = ()
     """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
     conda_file: str | None = None

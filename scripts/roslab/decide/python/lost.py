@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterator, Sequence, Set
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
-from roslab.decide.python.guesses import known_names
+from roslab.decide.python.guesses import known_names, known_requirements
 from roslab.decide.python.on_index import on_index
 from roslab.decide.python.packages import Chosen
 from roslab.decide.reasons import warn
@@ -53,6 +53,7 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> 
             *(["a declared package"] if _declares(chosen) else []),
             *(["a submodule"] if _absent(evidence) else []),
             *(f"{git.name} ({git.url})" for git in _told(evidence) if f"git+{https(git.url)}" in installed),
+            *dict.fromkeys(f"{git.name} ({https(git.url)})" for git in _may_bring(evidence, unknown[:MOST])),
         ]
         unless = f"unless {' or '.join(others)} brings it, " if others else ""
         name = "name the package under `pip`" + (" or its repository under `source`" if kind in _OF_ROS else "")
@@ -92,7 +93,7 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     told = {bare_name(git.name) for git in _told(evidence)}
     found = [used for used in found if not _of_ros(used.name) or _begins_like(used.name, told)]
     if found and (_declares(chosen) or _absent(evidence)):
-        known = _known(evidence, chosen)
+        known = _known(_without_left(evidence), chosen)
         stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
         stems -= _of_itself(evidence, chosen)
         found = [each for each in found if not _begins_like(each.name, stems) or _begins_like(each.name, told)]
@@ -111,18 +112,20 @@ def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Depend
     if kind not in _OF_ROS:
         return
     named = {asked.name for manifest in evidence.manifests for asked in manifest.dependencies}
-    named |= {manifest.name for manifest in evidence.manifests if manifest.name}
     named |= {asked.name for asked in evidence.prose if asked.namespace in {"apt", "ros", "rosdep"}}
-    named |= {project.name for project in evidence.cmake if project.name}
     named |= {name for project in evidence.cmake for name in (*project.targets, *project.made)}
-    known = _known(evidence, chosen) | _parts({canonicalize_name(name) for name in named})
+    own = {manifest.name for manifest in evidence.manifests if manifest.name}
+    own |= {project.name for project in evidence.cmake if project.name}  # called after what it needs: px4_mpc
+    own = {canonicalize_name(name) for name in own}
+    known = _known(evidence, chosen) | _parts({canonicalize_name(name) for name in named} - own)
     stems = {part for part in known if len(part) >= SHORTEST}
     for used in evidence.code:
         name = canonicalize_name(used.name)
         tabled = name in not_on_index() or used.name in imports() or of_python2(used.name) or on_index(evidence, used)
-        if not _always(used) or name in known or tabled:
+        if not _always(used) or name in known | own or tabled:
             continue
-        if not (_of_ros(used.name) or used.name.endswith(_MESSAGES) or _begins_like(used.name, stems)):
+        longer = name.startswith(tuple(own))
+        if not (longer or _of_ros(used.name) or used.name.endswith(_MESSAGES) or _begins_like(used.name, stems)):
             yield used
 
 
@@ -153,9 +156,7 @@ def _refused(evidence: Evidence, chosen: Chosen) -> Iterator[Dependency]:
     """
     used = [each for each in evidence.code if canonicalize_name(each.name) in not_on_index()]
     if used := [each for each in used if _always(each)]:
-        only = {git for git in evidence.sources if git.kind == "clone" and not (git.installed or git.beside)}
-        left = tuple(git for git in evidence.sources if git not in only)
-        known = _known(replace(evidence, sources=left), chosen)
+        known = _known(_without_left(evidence), chosen)
         yield from (each for each in used if canonicalize_name(each.name) not in known)
 
 
@@ -166,7 +167,7 @@ def _always(used: Dependency) -> bool:
 
 def _imported(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Dependency]:
     """Yield what the code always imports and nothing brings under its own name."""
-    known = _known(evidence, chosen) if kind in {"cuda", "python"} else set()
+    known = _known(_without_left(evidence), chosen) if kind in {"cuda", "python"} else set()
     for used in evidence.code if kind in {"cuda", "python"} else ():
         if _always(used) and canonicalize_name(used.name) not in known:
             yield used
@@ -180,7 +181,39 @@ def _known(evidence: Evidence, chosen: Chosen) -> set[str]:
     known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
     folders = (asked.url.partition("#subdirectory=")[2] for asked in chosen.guessed)
     known |= {canonicalize_name(part) for folder in folders for part in folder.split("/") if part}
-    return known | {part for name in known for part in (*name.split("-"), name.replace("-", ""))}
+    return known | _parts(known - _own(evidence, chosen)) | {name.replace("-", "") for name in known}
+
+
+def _own(evidence: Evidence, chosen: Chosen) -> set[str]:
+    """Return the names of the tree's own projects that nothing else has: each is called after what it needs.
+
+    The tree's own modules are no imports of others. Not of one that compiles: its modules may have any name.
+    """
+    own = {canonicalize_name(each.name) for each in evidence.python if each.name and not each.extensions}
+    asked = {each.key for each in (*chosen.declared, *chosen.guessed, *_extras(evidence))}
+    return (
+        own - asked - {each.key for each in known_requirements(evidence, chosen.files, chosen.projects, chosen.conda)}
+    )
+
+
+def _without_left(evidence: Evidence) -> Evidence:
+    """Return the evidence without what pages only clone, which no image does for a module.
+
+    What is compiled and installed by hand may be built.
+    """
+    return replace(evidence, sources=tuple(git for git in evidence.sources if not _only_cloned(git)))
+
+
+def _may_bring(evidence: Evidence, unknown: Sequence[Dependency]) -> Iterator[GitSource]:
+    """Yield what pages only clone and the beginning of whose name one of the modules has."""
+    for git in evidence.sources:
+        name = {bare_name(part) for part in (git.name, canonicalize_name(git.name).split("-")[0])}
+        if _only_cloned(git) and not git.itself and any(_begins_like(each.name, name) for each in unknown):
+            yield git
+
+
+def _only_cloned(git: GitSource) -> bool:
+    return git.kind == "clone" and not (git.installed or git.beside)
 
 
 def _declares(chosen: Chosen) -> bool:

@@ -11,6 +11,7 @@ from roslab.decide.decision import Warning_
 from roslab.decide.python.beside_lock import beside_lock, left_to_lock
 from roslab.decide.python.compiling import COMPILED_ON_IMPORT
 from roslab.decide.python.gpu_projects import by_scripts, only_on_gpu
+from roslab.decide.python.imported_submodules import imported
 from roslab.decide.python.machine_lists import not_installed, of_machines
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
@@ -199,15 +200,16 @@ def projects(
         depth = min((folder.count("/") for folder in own), default=0)
         near = [folder for folder in own if folder.count("/") == depth and depth <= 1]
         chosen |= {folder: usable[folder] for folder in near[:MAX_PROJECTS]}
-    imported = [m for m in evidence.mentions if m.topic == "sibling" and m.value in usable.keys() - manifests]
-    return tuple(_with_needed(list(chosen.values()), usable, manifests, imported)[:MAX_NAMED])
+    chosen |= {folder: usable[folder] for folder in imported(usable.values())}
+    siblings = [m for m in evidence.mentions if m.topic == "sibling" and m.value in usable.keys() - manifests]
+    return tuple(_with_needed(list(chosen.values()), usable, manifests, siblings)[:MAX_NAMED])
 
 
 def _with_needed(
     chosen: Sequence[PythonProject],
     usable: Mapping[str, PythonProject],
     manifests: set[str],
-    imported: Sequence[Mention],
+    siblings: Sequence[Mention],
 ) -> list[PythonProject]:
     """Return the projects after those of the tree that they need.
 
@@ -224,7 +226,7 @@ def _with_needed(
         for asked in project.requirements:
             if asked.role == "" and not asked.url and asked.key in named:
                 add(named[asked.key])
-        for each in imported:
+        for each in siblings:
             if project.folder and each.file.startswith(f"{project.folder}/"):
                 add(usable[each.value])
         found[project.folder] = project

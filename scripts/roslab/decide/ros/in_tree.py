@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from roslab.config.model import Config, Source
-from roslab.decide.decision import Reason
-from roslab.decide.reasons import because
+from roslab.decide.decision import Reason, Warning_
+from roslab.decide.reasons import because, warn
 from roslab.decide.ros.source_names import address, fixed
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages, packages_of
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.copies import below
+from roslab.evidence.ros.vcs import https
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -22,12 +25,13 @@ _PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
 def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple[GitSource, Source]], list[Reason]]:
     """Return what the image clones there, each under its path, and a reason for each of these and other submodules.
 
+    A page may clone by ssh what a gitlink records: the image has no key, and clones it by https as everything else.
     ``before``: the day of which it is taken where no commit is known.
     """
     empty: list[tuple[GitSource, Source]] = []
     reasons: list[Reason] = []
-    for git in evidence.sources:
-        clone = _CLONED.match(git.url) and _PATH.fullmatch(git.name) and not config.compatible
+    for git in map(_by_https, evidence.sources):
+        clone = _can_be_cloned(git) and not config.compatible
         if git.kind == "inside" and clone:
             taken = git if git.ref else _of_ci(git, evidence)
             empty.append((taken, _source(taken, before or evidence.pip_day or "")))
@@ -43,6 +47,29 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
                 empty.append((git, _source(git, before)))
             reasons.append(because("source", git.name, why, git, weight=Weight.SUBMODULE, decisive=False))
     return empty, reasons
+
+
+def not_cloned(evidence: Evidence, config: Config) -> Iterator[Warning_]:
+    """Yield a warning for each folder of another repository that stays empty in the image, for its address or path.
+
+    A configuration of before clones none at all, as it always did.
+    """
+    for git in map(_by_https, evidence.sources):
+        left = git.kind == "inside" or (git.kind == "submodule" and git.absent)
+        if left and not config.compatible and not _can_be_cloned(git):
+            why = "no address that an image can clone from" if not _CLONED.match(git.url) else "no path that is taken"
+            told = git.name if _CLONED.match(git.url) else git.url
+            message = f"{git.name} is empty in the image, and what needs it stops: {told} is {why}"
+            yield warn(f"{message}; check it out before the build, or give its address under `source`", git)
+
+
+def _by_https(git: GitSource) -> GitSource:
+    url = https(git.url)
+    return git if url == git.url else replace(git, url=url)
+
+
+def _can_be_cloned(git: GitSource) -> bool:
+    return bool(_CLONED.match(git.url) and _PATH.fullmatch(git.name))
 
 
 def inside_packages(evidence: Evidence) -> frozenset[str]:

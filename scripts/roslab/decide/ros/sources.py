@@ -12,7 +12,7 @@ from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.clones import clones, for_unknown, linked, only_below, refs_of, unreleased, with_itself
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.imported_clones import with_imported
-from roslab.decide.ros.in_tree import in_tree, inside_packages
+from roslab.decide.ros.in_tree import in_tree, inside_packages, not_cloned
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.misnamed import left_over
 from roslab.decide.ros.required_links import required_links
@@ -202,6 +202,7 @@ class _Chosen:
         """Report the submodules, and what a page clones into the tree; what is not there is cloned in the image."""
         found, reasons = in_tree(evidence, config, self.before)
         self.reasons += reasons
+        self.warnings += not_cloned(evidence, config)
         self.empty += [source for _, source in found]
         for git, _ in found:
             self._linked(git, self.ros)

@@ -52,7 +52,7 @@ def projects(plan: Plan) -> str:
     whole = [folder for folder in folders if folder not in (*plan.python.alone, *unseen)]
     alone = [folder for folder in folders if folder in plan.python.alone]
     copied = frozenset(plan.python.copied)
-    commands = [_if_there(folder, f"{pip}{_own([folder], copied)}") for folder in unseen]
+    commands = [_if_there(folder, f"{pip}{_own([folder], copied)}{_or_not(folder, plan)}") for folder in unseen]
     commands += [f"{pip}{_own(whole, copied)}"] if whole else []
     commands += [f"{pip} --no-deps{_own(alone, copied)}"] if alone else []
     run = shell.run(*commands, secrets=secrets.for_pip(plan))
@@ -67,6 +67,12 @@ def _if_there(folder: str, install: str) -> str:
     has = " || ".join(f"[ -e {quote.shell(f'./{folder}/{name}')} ]" for name in ("setup.py", "pyproject.toml"))
     left_out = quote.shell(f"roslab: left out: {folder} has neither setup.py nor pyproject.toml")
     return f"if {has}; then \\\n      {install}; \\\n    else echo {left_out}; fi"
+
+
+def _or_not(folder: str, plan: Plan) -> str:
+    """Return what follows the command of a folder for which nothing but an import speaks."""
+    told = quote.shell(f"roslab: left out: pip cannot install {folder}")
+    return f" || echo {told}" if folder in plan.python.imported else ""
 
 
 def _own(folders: Sequence[str], copied: frozenset[str]) -> str:

@@ -1,0 +1,80 @@
+"""Submodules that nobody has seen and that are called like a module which the code imports: pip may install them.
+
+A page clones such a repository, builds it and leaves the rest to its reader: the package lies at its top or in the
+folder of the module's name. What has neither setup.py nor pyproject.toml, or what pip cannot install, is left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.config.model import Kind
+from roslab.decide.python.on_index import on_index
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import Evidence, PythonProject
+from roslab.knowledge.frameworks import imports
+from roslab.values.dataclass import replace
+from roslab.values.name import bare_name, canonicalize_name
+
+_CODE = (".py", ".ipynb")
+SHORTEST = 4
+"""Fewest letters of a module that a repository is called after by more than chance."""
+
+
+def with_imported(evidence: Evidence, kind: Kind) -> Evidence:
+    """Return the evidence with a project for each folder where such a module may lie, unless a page installs one."""
+    if kind not in {"python", "cuda"}:
+        return evidence
+    known = {project.folder for project in evidence.python}
+    added: dict[str, PythonProject] = {}
+    for git, used in _called_like(evidence):
+        if not any(folder.rpartition("/")[0] == git.name or folder == git.name for folder in known):
+            for folder in (git.name, f"{git.name}/{used.name}"):
+                added.setdefault(folder, _project(folder, used))
+    return replace(evidence, python=(*evidence.python, *added.values())) if added else evidence
+
+
+def imported(projects: Iterable[PythonProject]) -> tuple[str, ...]:
+    """Return the folders of those projects: what asks for them is a module of another folder."""
+    return tuple(each.folder for each in projects if each.file.endswith(_CODE) and not _at(each.folder, each.file))
+
+
+def _at(folder: str, file: str) -> bool:
+    return file.rpartition("/")[0] == folder
+
+
+def _called_like(evidence: Evidence) -> Iterator[tuple[GitSource, Dependency]]:
+    """Yield each missing submodule with the first module that has its name or its first words, and is in no table.
+
+    ``deoxys`` of ``deoxys_control``.
+    """
+    used = [each for each in evidence.code if _unknown(each, evidence)]
+    asked = {each.key for each in evidence.prose_pip if each.name}
+    for git in evidence.sources:
+        if git.kind == "submodule" and git.absent:
+            name = canonicalize_name(git.name.rpartition("/")[2])
+            for each in used:
+                module = canonicalize_name(each.name)
+                same = bare_name(module) == bare_name(name) or f"{name}-".startswith(f"{module}-")
+                if same and len(module) >= SHORTEST and module not in asked:
+                    yield git, each
+                    break
+
+
+def _unknown(used: Dependency, evidence: Evidence) -> bool:
+    counts = used.namespace == "import" and used.strength == "used" and not places.aside(used.file)
+    return counts and used.name not in imports() and not on_index(evidence, used)
+
+
+def _project(folder: str, used: Dependency) -> PythonProject:
+    return PythonProject(
+        file=used.file,
+        line=used.line,
+        folder=folder,
+        name=None,
+        installable=True,
+        requires_python=None,
+        build_requires=(),
+        requirements=(),
+    )
