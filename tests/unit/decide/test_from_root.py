@@ -102,3 +102,82 @@ def test_a_variable_whose_value_a_page_gives_below_its_command(
     page = f"## Usage\n```\nROUTES=[PATH TO ROUTES] ./run_all.sh\n```\nUse {said} for ours.\n"
     decision = tree({**WALK, "README.md": page, "run_all.sh": "python -m walk.net\n", "data/a.xml": ""})
     assert decision.variables == variables
+
+
+WING = {"src/wing/__init__.py": "", "src/wing/net.py": "", "requirements.txt": "numpy\n"}
+
+
+@pytest.mark.parametrize(
+    ("files", "folders"),
+    [
+        ({"tools/train.py": PROGRAM.format(imports="from wing.net import Net")}, ("src",)),
+        ({"train.py": PROGRAM.format(imports="import wing")}, ("src",)),
+        (
+            {
+                "src/wing/train.py": PROGRAM.format(imports="from wing import net"),
+                "README.md": "```\npython src/wing/train.py\n```\n",
+            },
+            ("src",),
+        ),
+        ({"src/train.py": PROGRAM.format(imports="import wing")}, ()),  # beside it
+        ({"train.py": PROGRAM.format(imports="import wing"), "wing/__init__.py": ""}, ()),
+        ({"tools/train.py": PROGRAM.format(imports="import wing\nimport leg"), "leg.py": ""}, ("src", ".")),
+        ({"train.py": PROGRAM.format(imports="import sys\nsys.path.append('src')\nimport wing")}, ()),
+        (
+            {
+                "tools/train.py": PROGRAM.format(
+                    imports="import sys\nsys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))\nimport wing"
+                )
+            },
+            ("src",),
+        ),
+        (
+            {
+                "tools/train.py": PROGRAM.format(
+                    imports="import sys\nsys.path.insert(0, str(Path(__file__).resolve().parent.parent))\nimport wing"
+                )
+            },
+            (),
+        ),
+        (
+            {
+                "train.py": PROGRAM.format(imports="import wing"),
+                "pyproject.toml": "[project]\nname = 'wing'\nversion = '1'\n",
+            },
+            (),
+        ),
+    ],
+)
+def test_a_folder_for_packages_is_on_the_path_where_pip_does_not_install_them(
+    tree: Tree, files: dict[str, str], folders: tuple[str, ...]
+) -> None:
+    assert tree({**WING, **files}).python_path == folders
+
+
+TABLE = "[project]\nname = 'wing'\nversion = '1'\ndependencies = ['einops>=0.6']\nrequires-python = '>=3.9,<3.10'\n"
+BACKEND = "[build-system]\nrequires = ['hatchling']\nbuild-backend = 'hatchling.build'\n"
+TABLES = "[tool.hatch.build.targets.wheel]\npackages = [{include = 'wing', from = 'src'}]\n"
+
+
+@pytest.mark.parametrize(
+    ("manifest", "line", "why"),
+    [
+        (TABLE + BACKEND + TABLE, 9, "is no valid TOML (Cannot declare"),
+        ("<<<<<<< HEAD\n" + TABLE + BACKEND, 1, "is no valid TOML"),
+        (TABLE + "[tool.isort]\nprofile = black\n", 7, "is no valid TOML"),
+        (TABLE + BACKEND + TABLES, 1, "hatchling refuses it"),
+        (TABLE + BACKEND, 0, ""),
+        (TABLE + BACKEND + TABLES.replace("{include = 'wing', from = 'src'}", "'src/wing'"), 0, ""),
+    ],
+)
+def test_a_manifest_that_pip_refuses_is_told_and_read(tree: Tree, manifest: str, line: int, why: str) -> None:
+    files = {key: text for key, text in WING.items() if key != "requirements.txt"}
+    decision = tree({**files, "pyproject.toml": manifest, "train.py": PROGRAM.format(imports="import wing")})
+    said = [(each.line, each.message) for each in decision.warnings if each.file == "pyproject.toml"]
+    assert [number for number, _ in said] == [line] * bool(why)
+    assert all(why in message and "is on PYTHONPATH instead" in message for _, message in said)
+    assert decision.python.projects == (() if why else (".",))
+    assert decision.python_path == ((".", "src") if why else ())
+    assert decision.python.version == "3.9"
+    asked = [each.written for each in (*decision.python.pip, *decision.python.pip_guessed)]
+    assert asked == (["einops>=0.6"] if why else [])

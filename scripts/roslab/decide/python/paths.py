@@ -14,8 +14,9 @@ def python_path(
 ) -> tuple[str, ...]:
     """Return the folders that belong on PYTHONPATH, each once; ROS and roslab.yaml have their own.
 
-    The root is one where the default ``command``, or a program that a page nearest to the root runs, imports what lies
-    there and the image installs no project of the root; ``projects`` are those that it installs, by their folders.
+    The root, or ``src``, is one where the default ``command``, or a program that a page nearest to the root runs,
+    imports what lies there and the image installs no project of the root; ``projects`` are those that it installs, by
+    their folders.
     """
     if config.compatible or kind not in {"python", "cuda"} or "PYTHONPATH" in dict(config.env):
         return ()
@@ -25,5 +26,5 @@ def python_path(
     commands = [m.value.split() for m in pages if m.file.count("/") == nearest]
     commands += [list(command.argv)] if command else []
     run = {program[-1] for words in commands if (program := program_of(tuple(words)))[0] == "python3"}
-    needed = any(m.topic == "from_root" and m.file in run for m in evidence.mentions)
-    return (*said, ".") if needed and "." not in {*said, *projects} else said
+    needed = (m.inside or "." for m in evidence.mentions if m.topic == "from_root" and m.file in run)
+    return tuple(dict.fromkeys((*said, *needed))) if "." not in projects else said

@@ -1,13 +1,15 @@
-"""Programs below the root that import what lies at the root: from their own folder Python does not find it."""
+"""Programs that import what lies at the root or in `src`: from their own folder Python does not find it."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.python.lenient import tables
 from roslab.evidence.python.modules import Module, modules, run_by_pages
+from roslab.evidence.python.stopped_setup import why_refused
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -17,29 +19,43 @@ _IMPORT = pattern(
     r"import[ \t]+([A-Za-z_]\w*)(?:\.(\w+))?)",
 )
 _PATH = "sys.path"
+_OWN_FOLDER = pattern(
+    r"sys\.path\.(?:append\(|insert\(0, ?)(?:str\()?"
+    r"(?:os\.path\.dirname\((?:os\.path\.(?:abs|real)path\()?__file__\)?\)|Path\(__file__\)(?:\.resolve\(\))?\.parent)"
+    r"\)?\)[ \t]*(?:#.*)?"
+)
+"""A line that adds a program's own folder, which Python looks into anyway."""
+_LAYOUTS = ("src", "python", "lib")
+"""Folders for packages: https://packaging.python.org/en/latest/discussions/src-layout-vs-flat-layout/"""
 _TABLES = ("[project]", "[build-system]", "[tool.poetry]")
 
 
 def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mention]:
-    """Yield each program in a folder that imports a module or a package of the root, by its name.
+    """Yield each program that imports a module or a package of the root, or of a folder for them, by its name.
 
     Programs are what a page runs and what has a ``__main__`` guard. Python looks into a program's own folder, not where
     it is started (https://docs.python.org/3/library/sys.html#sys.path, read 2026-11-25), unless the program or a module
-    beside it adds to that path before.
+    beside it adds to that path before. ``inside`` is the folder, ``""`` the root.
     """
     if _installs(repository):
         return
     run = run_by_pages(mentions)
-    names = _at_root(repository)
-    for module in modules(repository) if names else ():
+    places_of = _places(repository)
+    for module in modules(repository) if places_of else ():
         file = module.file
         started = "__main__" in module.words and not places.test(file.path)
-        if not file.folder or not (file.path in run or started) or not any(name in module.text for name in names):
+        names = {name: place for name, place in places_of.items() if file.folder or place}
+        if not (file.path in run or started) or not any(name in module.text for name in names):
             continue
-        if found := _from_root(module, repository, names):
-            name, line = found
+        for place, (name, line) in _from_root(module, repository, names).items():
             yield Mention(
-                topic="from_root", value=name, source="code", file=file.path, line=line, text=f"import {name}"
+                topic="from_root",
+                value=name,
+                source="code",
+                file=file.path,
+                line=line,
+                text=f"import {name}",
+                inside=place,
             )
 
 
@@ -47,38 +63,53 @@ def _installs(repository: Repository) -> bool:
     """Tell whether pip can install the repository itself, whose packages are found from anywhere then."""
     manifest = repository.read("pyproject.toml") if repository.has("pyproject.toml") else ""
     setup = repository.read("setup.py") if repository.has("setup.py") else ""
-    return "setup(" in setup or any(table in manifest for table in _TABLES)
+    if "setup(" not in setup and not any(table in manifest for table in _TABLES):
+        return False
+    return not manifest or not why_refused(*tables(manifest))
 
 
-def _at_root(repository: Repository) -> frozenset[str]:
-    """Return the names of the modules and packages that Python finds from the root."""
-    files = [file for file in repository.suffixed(".py") if not places.vendored(file.path)]
-    names = {file.path.partition("/")[0].removesuffix(".py") for file in files}
-    names = {name for name in names if name.isidentifier() and name not in sys.stdlib_module_names}
-    return frozenset(names) - standard_modules() - {"setup", "conftest"}
+def _places(repository: Repository) -> dict[str, str]:
+    """Return the modules and packages that Python finds from the root, and from folders for them, with these folders.
+
+    Of two of one name that at the root is meant.
+    """
+    found: dict[str, str] = {}
+    files = [file.path for file in repository.suffixed(".py") if not places.vendored(file.path)]
+    for place in ("", *_LAYOUTS):
+        start = f"{place}/" if place else ""
+        for path in files:
+            name = path.removeprefix(start).partition("/")[0].removesuffix(".py")
+            if path.startswith(start) and name.isidentifier() and name not in sys.stdlib_module_names:
+                found.setdefault(name, place)
+    return {name: place for name, place in found.items() if name not in standard_modules() | {"setup", "conftest"}}
 
 
-def _from_root(module: Module, repository: Repository, names: frozenset[str]) -> tuple[str, int] | None:
-    """Return the first name that a program imports from the root alone, with the line; ``None`` if there is none."""
-    folder = module.file.folder
-    first: tuple[str, int] | None = None
+def _from_root(module: Module, repository: Repository, names: Mapping[str, str]) -> dict[str, tuple[str, int]]:
+    """Return for each folder the first name that a program imports from there alone, with the line."""
+    start = f"{module.file.folder}/" if module.file.folder else ""
+    found: dict[str, tuple[str, int]] = {}
     for number, line in enumerate(module.text.splitlines(), start=1):
-        if _PATH in line:
-            return first
+        if _PATH in line and not _OWN_FOLDER.fullmatch(line):
+            return found
         match = _IMPORT.match(line) if line.startswith(("from ", "import ")) else None
         if match is None:
             continue
         name, inner = match[1] or match[4], match[2] or match[3] or match[5]
-        if first is None and repository.has(f"{folder}/{name}.py"):
-            if _PATH in repository.read(f"{folder}/{name}.py"):
-                return None
-        elif name in names and f"{folder}/{name}" not in repository.folders and first is None:
-            first = (name, number) if _there(name, inner, repository) else None
-    return first
+        if not found and repository.has(f"{start}{name}.py"):
+            if _PATH in repository.read(f"{start}{name}.py"):
+                return {}
+        elif (
+            name in names
+            and f"{start}{name}" not in repository.folders
+            and _there(name, inner, repository, names[name])
+        ):
+            found.setdefault(names[name], (name, number))
+    return found
 
 
-def _there(name: str, inner: str | None, repository: Repository) -> bool:
-    """Tell whether a module or package is at the root; a folder without ``__init__.py`` has to have what is named."""
-    if repository.has(f"{name}.py") or repository.has(f"{name}/__init__.py"):
+def _there(name: str, inner: str | None, repository: Repository, place: str) -> bool:
+    """Tell whether a module or package is in a folder; one without ``__init__.py`` has to have what is named."""
+    path = f"{place}/{name}" if place else name
+    if repository.has(f"{path}.py") or repository.has(f"{path}/__init__.py"):
         return True
-    return bool(inner) and (repository.has(f"{name}/{inner}.py") or f"{name}/{inner}" in repository.folders)
+    return bool(inner) and (repository.has(f"{path}/{inner}.py") or f"{path}/{inner}" in repository.folders)

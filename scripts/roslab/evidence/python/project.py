@@ -49,7 +49,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
             project = reader(repository, files[name], folder, text)
             if project is not None:
                 parts.append(project)
-    parts.sort(key=lambda part: not part.installable)
+    parts.sort(key=lambda part: not (part.installable or (part.stopped and part.file.endswith("pyproject.toml"))))
     if not parts:
         return None
     first, *rest = parts
@@ -234,12 +234,14 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
 def _pyproject(repository: Repository, path: str, folder: str, text: str) -> PythonProject | None:
     from roslab.evidence.python import poetry, uv  # noqa: PLC0415 - many trees have no project of Python
     from roslab.evidence.python.extensions import extensions  # noqa: PLC0415 - as above
+    from roslab.evidence.python.lenient import tables  # noqa: PLC0415 - as above
+    from roslab.evidence.python.stopped_setup import why_refused  # noqa: PLC0415 - as above
     from roslab.evidence.python.without_module import without_module  # noqa: PLC0415 - as above
-    from roslab.values import toml  # noqa: PLC0415 - many trees have none
 
-    try:
-        data = toml.parsed(text)
-    except ValueError:
+    data, wrong = tables(text)
+    stopped = why_refused(data, wrong)
+    beside = repository.has(f"{folder}/setup.py".strip("/"))
+    if wrong and not (beside or {"project", "build-system"} & data.keys() or "poetry" in _table(data, "tool")):
         return None
     line_of = _finder(text)
     project, of_poetry = _table(data, "project"), _table(data, "tool", "poetry")
@@ -264,10 +266,12 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     backend = _table(data, "build-system").get("build-backend", "")
     return PythonProject(
         file=path,
-        line=line_of("[project]") if project else 1,
+        line=wrong[1] if wrong else line_of("[project]") if project else 1,
         folder=folder,
         name=name if isinstance(name, str) else None,
-        installable=bool(name) and bool(project or backend) and not without_module(repository, folder, str(name), data),
+        installable=bool(name and (project or backend))
+        and not (stopped or without_module(repository, folder, str(name), data)),
+        stopped=stopped,
         requires_python=python if isinstance(python, str) else None,
         build_requires=tuple(build),
         requirements=tuple(asked),

@@ -1,9 +1,10 @@
-"""A setup.py with which setuptools stops: it reads a file that is not there, or names none of several packages."""
+"""Projects with which pip stops: a setup.py that reads what is not there, a pyproject.toml that is no valid TOML."""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import Any
 
 from roslab.evidence.facts import Mention, PythonProject
 from roslab.knowledge.frameworks import released_on
@@ -39,6 +40,23 @@ def why_stopped(
     )
     if looks and not beside and not programs and not _TOLD & {*keywords} and several(repository, folder):
         return "setup.py names no packages, and setuptools takes none where several folders could be one"
+    return ""
+
+
+def why_refused(data: Mapping[str, Any], wrong: tuple[str, int] | None) -> str:
+    """Return why pip refuses a pyproject.toml, ``""`` for nothing; ``wrong``: what its parser says, with the line.
+
+    hatchling takes folders alone: https://hatch.pypa.io/latest/config/build/#packages, read 2026-11-27.
+    """
+    if wrong:
+        return f"pyproject.toml is no valid TOML ({wrong[0]}, line {wrong[1]}), and pip refuses it"
+    found: Any = data
+    for key in ("tool", "hatch", "build", "targets", "wheel", "packages"):
+        found = found.get(key) if isinstance(found, dict) else None
+    if isinstance(found, list) and any(not isinstance(each, str) for each in found):
+        return (
+            "tool.hatch.build.targets.wheel.packages of pyproject.toml is no list of folders, and hatchling refuses it"
+        )
     return ""
 
 
