@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.manifests import files_of, with_includes
+from roslab.decide.python.mistaken import mistaken
 from roslab.decide.python.native_parts import brought
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.refused import refused
@@ -24,6 +25,8 @@ def installed(evidence: Evidence, python: Python) -> tuple[Requirement, ...]:
     for project in evidence.python:
         if (project.folder or ".") in python.projects:
             asked += [each for each in project.requirements if each.role not in {"extra", "test"}]
+    wrong = mistaken(asked)
+    asked = [each for each in asked if each not in wrong]
     for environment in evidence.conda:
         if environment.file == python.conda_file:
             asked += _of_conda(evidence, environment)

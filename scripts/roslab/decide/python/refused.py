@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import cache
 from types import MappingProxyType
 
 from roslab.config.model import Kind
@@ -11,6 +12,7 @@ from roslab.decide.python.authors_builds import built
 from roslab.decide.python.authors_builds import told as of_build
 from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
+from roslab.decide.python.mistaken import mistaken
 from roslab.decide.python.nightlies import dropped
 from roslab.decide.python.nightlies import told as of_nightly
 from roslab.decide.python.pins import DEVELOPMENT
@@ -18,7 +20,9 @@ from roslab.decide.python.pythons import ANY
 from roslab.decide.python.too_new import in_python, loosened, told, unmet
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import packages_of
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index, of_ros
 from roslab.knowledge.short_pins import numbered
@@ -124,18 +128,40 @@ def elsewhere(evidence: Evidence, kind: Kind, conda: str | None) -> set[str]:
 
 
 def of_pages(evidence: Evidence, own: Collection[str]) -> dict[str, Requirement]:
-    """Return by name what pages have pip take from git, without the names in the tree, which are its ``own``."""
+    """Return by name what pages, else manifests, have pip take from git, without the names in the tree: its ``own``."""
     found: dict[str, Requirement] = {}
     for asked in evidence.prose_pip:
         aside = asked.file.count("/") > 1 or DEVELOPMENT.search(asked.file)
         if asked.name and asked.vcs and asked.role in {"", "editable"} and asked.key not in own and not aside:
             found.setdefault(asked.key, asked)
+    for asked in _of_manifests(evidence):
+        if asked.name and asked.vcs and asked.package and asked.key not in own:
+            found.setdefault(asked.key, replace(asked, role=""))
     return found
 
 
+def _of_manifests(evidence: Evidence) -> Iterator[Requirement]:
+    """Yield what the tree's own manifests ask for, the projects first."""
+    yield from (asked for each in evidence.python if not places.vendored(each.file) for asked in each.requirements)
+    yield from (asked for file in evidence.requirements if file.purpose == "run" for asked in file.requirements)
+    yield from (asked for each in evidence.conda for asked in each.requirements)
+
+
 def _from_page(asked: Requirement, of_pages: Mapping[str, Requirement]) -> bool:
-    """Tell whether a page's address stands for a declared name: one without a version, or that pip cannot find."""
-    return asked.key in of_pages and not asked.url and (not asked.specifier or refused(asked) is not None)
+    """Tell whether a page's address stands for a declared name: one without a version, or that pip cannot find.
+
+    That of a manifest stands for one with a version, too, unless tables know the package of the index: a list that pip
+    wrote from what was installed from git names no address.
+    """
+    if asked.key not in of_pages or asked.url:
+        return False
+    frozen = of_pages[asked.key].origin in {"manifest", "conda"} and asked.key not in _tabled()
+    return not asked.specifier or refused(asked) is not None or frozen
+
+
+@cache
+def _tabled() -> frozenset[str]:
+    return frozenset(canonicalize_name(package) for package, _ in imports().values() if package)
 
 
 def repair(
@@ -171,8 +197,11 @@ def repair(
         short = [asked for asked in found if in_full(asked) is not asked]
         gone = [path for _, path in lacking(evidence, [file])]
         newer = [each for each in found if each in loose or unmet(each, python) or in_python(each, python)]
-        if not any((spelled, short, taken, missing, gone, newer, any(asked.role == "project" for asked in found))):
+        wrong = mistaken(found)
+        folders = any(asked.role == "project" for asked in found)
+        if not any((spelled, short, taken, missing, gone, newer, wrong, folders)):
             continue
+        found = [asked for asked in found if asked not in wrong]
         broken.add(file.file)
         named = _kept((each for each in loosened(found, python, loose) if each.role != "project"), names, pages)
         kept += named
@@ -183,7 +212,7 @@ def repair(
         cloned = cloned_files(evidence, [file])
         warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
         warnings += [unfit(asked) for asked in missing if asked.key not in names]
-        warnings += [loose.get(asked) or told(asked, python) for asked in newer]
+        warnings += [*(loose.get(asked) or told(asked, python) for asked in newer), *wrong.values()]
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
         taken = [asked for asked in found if _from_page(asked, pages)]
@@ -191,10 +220,12 @@ def repair(
         missing = [asked for asked in missing if asked.key not in names]
         newer = [each for each in found if unmet(each, python) or in_python(each, python)]
         short = [asked for asked in found if in_full(asked) is not asked]
+        wrong = mistaken(found)
         # A role: pip would look for it in the wrong place
-        if any((taken, missing, short, newer, any(asked.role for asked in found))):
+        if any((taken, missing, short, newer, wrong, any(asked.role for asked in found))):
             alone.append(project.folder or ".")
-            kept += _kept(loosened(found, python), names, pages)
+            kept += _kept(loosened((asked for asked in found if asked not in wrong), python), names, pages)
+            warnings += wrong.values()
             warnings += [*map(unfit, missing), *map(_in_full, short), *(told(asked, python) for asked in newer)]
     return Repaired(
         requirements=tuple(kept),
