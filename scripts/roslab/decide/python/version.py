@@ -8,6 +8,7 @@ from itertools import groupby
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.python.last_releases import ranges_of_lists
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.ranges import (
@@ -66,6 +67,9 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
     if chosen is None and (older := tuple(ranges_by_use(evidence, pins))):  # nothing names a version
         known = (*known, *older)
         fitting = [python for python in fitting if all(python in each.pythons for each in older)] or fitting
+    for each in ranges_of_lists(pins) if chosen is None and fitting else ():
+        if narrower := [python for python in fitting if python in each.pythons]:
+            known, fitting = (*known, each), narrower
     if day := evidence.pip_day:  # its packages had wheels for no newer Python
         fitting = [python for python in fitting if usual(python, day)] or fitting
     reasons = [each.reason for each in known]
