@@ -68,12 +68,12 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
 
 
 def _explained(evidence: Evidence) -> Iterator[Candidate]:
-    """Yield the examples in Python of which a page at the root says what they show, without running any."""
+    """Yield the programs of Python of which a page at the root says what they show, or that they are the main one."""
     for said in evidence.mentions:
         if said.topic == "pointed" and said.value.endswith(".py") and not said.value.endswith(".launch.py"):
             yield Candidate(
                 argv=("python3", said.value),
-                why=f"{page_of(said.file)} says what it shows",
+                why=f"{page_of(said.file)} tells what it is for",
                 file=said.file,
                 line=said.line,
                 strong=True,

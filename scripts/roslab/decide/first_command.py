@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from roslab.decide.absent import variant
 from roslab.decide.candidate import Candidate, is_python, program_of
+from roslab.decide.chores import without_chores
 from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running, shows, starts
 from roslab.evidence.prose.runners import SIMULATORS
@@ -99,7 +100,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     program in one section, the one that needs no file which nothing brings. What starts a node that nothing installs
     comes last, if another is whole.
     """
-    written = [c for c in candidates if c.strong and not helps(c) and not upkeep(c)]
+    written = without_chores(c for c in candidates if c.strong and not helps(c) and not upkeep(c))
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in LAUNCHERS]
     rest = [c for c in written if not _after(c)] or [
         c for c in written if is_python(c) or (_meant(c) > 0 and not _named(c, _AFTER))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.decide.candidate import Candidate, is_python, program_of
+from roslab.decide.chores import prepared_before
 from roslab.decide.decision import Warning_
 from roslab.decide.filled_in import filled
 from roslab.decide.first_command import LAUNCHERS
@@ -23,7 +24,7 @@ def left_to_reader(page: Candidate, evidence: Evidence) -> tuple[Warning_, ...]:
     said = next((m for m in evidence.mentions if _is(m, page)), None)
     told = _told(said, page, evidence) if said else _required(page, evidence)
     absent = (warn(f"{_NAMES} {path}, {_NOWHERE}", page) for path in _settings(page))
-    return (*told, *absent, *_weights(page, evidence))
+    return (*told, *absent, *_weights(page, evidence), *prepared_before(page, evidence))
 
 
 def _required(guess: Candidate, evidence: Evidence) -> Iterator[Warning_]:

@@ -13,20 +13,24 @@ OWN = (
     "[project]\nname='demo'\nversion='1'\ndependencies=['numpy']\n[project.optional-dependencies]\n"
     "sim=['mujoco==3.1.0', 'numpy']\ngui=['viser']\nall=['demo[sim,gui,dev]']\ndev=['pytest-cov']\nmac=['viser']\n"
 )
-SIM, GUI = "mujoco==3.1.0", "viser"
+SIM, GUI, DEV = "mujoco==3.1.0", "viser", "pytest-cov"
 
 
 @pytest.mark.parametrize(
     ("page", "more"),
     [
         ('pip install -e ".[sim]"', [SIM]),
+        ("pip install -e .[dev]", [DEV]),  # for all readers
+        ("uv sync --extra dev", [DEV]),
+        ("pip install -e .[dev]\npip install -e .[dev]", [DEV]),
+        ("pip install -e .[dev]\npip install -e .", []),
         ("pip install .[sim,gui]", [SIM, GUI]),
         ('pip install -e ".[all]"', [SIM, GUI]),
-        ("cd demo\npip install -e .[sim,dev]", [SIM]),
+        ("cd demo\npip install -e .[sim,dev]", [SIM, DEV]),
+        ("pip install -e .[sim,dev]\npip install -e .[sim]", [SIM]),
         ("pip install -e .\npip install -e .[sim]", [SIM]),  # it adds to the line before
         ("pip install -e .\npip install -e .[dev]\npip install -e .[gui,dev]\npip install -e .[sim]", [GUI]),
         ("pip install -e .\npip install -e .[mac]", []),
-        ("pip install -e .[dev]", []),
         ("pip install other[sim]", []),
         (
             "git clone https://github.com/lab/other\ncd other\npip install -e .[sim]\ncd ..\npip install -e .[gui]",
@@ -42,7 +46,6 @@ SIM, GUI = "mujoco==3.1.0", "viser"
         ("poetry install -E sim", [SIM]),
         ("poetry install --extras 'sim gui'", [SIM, GUI]),
         ("pdm install -G gui", [GUI]),
-        ("uv sync --extra dev", []),
     ],
 )
 def test_extras_of_the_first_line_that_has_any_are_installed(tree: Tree, page: str, more: list[str]) -> None:

@@ -234,3 +234,22 @@ def test_what_a_page_runs_comes_before_what_it_shows_how_to_include(tree: Tree) 
     assert tree(ROS1 | {"README.md": f"ROS Noetic\n{page}"}).command == ("roslaunch", "demo", "drive.launch")
     page = page.partition("```\n```")[0]
     assert tree(ROS1 | {"README.md": f"ROS Noetic\n{page}"}).command == ("roslaunch", "demo", "track.launch")
+
+
+@pytest.mark.parametrize(
+    ("said", "command"),
+    [
+        ("The main file to check the landing is ./fly_eval.py - on CUDA.", "python3 fly_eval.py"),
+        ("The main script is `fly.py`.", "python3 fly.py"),
+        ("`fly.py` is the entry point.", "python3 fly.py"),
+        ("Just run fly.py and wait.", "python3 fly.py"),
+        ("Do not run fly.py by itself.", "bash"),
+        ("The network is in fly.py.", "bash"),
+        ("The main file is gone.py.", "bash"),
+        ("The main file is fly.py.\n```\npython fly_eval.py\n```", "python fly_eval.py"),
+    ],
+)
+def test_a_program_that_a_sentence_calls_the_main_one(tree: Tree, said: str, command: str) -> None:
+    main = "import numpy\nif __name__ == '__main__':\n    pass\n"
+    files = {"fly.py": main, "fly_eval.py": main, "core.py": main, "requirements.txt": "numpy\n"}
+    assert " ".join(tree({**files, "README.md": f"# Fly\n{said}\n"}).command) == command

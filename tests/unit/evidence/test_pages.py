@@ -61,3 +61,10 @@ def test_a_guide_at_the_root_where_no_readme_is(tmp_path: Path) -> None:
     )
     assert read(tmp_path, files) == ["SIMULATION_GUIDE.md"]
     assert read(tmp_path, {**files, "INSTALL.md": "# Demo\n"}) == ["INSTALL.md"]
+
+
+def test_any_page_at_the_root_where_neither_a_readme_nor_a_guide_is(tmp_path: Path) -> None:
+    notes = ("TODO.md", "CHANGELOG.md", "CLAUDE.md", "AGENTS.md", "commands.md", "LICENSE.md", "docs/other.md")
+    files = dict.fromkeys(("example.md", "arm_control.md", *notes), "# Demo\n")
+    assert sorted(read(tmp_path, files)) == ["arm_control.md", "example.md"]
+    assert read(tmp_path, {**files, "README.md": "# Demo\n"}) == ["README.md"]

@@ -27,23 +27,26 @@ def extras(
 ) -> tuple[Requirement, ...]:
     """Return what the extras of the first line that installs each project with any ask for, each package once.
 
-    Lines without extras may come before it: it adds to them. A later line with other extras is a variant.
+    Lines without extras may come before it: it adds to them. A later line with other extras is a variant. Those for
+    developers are left out, unless no line installs it without them: the author means all readers.
     """
     lines = [each for each in evidence.prose_pip if each.file.count("/") <= 1 and not DEVELOPMENT.search(each.file)]
     lines += [each for file in files for each in file.requirements]
     elsewhere = {(each.file, each.line) for each in lines if each.vcs}  # it is the folder of a clone
     folders = {project.folder for project in projects}
-    first: dict[str, tuple[str, ...]] = {}
+    ways: dict[str, list[tuple[str, ...]]] = {}
     for asked in lines:
         folder = _folder(asked, folders) if asked.role == "project" else None
         match = _WRITTEN.fullmatch(asked.written)
-        if folder is not None and match and (asked.file, asked.line) not in elsewhere:
-            names = tuple(name.strip() for name in match[2].split(","))
-            if not all(for_developers(name) or _OF_MACHINES.search(name.lower()) for name in names):
-                first.setdefault(folder, names)
+        if folder is not None and (asked.file, asked.line) not in elsewhere:
+            named = tuple(name.strip() for name in match[2].split(",")) if match else ()
+            if not named or not all(_OF_MACHINES.search(name.lower()) for name in named):
+                ways.setdefault(folder, []).append(named)
     found: dict[str, Requirement] = {}
     for project in projects:
-        for asked in _of(project, first.get(project.folder, ())):
+        lines_of = ways.get(project.folder, [()])
+        first = next((names for names in lines_of if not all(map(for_developers, names))), lines_of[0])
+        for asked in _of(project, first, every=set(lines_of) == {first}):
             found.setdefault(asked.key, asked)
     return tuple(found.values())
 
@@ -95,13 +98,17 @@ def _folder(asked: Requirement, known: Set[str]) -> str | None:
     return found if found or len(parts) > 1 else ""
 
 
-def _of(project: PythonProject, names: Iterable[str]) -> list[Requirement]:
-    """Return what extras of a project ask for; one may name others of the same project: ``all = ["demo[sim,gui]"]``."""
+def _of(project: PythonProject, names: Iterable[str], *, every: bool) -> list[Requirement]:
+    """Return what extras of a project ask for; one may name others of the same project: ``all = ["demo[sim,gui]"]``.
+
+    ``every``: those for developers, too, if they are named; not groups.
+    """
     own = canonicalize_name(project.name) if project.name else ""
     found: list[Requirement] = []
     known = [each.group for each in project.requirements if each.role == "extra" and not each.group.startswith(GROUP)]
+    meant = {name for name in names if every and name in known}
     names = [each for name in names for each in (known if name == EVERY else (name,))]
-    pending = [canonicalize_name(name) for name in names if not for_developers(name)]
+    pending = [canonicalize_name(name) for name in names if name in meant or not for_developers(name)]
     done: set[str] = set()
     while pending:
         name = pending.pop(0)

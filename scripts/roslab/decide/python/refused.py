@@ -228,12 +228,21 @@ def repair(
             warnings += wrong.values()
             warnings += [*map(unfit, missing), *map(_in_full, short), *(told(asked, python) for asked in newer)]
     return Repaired(
-        requirements=tuple(kept),
+        requirements=tuple(_once(kept)),
         tried=tuple(dict.fromkeys(tried)),
         files=frozenset(broken),
         alone=tuple(alone),
         warnings=tuple(dict.fromkeys(warnings)),
     )
+
+
+def _once(kept: Iterable[Requirement]) -> Iterator[Requirement]:
+    """Yield the requirements, what comes from one address under two spellings of its name once."""
+    seen: set[tuple[str, str]] = set()
+    for asked in kept:
+        if not asked.url or asked.marker or (asked.key, asked.url) not in seen:
+            yield asked
+        seen.add((asked.key, asked.url))
 
 
 def untold(guessed: Iterable[Requirement], brought: Collection[str]) -> Iterator[Warning_]:

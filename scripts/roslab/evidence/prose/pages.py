@@ -53,6 +53,12 @@ _GUIDE = pattern(
     r"(?:guides?|how[-_ ]?to|instructions?)(?:[-_. ]|$)"
 )
 """The name of a page at the root that tells how to start the program where no README does."""
+_NOTES = pattern(
+    r"note|todo|to[-_ ]do|plan|roadmap|log|commands?|cheat|release|summary|report|paper|design|architect|style|"
+    r"agents?\b|claude|copilot|gemini|prompt|citation|credit|thank|status|progress|idea|meeting|spec\b|requirements?",
+    re.IGNORECASE,
+)
+"""The name of a page that is for those who write the code, or that tells of it without starting it."""
 _ABOUT = pattern(r"readme|install")
 
 
@@ -114,9 +120,14 @@ def _pages(repository: Repository) -> tuple[File, ...]:
 
 
 def _guides(repository: Repository) -> list[File]:
-    """Return the pages at the root that are called like guides; lists of commands are notes, for several machines."""
-    files = (f for f in repository.suffixed(".md", ".rst") if not f.folder and f.size <= MAX_SIZE)
-    return [f for f in files if _GUIDE.search(f.name.rpartition(".")[0].lower()) and not _ASIDE.search(f.name)]
+    """Return the pages at the root that are called like guides, else all that are no notes of those who write it.
+
+    Lists of commands are notes, for several machines.
+    """
+    files = [f for f in repository.suffixed(".md", ".rst") if not f.folder and f.size <= MAX_SIZE]
+    files = [f for f in files if not _ASIDE.search(f.name)]
+    guides = [f for f in files if _GUIDE.search(f.name.rpartition(".")[0].lower())]
+    return guides or [f for f in files if not _NOTES.search(f.name)]
 
 
 def path_of(link: re.Match[str], page: File) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import MAX_LINE, lines_of
@@ -12,10 +13,21 @@ from roslab.values.pattern import pattern
 
 _FILE = pattern(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh|\.ipynb)(?![\w/-])")
 _EXAMPLE = pattern(r"(?<![\w./-])(?:[\w-]+/)*(?:[\w-]+_)?(?:examples?|demo)(?:_[\w-]+)?\.py(?![\w/-])")
-_WORDS = (".launch", ".sh", ".ipynb", "example", "demo")
-"""Of these each match of the two has one."""
+_WORDS = (".launch", ".sh", ".ipynb", "example", "demo", ".py")
+"""Of these each match of the forms has one."""
 _SHOWS = pattern(r"\b(?:shows?|demonstrat(?:es?|ing)|illustrat(?:es?|ing)|explains?)\b", re.IGNORECASE)
 """A sentence on what an example is for: ``example.py shows how to use it``."""
+_PYTHON = r"[`*\"'(\[]{0,3}(?:\./)?(?P<path>(?:[\w-]+/)*[\w-]+\.py)(?![\w/-])"
+_MAIN_ONE = r"(?:(?:main|primary)\s+(?:file|script|program|module)|(?:main\s+)?entry[- ]?point)"
+_MAIN = tuple(
+    pattern(form, re.IGNORECASE)
+    for form in (
+        rf"\b{_MAIN_ONE}\b[^.`:]{{0,60}}?(?:\bis|:)\s+{_PYTHON}",
+        rf"{_PYTHON}[`*\"')\]]{{0,3}}\s+is\s+(?:the|our)\s+{_MAIN_ONE}\b",
+        rf"(?<!not )(?<!n't )(?<!to re)\brun(?:ning)?\s+(?:the\s+)?(?:(?:script|file|program)\s+)?{_PYTHON}",
+    )
+)
+"""A sentence that calls a program of Python the main one, or has it run without a command."""
 _COMMAND = pattern(r"\b(?:roslaunch|rosrun|rosbag\s+(?:play|record|info|filter|reindex)|ros2)\s")
 """A line that runs something: it is read as a command."""
 _TUNED = pattern(
@@ -42,8 +54,8 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     for page in pages(repository):
         text = text_of(repository, page) if "/" not in page.path else ""
         for number, line, heading in _sentences(text) if any(word in text for word in _WORDS) else ():
-            for match in (*_FILE.finditer(line), *(_EXAMPLE.finditer(line) if _SHOWS.search(line) else ())):
-                path = None if _only_set(line, match) else _path(match[0], repository)
+            for written, at in _named(line):
+                path = None if _only_set(line, written, at) else _path(written, repository)
                 if path and len(found) < MOST:
                     said = Mention(
                         topic="pointed",
@@ -58,14 +70,23 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     return tuple(found.values())
 
 
-def _only_set(line: str, match: re.Match[str]) -> bool:
+def _named(line: str) -> Iterator[tuple[str, int]]:
+    """Yield each file that a sentence names so, with its place in it."""
+    yield from ((match[0], match.start()) for match in _FILE.finditer(line))
+    if _SHOWS.search(line):
+        yield from ((match[0], match.start()) for match in _EXAMPLE.finditer(line))
+    for form in _MAIN if ".py" in line else ():
+        yield from ((match["path"], match.start("path")) for match in form.finditer(line))
+
+
+def _only_set(line: str, written: str, at: int) -> bool:
     """Tell whether a line names a file only as the place where something is set, and has nothing started.
 
     A notebook that explains something is run for that.
     """
-    if match[0].endswith(".ipynb") or not _TUNED.search(_FILE.sub("", line[: match.start()])):
+    if written.endswith(".ipynb") or not _TUNED.search(_FILE.sub("", line[:at])):
         return False
-    return not (_STARTS.search(_FILE.sub("", line)) or _USES.search(line[: match.start()]))
+    return not (_STARTS.search(_FILE.sub("", line)) or _USES.search(line[:at]))
 
 
 def _path(written: str, repository: Repository) -> str | None:

@@ -1,0 +1,54 @@
+"""Calls of a program by sub-commands that prepare it or look after it: ``app assets install``, ``app doctor``."""
+
+from __future__ import annotations
+
+import itertools
+import shlex
+from collections.abc import Iterable, Iterator
+
+from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import page_of, warn
+from roslab.evidence.facts import Evidence
+from roslab.values.pattern import pattern
+
+_PREPARES = frozenset({"install", "download", "fetch", "setup", "init", "pull", "bootstrap"})
+_LOOKS_AFTER = frozenset(
+    {"check", "clean", "completion", "doctor", "help", "info", "list", "status", "uninstall", "update", "upgrade"}
+    | {"validate", "verify", "version"}
+)
+_WORD = pattern(r"[A-Za-z][\w-]*")
+_LAUNCHERS = frozenset({"roslaunch", "rosrun", "ros2", "make"})
+MOST = 2
+"""Sub-commands before the arguments: ``assets install``."""
+
+
+def without_chores(written: Iterable[Candidate]) -> list[Candidate]:
+    """Return the commands without such calls where the same page calls the same program otherwise too."""
+    kept = list(written)
+    meant = {(c.file, program_of(c.argv)) for c in kept if not _is_chore(c.argv)}
+    return [c for c in kept if not _is_chore(c.argv) or (c.file, program_of(c.argv)) not in meant]
+
+
+def prepared_before(page: Candidate, evidence: Evidence) -> Iterator[Warning_]:
+    """Yield a warning for each call before the default command with which the page prepares the same program."""
+    for said in evidence.mentions:
+        if said.topic == "command" and said.file == page.file and said.line < page.line:
+            argv = tuple(said.value.split())
+            if program_of(argv) == program_of(page.argv) and _subcommands(argv) & _PREPARES:
+                message = (
+                    f"{page_of(said.file)} runs `{shlex.join(argv)}` before the default command, and no build does"
+                )
+                yield warn(f"{message}: what it makes or fetches is missing until it is run, or is in `custom`", said)
+
+
+def _is_chore(argv: tuple[str, ...]) -> bool:
+    return bool(_subcommands(argv) & (_PREPARES | _LOOKS_AFTER))
+
+
+def _subcommands(argv: tuple[str, ...]) -> set[str]:
+    """Return the words behind a program up to its first option, the first two of them."""
+    if argv[0] in _LAUNCHERS:
+        return set()
+    words = itertools.takewhile(_WORD.fullmatch, argv[len(program_of(argv)) :])
+    return set(itertools.islice(words, MOST))
