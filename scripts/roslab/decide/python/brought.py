@@ -10,6 +10,7 @@ from roslab.decide.python.fetched import with_fetched
 from roslab.decide.python.imported_submodules import with_imported
 from roslab.decide.python.library_modules import with_library_modules
 from roslab.decide.python.other_indexes import with_other_indexes
+from roslab.decide.python.torch_indexes import without_unlocked
 from roslab.evidence.facts import Evidence
 
 
@@ -18,3 +19,5 @@ def with_what_is_brought(evidence: Evidence, kind: Kind, folder_name: str) -> Ev
     asked = with_library_modules(with_imported(with_fetched(evidence), kind))
     whole = without_lists(with_cloned(asked, kind, folder_name), kind)
     return with_other_indexes(with_bounds(named_by_wheels(whole), kind), kind)
+    whole = without_lists(with_cloned(with_imported(with_fetched(evidence), kind), kind, folder_name), kind)
+    return with_bounds(named_by_wheels(without_unlocked(whole)), kind)

@@ -8,6 +8,7 @@ from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.version import DEFAULT
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.packages import Chosen
+from roslab.decide.python.torch_indexes import ended_index
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
@@ -67,6 +68,8 @@ def decide_build(
         return torch_build(wheels, cuda, python, day, oldest=aged, below=below)
     if on_page := beside_torch(evidence):
         return torch_build(wheels, on_page, python, day, "conda is asked for CUDA {cuda} beside it")
+    if ended := ended_index(evidence, wheels, python, day, below):
+        return torch_build(wheels, ended, python, day, "a page takes it from the index for CUDA {cuda}", below=below)
     said = (*chosen.options, *(option for file in chosen.files for option in file.options))
     known = any("download.pytorch.org" in option for option in said)
     of_image = cuda or DEFAULT  # a page that only lists torch names none
