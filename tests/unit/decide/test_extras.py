@@ -190,3 +190,11 @@ def test_no_extra_for_tests_or_without_windows_tells_how(tree: Tree, extras: str
     files = {"pyproject.toml": project, "demo/__init__.py": "", "run.py": f"import cv2\n{code}\n"}
     files["README.md"] = "```\npip install -e .\npython run.py\n```\n"
     assert [each.written for each in tree(files).python.pip_guessed] == [found]
+
+
+@pytest.mark.parametrize("extra", ["PySide6-Essentials==6.11.1", "PySide6>=6.5", "PySide6-Addons"])
+def test_a_module_that_parts_of_its_package_bring(tree: Tree, extra: str) -> None:
+    project = f"[project]\nname='demo'\nversion='1'\n[project.optional-dependencies]\napp=['{extra}']\n"
+    code = {"demo/__init__.py": "from PySide6.QtCore import QObject\n"}
+    decision = tree({"pyproject.toml": project, **code, "README.md": "```\npip install -e .\n```\n"})
+    assert [each.written for each in decision.python.pip_guessed] == [extra]

@@ -299,3 +299,24 @@ def test_a_submodule_that_cannot_be_cloned_is_told(tree: Tree) -> None:
     (told,) = [each for each in decision.warnings if "is empty in the image" in each.message]
     assert told.message.startswith("planner is empty in the image, and what needs it stops: ../planner.git is no addr")
     assert (told.file, told.line) == (".gitmodules", 3)
+
+
+@pytest.mark.parametrize(
+    ("more", "cloned"),
+    [
+        ({}, False),
+        ({"README.md": "Weights are in training/brumby_net/last.pth.\n"}, False),
+        ({"README.md": "```\npip install -e training/brumby_net\n```\n"}, True),
+        ({"CMakeLists.txt": "project(a)\nadd_subdirectory(training/brumby_net)\n"}, True),
+        ({"play.py": f"import sys\nsys.path.append('training/brumby_net')\nimport numpy\n{MAIN}"}, True),
+    ],
+)
+def test_an_entry_that_the_commit_has_no_more_is_cloned_where_it_is_needed(
+    tmp_path: Path, more: dict[str, str], *, cloned: bool
+) -> None:
+    modules = '[submodule "a"]\n\tpath = training/brumby_net\n\turl = https://github.com/lab/brumby_net.git\n'
+    files = {"play.py": f"import numpy\n{MAIN}", "requirements.txt": "numpy\n", ".gitmodules": modules}
+    plan = plan_repository(linked(tmp_path, {**files, **more}, "other")).plan
+    assert [each.name for each in plan.workspace.submodules] == ["training/brumby_net"] * cloned
+    (said,) = [each.message for each in plan.warnings if "no submodule in this commit" in each.message]
+    assert said.endswith("the image clones its newest state" if cloned else "nothing names it, and it is left out")

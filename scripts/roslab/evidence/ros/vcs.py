@@ -14,7 +14,8 @@ from functools import cache
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.fixtures import of_tests
-from roslab.evidence.ros import handed_lists
+from roslab.evidence.ros import gitman, handed_lists
+from roslab.evidence.ros.stale_modules import named
 from roslab.knowledge.compiled import public_hosts
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -48,10 +49,16 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
 
 
 def _with_commits(repository: Repository, modules: tuple[GitSource, ...]) -> Iterator[GitSource]:
-    """Mark the submodules that are not checked out, and give them the commits that the repository records."""
+    """Mark the submodules that are not checked out, and give them the commits that the repository records.
+
+    Without those that it has no more and that nothing names.
+    """
     missing = tuple(module.name for module in modules if not _checked_out(repository, module))
     commits = repository.recorded(missing)
+    stale = {name for name in missing if repository.committed and name not in commits and not named(repository, name)}
     for module in modules:
+        if module.name in stale:
+            continue
         if module.name in missing:
             yield replace(module, absent=True, ref=commits.get(module.name, module.ref))
         else:
@@ -78,10 +85,11 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
         what = "a submodule is" if len(there) == 1 else "submodules are"
         message = f"{what} not checked out and could not be read: {names}; {_fetched(repository, there)}"
         found.append((message, there[0].file, there[0].line))
-    if gone:
-        names = ", ".join(source.name for source in gone)
-        message = f"no submodule in this commit, though .gitmodules names it, so that its content was not read: {names}"
-        found.append((f"{message}; the image clones its newest state", gone[0].file, gone[0].line))
+    message = "no submodule in this commit, though .gitmodules names it, so that its content was not read"
+    for needed, then in ((True, "the image clones its newest state"), (False, "nothing names it, and it is left out")):
+        if some := [source for source in gone if named(repository, source.name) == needed]:
+            names = ", ".join(source.name for source in some)
+            found.append((f"{message}: {names}; {then}", some[0].file, some[0].line))
     return tuple(found)
 
 
@@ -180,7 +188,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
     text = repository.read(file)
     data = load(text)
     entries = (
-        list(_gitman(data) if file.path in _GITMAN else _vcstool(data))
+        list(gitman.entries(data) if file.path in _GITMAN else _vcstool(data))
         if isinstance(data, dict)
         else list(_rosinstall(data))
         if isinstance(data, list)
@@ -216,23 +224,6 @@ def _vcstool(data: dict[object, object]) -> Iterator[tuple[str, object, object]]
         for name, entry in listed.items():
             if isinstance(entry, dict) and entry.get("type", "git") == "git":
                 yield str(name), entry.get("url"), entry.get("version")
-
-
-def _gitman(data: dict[object, object]) -> Iterator[tuple[str, object, object]]:
-    """Yield what is listed, at the commits that were locked; ``name`` is the folder, if it has one."""
-    listed = [entry for entry in _entries(data, "sources") if entry.get("type", "git") == "git"]
-    locked = {_folder(entry): entry.get("rev") for entry in _entries(data, "sources_locked")}
-    for entry in listed:
-        yield _folder(entry), entry.get("repo"), locked.get(_folder(entry)) or entry.get("rev")
-
-
-def _entries(data: dict[object, object], key: str) -> list[dict[str, object]]:
-    listed = data.get(key)
-    return [entry for entry in listed if isinstance(entry, dict)] if isinstance(listed, list) else []
-
-
-def _folder(entry: dict[str, object]) -> str:
-    return str(entry.get("name") or str(entry.get("repo")).rstrip("/").rpartition("/")[2].removesuffix(".git"))
 
 
 def _rosinstall(data: list[object]) -> Iterator[tuple[str, object, object]]:
