@@ -51,8 +51,9 @@ def test_a_library_is_built_as_the_page_builds_it(tree: Tree, page: str, ref: st
     assert "ros-noetic-gtsam" not in decision.apt_guessed
 
 
-def test_a_library_that_is_cloned_into_a_folder_of_its_name_is_compiled_there(tree: Tree) -> None:
-    page = "git clone -b v2 https://github.com/lab/fork.git acme_lidar\ncd acme_lidar/build\ncmake ..\nmake install\n"
+@pytest.mark.parametrize("host", ["https://github.com/", "git@github.com:", "ssh://git@github.com/"])
+def test_a_library_that_is_cloned_into_a_folder_of_its_name_is_compiled_there(tree: Tree, host: str) -> None:
+    page = f"git clone -b v2 {host}lab/fork.git acme_lidar\ncd acme_lidar/build\ncmake ..\nmake install\n"
     decision = tree(ros1("find_package(acme_lidar REQUIRED)\n", f"```\n{page}```\n"))
     assert [(each.repo, each.ref) for each in decision.source] == [("https://github.com/lab/fork.git", "v2")]
 

@@ -20,6 +20,7 @@ from roslab.decide.system.tried_headers import included
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
+from roslab.evidence.ros.vcs import https
 from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
@@ -215,7 +216,7 @@ def _source(git: GitSource, day: str) -> Source:
     ref = fixed(git.ref)
     return Source(
         name=git.name,
-        repo=git.url,
+        repo=https(git.url),
         ref=ref,
         before="" if ref and not drifts(ref) else day,
         build="cmake",
