@@ -39,7 +39,7 @@ def prepared_before(page: Candidate, evidence: Evidence) -> Iterator[Warning_]:
                 message = (
                     f"{page_of(said.file)} runs `{shlex.join(argv)}` before the default command, and no build does"
                 )
-                yield warn(f"{message}: what it makes or fetches is missing until it is run, or is in `custom`", said)
+                yield warn(f"{message}: what it makes is missing; run it first, or by `custom` in roslab.yaml", said)
 
 
 def _is_chore(argv: tuple[str, ...]) -> bool:

@@ -29,7 +29,8 @@ def test_other_lines_take_it_from_there(tree: Tree, line: str, place: str) -> No
 
 
 @pytest.mark.parametrize(
-    ("line", "name"), [("numpy==1.26.4", "numpy"), ("hand-reader @ git+https://github.com/ann/h.git", "hand-reader")]
+    ("line", "name"),
+    [("numpy", "numpy"), ("numpy==1.26.4", "numpy"), ("hand-reader @ git+https://github.com/ann/h.git", "hand-reader")],
 )
 def test_what_is_of_the_index_or_has_an_address_of_its_own_stays(tree: Tree, line: str, name: str) -> None:
     other = f"numpy @ git+https://github.com/numpy/numpy\nhand_reader @ {URL}\n"

@@ -266,6 +266,11 @@ def test_an_address_of_ssh_is_cloned_by_https(tmp_path: Path, url: str) -> None:
     plan = plan_repository(linked(tmp_path, {"README.md": page, **PLAY}, "brumby_control")).plan
     modules = [(each.name, each.repo, each.ref) for each in plan.workspace.submodules]
     assert modules == [("brumby_control", "https://github.com/lab/brumby_control.git", COMMIT)]
+    (told,) = [each for each in plan.warnings if "is called like it" in each.message]
+    assert (told.file, told.line) == ("play.py", 2)
+    assert told.message.startswith(
+        "brumby is imported, and brumby_control, which is not checked out, is called like it"
+    )
     text = dockerfile(plan)  # what it holds is unknown: the package may lie at its top, or in its own folder
     for folder in ("brumby_control", "brumby_control/brumby"):
         assert f"--editable ./{folder} || echo 'roslab: left out: pip cannot install {folder}'; \\\n" in text

@@ -28,7 +28,7 @@ from roslab.decide.python.gone_lists import gone_lists
 from roslab.decide.python.gpu_projects import asking, left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.image_python import Python
-from roslab.decide.python.imported_submodules import imported
+from roslab.decide.python.imported_submodules import imported, unread
 from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.kept_by_build_types import kept_by_build_types
 from roslab.decide.python.left_frameworks import left_frameworks
@@ -244,6 +244,7 @@ def decide_python(
             *left_to_gpus(evidence, kind),
             *left_frameworks(evidence, kind, everything),
             *lost(evidence, kind, chosen, ubuntu if manager == "system" else None),
+            *unread(chosen.projects),
             *without_history(evidence),
             *consents(chosen.guessed, evidence),
             *told_of(off, number),

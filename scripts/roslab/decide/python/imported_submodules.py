@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
+from roslab.decide.decision import Warning_
 from roslab.decide.python.on_index import on_index
+from roslab.decide.reasons import warn
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence, PythonProject
@@ -38,6 +40,17 @@ def with_imported(evidence: Evidence, kind: Kind) -> Evidence:
 def imported(projects: Iterable[PythonProject]) -> tuple[str, ...]:
     """Return the folders of those projects: what asks for them is a module of another folder."""
     return tuple(each.folder for each in projects if each.file.endswith(_CODE) and not _at(each.folder, each.file))
+
+
+def unread(projects: Iterable[PythonProject]) -> Iterator[Warning_]:
+    """Yield a warning for each module that may come from such a submodule, at its first import."""
+    found = {each.folder: each for each in projects}
+    for folder in imported(projects):
+        above, _, module = folder.rpartition("/")
+        if above in found and above in imported(found.values()):
+            message = f"{module} is imported, and {above}, which is not checked out, is called like it: pip installs it"
+            advice = "from there where it can, and what imports it stops where it cannot; check it out to have it read"
+            yield warn(f"{message} {advice}", found[folder])
 
 
 def _at(folder: str, file: str) -> bool:

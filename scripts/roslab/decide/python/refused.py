@@ -150,13 +150,14 @@ def _of_manifests(evidence: Evidence) -> Iterator[Requirement]:
 def _from_page(asked: Requirement, of_pages: Mapping[str, Requirement]) -> bool:
     """Tell whether a page's address stands for a declared name: one without a version, or that pip cannot find.
 
-    That of a manifest stands for one with a version, too, unless tables know the package of the index: a list that pip
-    wrote from what was installed from git names no address.
+    That of another manifest stands for one with a version, too, as a list that pip wrote from what was installed from
+    git names no address; but not for a package that tables know of the index, which that part wants otherwise.
     """
     if asked.key not in of_pages or asked.url:
         return False
-    frozen = of_pages[asked.key].origin in {"manifest", "conda"} and asked.key not in _tabled()
-    return not asked.specifier or refused(asked) is not None or frozen
+    if of_pages[asked.key].origin in {"manifest", "conda"}:
+        return refused(asked) is not None or asked.key not in _tabled()
+    return not asked.specifier or refused(asked) is not None
 
 
 @cache
