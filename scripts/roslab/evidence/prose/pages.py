@@ -54,8 +54,9 @@ _GUIDE = pattern(
 )
 """The name of a page at the root that tells how to start the program where no README does."""
 _NOTES = pattern(
-    r"note|todo|to[-_ ]do|plan|roadmap|log|commands?|cheat|release|summary|report|paper|design|architect|style|"
-    r"agents?\b|claude|copilot|gemini|prompt|citation|credit|thank|status|progress|idea|meeting|spec\b|requirements?",
+    r"(?:^|[-_. ])(?:notes?|todo|to[-_ ]do|plans?|roadmap|logs?|commands?|cheat\w*|releases?|summary|reports?|paper|"
+    r"design|architect\w*|style|singularity|apptainer|agents?|claude|copilot|gemini|prompts?|citation|credits?|thanks|"
+    r"status|progress|ideas?|meetings?|spec|specification|requirements?)(?:[-_. ]|$)",
     re.IGNORECASE,
 )
 """The name of a page that is for those who write the code, or that tells of it without starting it."""
