@@ -5,14 +5,13 @@ from __future__ import annotations
 import re
 
 from roslab.evidence import places
-from roslab.evidence.python.modules import modules
 from roslab.repository.checkout import Repository
 
 _FILES = ("CMakeLists.txt", "package.xml", "setup.py", "setup.cfg", "pyproject.toml", "Dockerfile", "Makefile")
-_SUFFIXES = (".cmake", ".txt", ".yml", ".yaml", ".sh", ".launch", ".ipynb")
+_SUFFIXES = (".py", ".cmake", ".txt", ".yml", ".yaml", ".sh", ".launch", ".ipynb")
 _PAGES = (".md", ".rst")
 MAX_SIZE = 128 * 1024
-MAX_FILES = 400
+MAX_FILES = 1_000
 """Most files that are searched, those nearest to the root first."""
 _STEP = r"(?:\bcd\s|\binstall\b|\bcmake\b|\bmake\b|\bcolcon\b|\bcatkin\b|-e\s|PYTHONPATH|submodule)"
 """What a line of a page does with a folder that it needs."""
@@ -28,8 +27,6 @@ def named(repository: Repository, path: str) -> bool:
     name = re.escape(path.rpartition("/")[2])
     word = re.compile(rf"(?<![\w-]){name}(?![\w-])")
     step = re.compile(rf"^.*{_STEP}.*(?<![\w-]){name}(?![\w-])", re.MULTILINE)
-    if any(word.search(module.text) for module in modules(repository)):
-        return True
     files = [*repository.named(*_FILES), *repository.suffixed(*_SUFFIXES, *_PAGES)]
     files = [file for file in files if 0 < file.size <= MAX_SIZE and not places.vendored(file.path)]
     files.sort(key=lambda file: (file.path.count("/"), file.path))
