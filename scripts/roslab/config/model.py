@@ -76,7 +76,7 @@ class Source:
     cmake_options: str = ""
     """Text as written; it is split by the rules of a shell when it is used."""
     cmake_folder: str | None = None
-    """Relative to the build folder; by default ``../``."""
+    """Relative to the build folder; by default ``../``. With ``by_make`` its Makefile's, relative to its own."""
     make_command: str | None = None
     """Shell text; by default ``make -j… install``."""
     keep_source: bool = False

@@ -109,8 +109,13 @@ def _of_archives(sources: Iterable[Source], parts: Iterable[NativePart]) -> Agai
 
 def _of_vendors(sources: Iterable[Source]) -> Against | None:
     known = {address(each) for each in amd64_only("source")}
-    found = next((source for source in sources if source.repo and address(source.repo) in known), None)
-    return (f"{found.name} brings libraries for amd64 only", found.place) if found else None
+    for source in sources:
+        if source.repo and address(source.repo) in known:
+            return f"{source.name} brings libraries for amd64 only", source.place
+        makefile = f"{source.repo.removesuffix('.git')}/{source.cmake_folder}" if source.repo and source.by_make else ""
+        if makefile and address(makefile) in known:
+            return f"the Makefile in {source.cmake_folder} of {source.name} is for amd64 only", source.place
+    return None
 
 
 def _of_code(on_x86: OnX86) -> Against | None:

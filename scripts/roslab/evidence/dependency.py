@@ -77,7 +77,7 @@ class GitSource:
     by_make: bool = False
     """A Makefile of its own installs it: nothing is called there before ``make``."""
     below: str = ""
-    """The folder of it that CMake is called for, where that is not its own."""
+    """The folder of it that CMake is called for, or in which make is, where that is not its own."""
     heading: str = ""
     """The titles of the page that a clone line stands under."""
     aside: bool = False

@@ -1,4 +1,4 @@
-"""Libraries without a package: where their source is, which ref to build, and how to configure it."""
+"""Libraries without a package: where their source is, which ref to build, and how to compile it."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _table(name: str) -> dict[str, Any] | None:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Recipe:
-    """How one library is built by CMake."""
+    """How one library is built, by CMake or by a Makefile."""
 
     name: str
     repo: str
@@ -51,6 +51,8 @@ class Recipe:
     options: tuple[str, ...]
     make: str | None
     """What takes the place of ``make install``, in its build folder."""
+    makefile_in: str | None
+    """The folder of it whose Makefile installs it without CMake, which then finds no package: it is only linked."""
 
 
 @cache
@@ -115,6 +117,7 @@ def recipe(
         depends=depends,
         options=tuple(found.get("options", ())),
         make=found.get("make"),
+        makefile_in=found.get("makefile_in"),
     )
     return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu, bounds, day)), own)
 

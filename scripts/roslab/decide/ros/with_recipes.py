@@ -10,7 +10,7 @@ from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
-from roslab.decide.system.by_everybody import told, why
+from roslab.decide.system.by_everybody import BARE, told, why
 from roslab.decide.system.libtorch_on_cpu import libtorch_on_cpu
 from roslab.decide.system.unbrought_options import without_unbrought
 from roslab.evidence.dependency import Dependency
@@ -33,16 +33,18 @@ def with_recipes(
     library may need, and what the build then says to write into roslab.yaml, whose order stays.
     """
     added: dict[str, Source] = {}
+    brought: set[str] = set()
     reasons = list(choice.reasons)
     warnings = list(choice.warnings)
     for source, asked in recipes:
         if source.name not in choice.answer.names and source.name not in added:
             added[source.name], untaken = without_unbrought(source, asked)
             warnings += untaken
+            brought |= _brought(asked, evidence)
             reason = f"{asked.name} is needed, and no package of this Ubuntu contains it"
             if source.place:
                 reason = f"{asked.name} is needed, and {source.place.file}:{source.place.line} names its source"
-            if source.unasked and asked.namespace != "link":
+            if source.unasked and (asked.namespace != "link" or asked.role == BARE):
                 reason = why(source, asked)
                 warnings.append(told(source, asked))
             if ros and of_ros(source.name):
@@ -61,9 +63,16 @@ def with_recipes(
             *(s for s in added.values() if s.unread),
             *(s for s in choice.answer.sources if s not in first),
         ),
-        names=choice.answer.names | added.keys(),
+        names=choice.answer.names | added.keys() | brought,
     )
     return replace(choice, answer=answer, reasons=tuple(reasons), warnings=tuple(warnings))
+
+
+def _brought(asked: Dependency, evidence: Evidence) -> set[str]:
+    """Return what a library that is called otherwise most likely brings: its headers, what nothing else does."""
+    if asked.role != BARE and asked.namespace != "include":
+        return set()
+    return {asked.name.partition("/")[0]} | {each.name for project in evidence.cmake for each in project.bare}
 
 
 def _first(sources: tuple[Source, ...], listed: Container[str]) -> tuple[Source, ...]:

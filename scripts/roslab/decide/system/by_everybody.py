@@ -24,6 +24,9 @@ from roslab.values.pattern import pattern
 
 PAGES = (".md", ".rst", ".txt", "README", "INSTALL")
 """How the names of pages end. A script may clone for one robot or another; a page says what everybody needs."""
+BARE = "bare"
+"""Role of a name that is linked and that nothing else is known to bring."""
+_CI = (".yml", ".yaml")
 _KINDS: frozenset[Kind] = frozenset({"ros1", "ros2", "cpp"})
 _TOOLS = ("cmake", "git")
 """What the image compiles with, by names that are those of their repositories, too."""
@@ -36,6 +39,10 @@ def why(source: Source, asked: Dependency) -> str:
     """Return why such a library is built; ``asked`` is the page, or what includes a header of it."""
     if asked.namespace == "include" and source.place:
         return f"{asked.file} includes {asked.name}, and {source.place.file} installs what is called so"
+    if asked.role == BARE and source.place:
+        return (
+            f"{asked.file} links {asked.name}, which nothing known brings, and {source.place.file} installs it before"
+        )
     return f"{asked.file} has everybody build it"
 
 
@@ -75,17 +82,20 @@ def includes(git: GitSource, headers: Mapping[str, Dependency]) -> Dependency | 
 
 
 def built_by_everybody(
-    git: GitSource, kind: Kind, target: Target, taken: Iterable[str], *, included: bool = False
+    git: GitSource, kind: Kind, target: Target, taken: Iterable[str], *, included: bool = False, lacking: bool = False
 ) -> bool:
     """Tell whether a page at the root has everybody compile and install a library that comes from nowhere else.
 
     ``taken``: names of what the image has, and of what CMake names. What the Ubuntu or the distribution has a package
     of is none of these: were it needed, the code would ask for it by a name that the tables know, unless the code is
-    known to include its headers.
+    known to include its headers. Where it does, or where the build is ``lacking`` a library that it links, what the
+    author's CI installs counts, too, and what a Makefile alone installs, as drivers are that no code needs.
     """
-    if kind not in _KINDS or git.kind != "clone" or git.aside or "/" in git.file or not git.file.endswith(PAGES):
+    wanted = included or lacking
+    written = git.file.endswith(PAGES) and "/" not in git.file
+    if kind not in _KINDS or git.kind != "clone" or git.aside or not (written or (wanted and git.file.endswith(_CI))):
         return False
-    if not (git.installed and git.configured):
+    if not git.installed or not (git.configured or (wanted and git.by_make)):
         return False
     there = {*taken, *_TOOLS}
     if not included:

@@ -10,7 +10,8 @@ from roslab.decide.linked_projects import linked_projects
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, drifts, fixed, moves, plain
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.by_everybody import built_by_everybody, headers_of, includes, named_in
+from roslab.decide.system.bare_links import bare_links
+from roslab.decide.system.by_everybody import BARE, built_by_everybody, headers_of, includes, named_in
 from roslab.decide.system.compiled_libraries import looked_for
 from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.names import Target, resolve
@@ -110,6 +111,7 @@ def by_hand(
     last = {git.file: git.line for git in sorted(found, key=lambda git: git.line) if git.installed}
     unread = any(git.absent for git in evidence.sources)
     there, headers = {*taken, *named_in(evidence.cmake)}, headers_of(evidence)
+    lacks = _lacks(evidence, packages, kind, target, free)
     for git in free.values():
         asked = Dependency(namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line)
         above = git.line < last.get(git.file, 0)  # what is below it may need it
@@ -120,8 +122,9 @@ def by_hand(
         if header is not None and git not in found and _by_script(git):
             found[git] = header
             unasked.add(git)  # the include may be for another machine, or in what is not compiled
-        if git not in found and built_by_everybody(git, kind, target, there, included=header is not None):
-            found[git] = header or asked
+        included, lacking = header is not None, lacks is not None
+        if git not in found and built_by_everybody(git, kind, target, there, included=included, lacking=lacking):
+            found[git] = header or lacks or asked
             if header is None:
                 unasked.add(git)
     files = [git.file for git in found]
@@ -131,6 +134,15 @@ def by_hand(
         for git in in_order
     )
     return tuple((with_beside(source, git, evidence), found[git]) for git, source in built)
+
+
+def _lacks(
+    evidence: Evidence, packages: Packages, kind: Kind, target: Target, offered: Mapping[str, GitSource]
+) -> Dependency | None:
+    """Return the first library that the build links and that nothing known, nor called like what is offered, brings."""
+    linked = (asked for _, asked in bare_links(evidence, packages, kind))
+    found = (asked for asked in linked if _bare(asked.name) not in offered and not target.knows(asked.name))
+    return next((replace(asked, role=BARE) for asked in found), None)
 
 
 def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
@@ -221,7 +233,7 @@ def _source(git: GitSource, day: str) -> Source:
         before="" if ref and not drifts(ref) else day,
         build="cmake",
         cmake_options=git.options,
-        cmake_folder=f"../{git.below}" if git.below else None,
+        cmake_folder=(git.below if git.by_make else f"../{git.below}") if git.below else None,
         unread=not git.by_make,
         by_make=git.by_make,
         place=Place(file=git.file, line=git.line),

@@ -69,7 +69,9 @@ def _source(built: Recipe) -> Source:
         depends=built.depends,
         build="cmake",
         cmake_options=" ".join(built.options),
+        cmake_folder=built.makefile_in,
         make_command=built.make,
+        by_make=built.makefile_in is not None,
     )
 
 
@@ -80,18 +82,25 @@ def linked(
 
     And those that are linked by a file below /usr/local, where no package of Ubuntu puts its own.
     A name that is only linked may be a library that is compiled beside it: the clone tells, where it is not one of the
-    repository itself. ``needed`` are names, each with whether it may be taken for more than a guess.
+    repository itself. What installs no package of CMake can only be linked, and nothing else is called so where the
+    tree and its submodules do not make it. ``needed`` are names, each with whether it may be taken for more than a
+    guess.
     """
     names = (*(manifest.name for manifest in evidence.manifests), *(each.name for each in evidence.cmake))
     own = {name for name in names if name}
     cloned = {plain(git.name) for git in evidence.sources if git.kind == "clone" and not itself_in(git, own)}
+    made = {name for project in evidence.cmake for name in project.made}
+    unread = any(git.kind == "submodule" and git.absent for git in evidence.sources)
     for dependency, trusted in needed:
         if trusted and _by_file(dependency) and recipe(dependency.name, ubuntu):
             yield dependency.name, dependency
         if not trusted or dependency.namespace != "link" or library("link", dependency.name, ubuntu):
             continue
         found = library("cmake", dependency.name, ubuntu)
-        if found and found.recipe and not found.apt and plain(found.recipe) in cloned:
+        if not (found and found.recipe) or found.apt:
+            continue
+        only = any(built.makefile_in for built in recipe(found.recipe, ubuntu))
+        if plain(found.recipe) in cloned or (only and not unread and dependency.name not in made):
             yield found.recipe, dependency
 
 

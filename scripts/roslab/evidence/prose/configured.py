@@ -88,11 +88,16 @@ def installs(program: str, words: Sequence[str], *, configured: bool) -> bool:
     return bool({"install", "--install"} & {*words})
 
 
-def by_hand(said: GitSource, program: str, options: str, folder: str, *, configured: bool, prepared: bool) -> GitSource:
-    """Return a clone as a text compiles and installs it: with which options, in which folder, by CMake or make."""
+def by_hand(
+    said: GitSource, program: str, options: str, folder: str, here: str, *, configured: bool, prepared: bool
+) -> GitSource:
+    """Return a clone as a text compiles and installs it: with which options, by CMake or make.
+
+    ``folder`` is the one that CMake is told, ``here`` the one that the text is in, where make finds its Makefile.
+    """
     by_cmake = said.configured or configured
     by_make = program == "make" and not (by_cmake or prepared)
-    inside = below(said.folder, folder)
+    inside = below(said.folder, here if by_make else folder)
     return replace(said, installed=True, options=options, below=inside, configured=by_cmake, by_make=by_make)
 
 

@@ -69,6 +69,8 @@ class Collector:
     """Something else was that writes a Makefile."""
     below: str = ""
     """The folder that it named by a path."""
+    place: str = ""
+    """The folder again, of a path of the reader's all that follows a clone of the text: ``~/tools/NAME/c++/build``."""
     cloned: int | None = None
     """Index of the last clone."""
     fresh: set[int] = field(default_factory=set)
@@ -204,9 +206,11 @@ class Collector:
         self.inside = workspaces.of_packages(target) or (left and self.sources_at is None)
         if known := not (workspaces.of_reader(target) or UNKNOWN in target):
             self.folder = posixpath.normpath(posixpath.join(self.folder, target)).removeprefix("../").strip(".")
+            self.place = posixpath.normpath(posixpath.join(self.place, target))
         else:
             self.folder = "" if target in {"~", "-"} else workspaces.end_of(target).replace(UNKNOWN, "").strip("/")
             self.whole = workspaces.below_sources(target)
+            self.place = workspaces.through(target, (git.folder for git in self.sources)) or self.folder
         self.inside = self.inside or (known and self.folder == self.sources_at)
         if self.inside:
             self.sources_at = self.folder
@@ -247,10 +251,11 @@ class Collector:
                 self._mention("compiled", source_of(self.folder, words), command, text=self.options + preset_of(words))
         if not installs(program, words, configured=self.configured):
             return
-        clone = clone_at([*self.folder.split("/"), *self.below.split("/")], self.sources)
+        here = workspaces.longer(self.folder, self.place)
+        clone = clone_at([*here.split("/"), *self.below.split("/")], self.sources)
         clone = titled(self.heading, self.sources) if clone is None and program != "dpkg" else clone
         if clone is not None:
-            said, how = self.sources[clone], (self.options, self.below)
+            said, how = self.sources[clone], (self.options, self.below, here)
             self.sources[clone] = by_hand(said, program, *how, configured=self.configured, prepared=self.prepared)
 
     def _program(self, program: str, command: Command) -> None:

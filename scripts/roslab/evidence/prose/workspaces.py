@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from roslab.values.pattern import pattern
 
@@ -28,6 +28,13 @@ def end_of(target: str) -> str:
 def of_reader(target: str) -> bool:
     """Tell whether ``cd`` goes to a place of the reader's, which is none below the folder that the text is in."""
     return target.startswith(("/", "~", "$", "-")) or "<" in target or bool(_PATH_TO.search(target))
+
+
+def through(target: str, cloned: Iterable[str]) -> str:
+    """Return such a path from the folder of a clone on, ``""`` where it goes through none."""
+    parts = target.rstrip("/").split("/")
+    places = [parts.index(name) for name in cloned if name in parts]
+    return "/".join(parts[max(places) :]) if places else ""
 
 
 def below_sources(target: str) -> str:

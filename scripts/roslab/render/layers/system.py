@@ -288,7 +288,8 @@ def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
     if library.build != "cmake":
         return []
     if library.by_make:
-        return [f"cd {folder}", f"{INSTALL_BY_MAKE} {shell.JOBS}"]
+        inside = posixpath.join(SOURCES, library.name, library.cmake_folder or "").rstrip("/")
+        return [f"cd {quote.shell(inside)}", f"{INSTALL_BY_MAKE} {shell.JOBS}"]
     options = "".join(f" {quote.shell(word)}" for word in shlex.split(library.cmake_options))
     make = library.make_command or f"make --jobs={shell.JOBS} install"
     return [
