@@ -10,7 +10,7 @@ from typing import TypeVar
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.native.output_folder import PROCESSOR
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -86,7 +86,8 @@ def found_by(project: CMakeProject) -> frozenset[str]:
 def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
     """Return the programs of the top-level CMake project and of the folders that it adds, without tests.
 
-    Where every program is named like one, the project has no others, and they are none: ``test_pipeline``.
+    Where every program is named like one, the project has no others, and they are none: ``test_pipeline``. Nor is one
+    that a page has its reader run by a path.
     """
     top = top_of(evidence)
     if top is None:
@@ -94,13 +95,18 @@ def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
     found: dict[str, Compiled] = {}
     projects = tuple(_inside(evidence, top))
     named = _named_like_tests(projects)
+    run = {posixpath.basename(m.value.split(" ")[0]) for m in evidence.mentions if _run_by_path(m)}
     for project in projects:
         usual, placed = _folder(project, evidence, top), dict(project.placed)
         for name, line in project.executables:
-            if _NAME.fullmatch(name) and (named or not _TEST.search(name)):
+            if _NAME.fullmatch(name) and (named or name in run or not _TEST.search(name)):
                 folder = _whole(placed[name], top) if name in placed else usual
                 found.setdefault(name, Compiled(name=name, folder=folder, file=project.file, line=line))
     return tuple(found.values())
+
+
+def _run_by_path(said: Mention) -> bool:
+    return said.topic == "command" and said.source == "readme" and said.value.startswith("./")
 
 
 def folders_of(programs: Iterable[Compiled]) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslab.evidence.lex.cmake_loops import COMPONENT, MAX_EXPANSION, MAX_VALUE, Loops, filled
 from roslab.evidence.lex.constants import FALSE, stays_off
 from roslab.evidence.lex.truth import workspace_holds
 from roslab.values.dataclass import dataclass, field
@@ -25,11 +26,10 @@ _TOKEN = pattern(
 )
 _UNPLAIN = pattern(r"[\"#(\\\[]")
 """What the words of a call have that are more than words with blanks between them."""
-_VARIABLE = pattern(r"\$\{(\w+)\}")
 _OPENERS = frozenset({"if", "while", "function", "macro", "foreach", "block"})
 _FUNCTIONS = frozenset({"function", "macro"})
 _CONTROL = _OPENERS - {"while", "block"} | {
-    *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option")
+    *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option", COMPONENT)
 }
 _NEVER = "NEVER "
 _ON = frozenset({("ON",), ("TRUE",), ("1",), ("YES",)})
@@ -38,10 +38,6 @@ MAX_WORDS = 400
 """Most words of one call; a longer one is a list of source files."""
 MAX_LENGTH = 64 * 1024
 """Most characters of one call."""
-MAX_EXPANSION = 200
-"""Most words of one variable."""
-MAX_VALUE = 2_000
-"""Most characters of one word; a longer one comes from variables that double themselves."""
 MAX_CONDITIONS = 20
 """Most nested ``if`` blocks whose conditions are kept; deeper ones are only counted."""
 MAX_TOTAL = 300_000
@@ -64,10 +60,13 @@ class Call:
     """The words as they are written."""
 
 
-def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = None) -> Iterator[Call]:
+def calls(
+    text: str, names: frozenset[str], options: dict[str, bool] | None = None, repeated: frozenset[str] = frozenset()
+) -> Iterator[Call]:
     """Yield the calls of the given lower-cased names in order; a name may end in ``*``.
 
     ``options``: those that are declared where the text begins, and whether each is on; its own are added on the way.
+    ``repeated``: names whose calls in a ``foreach`` are yielded once for each round; of all others one stands for all.
     """
     if "#[" in text:
         text = _BRACKET_COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
@@ -88,10 +87,13 @@ def calls(text: str, names: frozenset[str], options: dict[str, bool] | None = No
         if total > MAX_TOTAL:
             return
         scope.enter(name, raw)
-        if asked and not scope.never:
+        if not asked or scope.never:
+            continue
+        once = () if name in repeated and scope.loops.around else (tuple(filled(raw, scope.variables)),)
+        for words in once or scope.loops.rounds(raw, scope.variables):
             yield Call(
                 name=name,
-                words=tuple(_filled(raw, scope.variables)),
+                words=words,
                 line=line,
                 conditions=tuple(scope.conditions[:MAX_CONDITIONS]),
                 in_function=not _FUNCTIONS.isdisjoint(scope.stack[:MAX_CONDITIONS]),
@@ -112,6 +114,7 @@ class _Scope:
     """The whole file."""
     off: set[str] = field(default_factory=set)
     """Variables that are false from the beginning to the end."""
+    loops: Loops = field(default_factory=Loops)
     decided: dict[str, str] = field(default_factory=dict)
     """Variables that are on where a condition of the build tool holds, each with that condition."""
 
@@ -127,7 +130,7 @@ class _Scope:
             if name == "if":
                 self.conditions.append(self._condition(words))
             elif name == "foreach" and words:
-                values = tuple(_looped(words[1:], self.variables))[:MAX_EXPANSION]
+                values = self.loops.enter(words, self.variables)
                 self.variables[words[0]] = (" ".join(values),)  # one word stands for all iterations
         elif name in {"elseif", "else"} and self.conditions:
             other = f"NOT ({self.conditions[-1]})"[:MAX_VALUE]
@@ -137,16 +140,20 @@ class _Scope:
                 self.stack.pop()
             if name == "endif" and self.conditions:
                 self.conditions.pop()
+            elif name == "endforeach":
+                self.loops.leave()
         elif words and not self.never:
             self._assign(name, words)
 
     def _assign(self, name: str, words: list[str]) -> None:
+        if name in {"set", COMPONENT}:
+            self.loops.note(name, words)
         if name == "project":
-            value = tuple(_filled(words[:1], self.variables))
+            value = tuple(filled(words[:1], self.variables))
             self.variables["PROJECT_NAME"] = value
             self.variables.setdefault("CMAKE_PROJECT_NAME", value)
         if name == "set" and len(words) <= MAX_EXPANSION:
-            values = (w for w in _filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
+            values = (w for w in filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
             self.variables[words[0]] = tuple(values)[:MAX_EXPANSION]
             alone = len(words) == 2 and not self.stack and words[0] not in self.options
             if alone and words[1].upper() in FALSE and stays_off(self.text, words[0]):
@@ -155,7 +162,7 @@ class _Scope:
             if words[0] in self.options and self.variables[words[0]][:1] in {("ON",), ("TRUE",), ("1",)}:
                 self.options[words[0]] = True
         elif name == "list" and len(words) > 2 and words[0].upper() == "APPEND":
-            more = (*self.variables.get(words[1], ()), *_filled(words[2:], self.variables))
+            more = (*self.variables.get(words[1], ()), *filled(words[2:], self.variables))
             self.variables[words[1]] = more[:MAX_EXPANSION]
         elif name == "option":
             on = len(words) > 2 and words[-1].upper() in {"ON", "TRUE", "1", "YES"}
@@ -196,18 +203,6 @@ def negated(condition: str) -> str:
     return condition[len("NOT (") : -1] if condition.startswith("NOT (") else f"NOT ({condition})"[:MAX_VALUE]
 
 
-def _looped(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator[str]:
-    """Yield what a ``foreach`` iterates over: ``IN LISTS`` names variables, everything else is a value."""
-    lists = False
-    for word in words:
-        if word in {"IN", "ITEMS", "LISTS"}:
-            lists = word == "LISTS"
-        elif lists:
-            yield from variables.get(word, ())
-        else:
-            yield from _filled([word], variables)
-
-
 def _words(text: str, start: int) -> list[str]:
     """Split the words of a call, from after its parenthesis to the closing one."""
     end = text.find(")", start, start + MAX_LENGTH)
@@ -229,19 +224,3 @@ def _words(text: str, start: int) -> list[str]:
         if len(words) >= MAX_WORDS:
             break
     return words
-
-
-def _filled(words: list[str], variables: dict[str, tuple[str, ...]]) -> Iterator[str]:
-    """Fill in known variables; what is unknown or grows without end stays as written."""
-    for word in words:
-        if "${" not in word:
-            if ";" in word and "/" not in word:
-                yield from word.split(";")
-            else:
-                yield word
-            continue
-        whole = _VARIABLE.fullmatch(word)
-        if whole:
-            yield from variables.get(whole[1], (word,))
-        else:
-            yield _VARIABLE.sub(lambda match: " ".join(variables.get(match[1], (match[0],))), word)[:MAX_VALUE]

@@ -46,6 +46,7 @@ https://github.com/PickNikRobotics/generate_parameter_library/blob/main/generate
 (read 2026-11-26)
 """
 _TARGETS = _EXECUTABLE | _LIBRARY
+_REPEATED = _TARGETS | {"set_target_properties"}
 _TESTS = frozenset({"add_test", "gtest_discover_tests", "catch_discover_tests"})
 _NAMES = (
     cmake_needs.CALLS
@@ -131,7 +132,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     adds: list[str] = []
     options = dict(above.options)
     text = repository.read(file)
-    for call in calls(text, _NAMES | cmake_since.names(), options):
+    for call in calls(text, _NAMES | cmake_since.names(), options, _REPEATED):
         cmake_since.note(call, file.path, reading.newer)
         if folders := cmake_needs.folders(call):
             adds += (here := [_joined(file.folder, folder) for folder in folders])
