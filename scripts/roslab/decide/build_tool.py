@@ -19,13 +19,19 @@ class Weight:
     CPP = 100
 
 
-def _of_cpp(evidence: Evidence) -> Choice[BuildTool]:
-    """Return CMake, or none where make, which is no tool of this table, builds it, or a script of the repository."""
+def _of_cpp(evidence: Evidence, *, said: bool) -> Choice[BuildTool]:
+    """Return CMake, or none where make, which is no tool of this table, builds it, or a script of the repository.
+
+    Nor where nothing shows what compiles it; ``said``: roslab.yaml says that it is C++.
+    """
     if top_of(evidence) is None and not evidence.makefiles:
-        for said in evidence.mentions:
-            if said.topic == "other_builder" and said.value in other_builders.of_cpp():
-                why = f"{said.value} builds it, which no step of the image calls"
-                return Choice(answer="none", reasons=(because("build_tool", "none", why, said, weight=Weight.CPP),))
+        for other in evidence.mentions:
+            if other.topic == "other_builder" and other.value in other_builders.of_cpp():
+                why = f"{other.value} builds it, which no step of the image calls"
+                return Choice(answer="none", reasons=(because("build_tool", "none", why, other, weight=Weight.CPP),))
+        if not (said or evidence.cmake or any(git.kind == "submodule" for git in evidence.sources)):
+            why = "nothing shows how it is compiled"
+            return Choice(answer="none", reasons=(because("build_tool", "none", why, weight=Weight.CPP),))
     return _made(evidence) or Choice(
         answer="cmake", reasons=(because("build_tool", "cmake", "plain C++", weight=Weight.CPP),)
     )
@@ -52,7 +58,7 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
         why = because("build_tool", "colcon", "ROS 2 is built by colcon", weight=Weight.ROS2)
         return Choice(answer="colcon", reasons=(why,))
     if kind == "cpp":
-        return _of_cpp(evidence)
+        return _of_cpp(evidence, said=config.kind is not None)
     from roslab.decide.python.build_tool import tool_of_python  # noqa: PLC0415 - as above
 
     choice = tool_of_python(evidence, python)

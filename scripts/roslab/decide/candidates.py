@@ -162,11 +162,12 @@ def _compiled(evidence: Evidence) -> Iterator[Candidate]:
 
 
 def _made(evidence: Evidence) -> Iterator[Candidate]:
-    """Yield the one program of the Makefile that is the whole project."""
-    made = builds_all(evidence)
+    """Yield the one program of the Makefile that is the whole project, or the only one, in a folder of the tree."""
+    lone = evidence.makefiles[0] if len(evidence.makefiles) == 1 else None
+    made = builds_all(evidence) or (lone if lone and lone.folder and not (lone.script or lone.qt) else None)
     if made and made.only:
-        why = "a program that make compiles"
-        yield Candidate(argv=(f"./{made.only}",), why=why, file=made.file, line=made.line, strong=False)
+        why, program = "a program that make compiles", posixpath.join(made.folder, made.only)
+        yield Candidate(argv=(f"./{program}",), why=why, file=made.file, line=made.line, strong=False)
 
 
 def _left_out(evidence: Evidence) -> Iterator[tuple[str, str]]:

@@ -85,7 +85,12 @@ def decide_kind(evidence: Evidence, config: Config, folder_name: str = "") -> Ch
     if not reasons:
         reasons += last_signs(evidence)
     if not reasons:
-        reasons.append(because("kind", "python", "nothing shows what it is: the default", weight=Weight.DEFAULT))
+        other = any(said.topic == "other_builder" for said in evidence.mentions)  # its code is in another language
+        code = next((each for each in evidence.code if each.namespace == "include" and not other), None)
+        why = (
+            "C or C++ alone, and nothing shows how it is compiled" if code else "nothing shows what it is: the default"
+        )
+        reasons.append(because("kind", "cpp" if code else "python", why, code, weight=Weight.DEFAULT))
     best = strongest(reasons)
     kind = cast("Kind", best.answer)
     return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind, best.weight))
@@ -152,7 +157,7 @@ def _warnings(evidence: Evidence, kind: Kind, weight: int) -> tuple[Warning_, ..
 
     And about C++ that nothing says how to compile, or code that another build tool compiles, by the weight of the kind.
     """
-    if kind == "python" or (kind == "cpp" and weight == OTHER_BUILDER):
+    if kind == "python" or (kind == "cpp" and weight in {OTHER_BUILDER, Weight.DEFAULT}):
         otherwise = built_otherwise(evidence) if weight <= Weight.PROGRAM else ()
         open_ = uncompiled(evidence) if weight <= Weight.DEFAULT else ()
         return (*warnings_of_cuda(evidence), *(otherwise or open_))

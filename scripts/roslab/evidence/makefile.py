@@ -26,6 +26,8 @@ class Makefile:
 
     only: str | None = None
     """The one program that it makes, by its path from there, where it names no other."""
+    stale: bool = False
+    """The tree holds a file of the name of one of its programs: make would take it for done."""
     qt: tuple[str, ...] = ()
     """The modules of Qt that a project of qmake asks for, as it calls them."""
 

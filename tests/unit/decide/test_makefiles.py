@@ -141,3 +141,51 @@ def test_scripts_of_a_submodule_run_before_make(tree: Tree, script: str, command
     assert [each.command for each in decision.scripts] == commands
     assert decision.scripts[-1].required
     assert decision.command == ("./slam",)
+
+
+WINDOWS = "CXX = g++\nOBJECTS = $(patsubst %.cpp,%.o,$(wildcard *.cpp))\nsim.exe: $(OBJECTS)\n\t$(CXX) -o $@ $^\n"
+
+
+@pytest.mark.parametrize(
+    ("folder", "argv"),
+    [("design/sim", ("./design/sim/sim.exe",)), ("a/b/c", ("./a/b/c/sim.exe",)), ("a/b/c/d", ("bash",))],
+)
+def test_a_makefile_further_down_where_no_other_is(tree: Tree, folder: str, argv: tuple[str, ...]) -> None:
+    files = {f"{folder}/{path}": text for path, text in CODE.items()}
+    decision = tree({**files, f"{folder}/Makefile": WINDOWS})
+    assert (decision.kind, decision.command) == ("cpp", argv)
+    assert [script.folder for script in decision.scripts] == ([folder] if argv != ("bash",) else [])
+    assert any("nothing shows how it is compiled" in each.message for each in decision.warnings) is (argv == ("bash",))
+
+
+def test_one_further_down_does_not_count_beside_one_that_is_near(tree: Tree) -> None:
+    decision = tree({**CODE, "app/Makefile": MADE, "app/parts/inner/Makefile": WINDOWS})
+    assert [script.folder for script in decision.scripts] == ["app"]
+
+
+def test_a_makefile_that_compiles_for_windows_is_none_of_linux(tree: Tree) -> None:
+    assert tree({**CODE, "Makefile": WINDOWS.replace("g++", "x86_64-w64-mingw32-g++")}).scripts == ()
+
+
+def test_the_name_for_windows_is_none_beside_that_of_linux(tree: Tree) -> None:
+    both = "CXX = g++\nifdef COMSPEC\nTARGET = sim.exe\nelse\nTARGET = sim\nendif\n$(TARGET):\n\t$(CXX) *.cpp -o $@\n"
+    page = {"README.md": "```\nmake\n./sim\n./sim.exe\n```\n"}
+    assert tree({**CODE, **page, "Makefile": both}).command == ("./sim",)
+
+
+def test_what_the_tree_holds_is_made_anew(tree: Tree) -> None:
+    old = {"design/sim/sim.exe": "MZ", "design/sim/main.cpp": CODE["main.cpp"], "design/sim/Makefile": WINDOWS}
+    assert [script.command for script in tree(old).scripts] == ["make --always-make"]
+
+
+def test_c_and_cpp_alone_are_no_python(tree: Tree) -> None:
+    decision = tree({"firmware/main.c": "#include <odd/motor.h>\nint main(void) {}\n"})
+    assert (decision.kind, decision.build_tool, decision.scripts) == ("cpp", "none", ())
+    assert "python3-venv" not in decision.apt
+    assert any("nothing shows how it is compiled" in each.message for each in decision.warnings)
+
+
+def test_a_makefile_is_something_to_build_whatever_the_code_includes(tmp_path: Path) -> None:
+    for name, text in {"main.c": "#include <stdio.h>\nint main(void) {}\n", "Makefile": MADE}.items():
+        (tmp_path / name).write_text(text)
+    assert plan_repository(tmp_path).decision.kind == "cpp"

@@ -35,6 +35,7 @@ _INSTALLS = pattern(r"(?:^|/)(?:build|make|compile|install)(?:[_-]\w+)*\.sh$")
 _ASIDE = pattern(
     r"\b(?:docker|docs?|documentation|tests?|wheels?|release|optional|windows?|mac\w*|jetson|real)\b", re.IGNORECASE
 )
+_ANEW = "make --always-make"
 _QMAKE = "QT_SELECT=5 qmake"
 """qtchooser, which is ``qmake`` on Ubuntu, starts that of Qt 4 without it where no package says otherwise."""
 _INSTALL = "its own `install` compiles, which an editable installation does not run"
@@ -201,7 +202,7 @@ def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
                 OwnScript(
                     folder=each.folder,
                     path=each.file,
-                    command=each.script or (f"{_QMAKE} && make" if each.qt else "make"),
+                    command=each.script or (f"{_QMAKE} && make" if each.qt else _ANEW if each.stale else "make"),
                     required=each is made[0] if each.script else kind == "cpp" and builds_all(evidence) is each,
                 )
                 for each in made

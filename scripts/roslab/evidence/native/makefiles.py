@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
@@ -26,19 +26,25 @@ _COMPILES = pattern(
 )
 _OTHERS = pattern(
     r"\b(?:cmake|catkin\w*|colcon|rospack|rosmake|qmake|docker|sphinx-build|SPHINXBUILD|latex|pdflatex|"
-    r"arm-none-eabi-\w+|avr-\w+|obj-m|platformio)\b"
+    r"arm-none-eabi-\w+|avr-\w+|obj-m|platformio|\w+-mingw32-\w+)\b"
 )
-"""What a Makefile for something else calls: for another build tool, documents, firmware, the kernel."""
-_OUTPUT = pattern(r"(?<!\w)-o\s+(?:[\w.-]+/){0,4}([A-Za-z][\w-]{0,60})(?=\s|$)", re.MULTILINE)
+"""What a Makefile for something else calls: for another build tool, documents, firmware, the kernel, Windows."""
+NEAR, FAR = 1, 3
+"""How many folders down a Makefile may lie, and where no other does."""
+_OF_WINDOWS = ".exe"
+"""How authors end the names of programs who write for both systems: g++ on Linux makes one of that name."""
+_OUTPUT = pattern(r"(?<!\w)-o\s+(?:[\w.-]+/){0,4}([A-Za-z][\w-]{0,60}(?:\.exe)?)(?=\s|$)", re.MULTILINE)
 _TARGET = pattern(
     r"^(?:(?:\w+_)?(?:TARGETS?|EXEC\w*|BIN(?:ARY|ARIES)?|PROG\w*|OUTPUT|APP\w*|EXE))\s*[:?]?=\s*([\w./ -]{1,300})$",
     re.MULTILINE,
 )
 _RULE = pattern(r"^([\w./-]{1,80}(?: [\w./-]{1,80}){0,7}) ?:(?!=)", re.MULTILINE)
+_LINKS = pattern(r"^([\w./-]{1,80}) ?:(?!=)[^\n]{0,400}\n\t[^\n]{0,400}-o \$@", re.MULTILINE)
+"""The rule that makes one file by its name."""
 _OF_ANY = pattern(r"^[^\s#][^\n:=]{0,100}%[^\n:=]{0,100}:(?!=)|\$[({]wildcard\s", re.MULTILINE)
 """A rule for files of any name, or a list of the files that are there."""
 _PROGRAM = pattern(r"(?:[\w.-]+/){0,4}[\w.-]+")
-_NO_PROGRAMS = (".a", ".so", ".o", ".exe", ".dll", ".cpp", ".cc", ".c")
+_NO_PROGRAMS = (".a", ".so", ".o", ".dll", ".cpp", ".cc", ".c")
 _INCLUDE = pattern(r"^-?s?include[ \t]+([\w./ -]{1,200})$", re.MULTILINE)
 _MAIN = pattern(r"^[ \t]*(?:int|auto)\s+main\s*\(", re.MULTILINE)
 _SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu")
@@ -54,7 +60,7 @@ _TASKS = frozenset(
 
 
 def read(repository: Repository, mentions: Iterable[Mention] = ()) -> tuple[Makefile, ...]:
-    """Return the Makefile at the root, else those of the folders below it, else the scripts that a page compiles with.
+    """Return the Makefile at the root, else those of the nearest folders, else the scripts that a page compiles with.
 
     Else the projects of qmake.
     None where CMake or ROS builds the tree, or where it has more Python than C and C++.
@@ -75,15 +81,17 @@ def _number(repository: Repository, *suffixes: str) -> int:
 
 
 def _files(repository: Repository) -> list[File]:
-    """Return one Makefile of each folder near the root."""
+    """Return one Makefile of each folder near the root, of those further down where there is none."""
     kept: dict[str, File] = {}
+    further: dict[str, File] = {}
     for name in _NAMES:
         for file in repository.named(name):
             path = file.path
             aside = places.vendored(path) or places.test(path) or places.documentation(path) or places.example(path)
-            if path.count("/") <= 1 and file.size <= MAX_SIZE and not aside:
-                kept.setdefault(file.folder, file)
-    return [kept[folder] for folder in sorted(kept)]
+            if path.count("/") <= FAR and file.size <= MAX_SIZE and not aside:
+                (kept if path.count("/") <= NEAR else further).setdefault(file.folder, file)
+    found = kept or further
+    return [found[folder] for folder in sorted(found)]
 
 
 def _makefile(file: File, repository: Repository) -> Makefile | None:
@@ -103,12 +111,19 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
     return Makefile(
         file=file.path,
         line=1,
-        programs=tuple(dict.fromkeys(name for name in names if "." not in name and name not in _TASKS)),
+        programs=(programs := tuple(dict.fromkeys(name for name in names if _may_be_made(name, names)))),
         only=_only(text),
+        stale=any(repository.has(posixpath.join(file.folder, name)) for name in programs),
         linked=compile_scripts.linked(text),
         cuda=compile_scripts.for_cuda(text),
         modules=compile_scripts.modules(text),
     )
+
+
+def _may_be_made(name: str, names: Collection[str]) -> bool:
+    """Tell whether a name is one of a program; that for Windows is none where there is another without its ending."""
+    plain = name.removesuffix(_OF_WINDOWS)
+    return bool(plain) and "." not in plain and name not in _TASKS and (plain == name or plain not in names)
 
 
 def with_included(text: str, folder: str, repository: Repository) -> str:
@@ -128,8 +143,9 @@ def with_included(text: str, folder: str, repository: Repository) -> str:
 
 
 def _only(text: str) -> str | None:
-    """Return the one program that a Makefile's variables name, ``None`` where it may make another."""
+    """Return the one program that a Makefile's variables name, else its rules, ``None`` where it may make another."""
     named = {posixpath.normpath(word) for written in _TARGET.findall(text) for word in written.split()}
+    named = named or {posixpath.normpath(name) for name in _LINKS.findall(text) if not name.endswith(_NO_PROGRAMS)}
     others = {*_OUTPUT.findall(text)} - {posixpath.basename(name) for name in named}
     program = next(iter(named)) if len(named) == 1 and not others else ""
     plain = _PROGRAM.fullmatch(program) and not program.endswith(_NO_PROGRAMS)
