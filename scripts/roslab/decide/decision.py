@@ -85,6 +85,8 @@ class OwnScript:
     command: str
     required: bool = False
     """Nothing else is built: what fails stops the build."""
+    after: bool = False
+    """It needs the library of the project, which is installed before."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TypeVar
 
+from roslab.decide.linking_projects import linking
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -86,6 +87,7 @@ def found_by(project: CMakeProject) -> frozenset[str]:
 def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
     """Return the programs of the top-level CMake project and of the folders that it adds, without tests.
 
+    And those of the projects that are compiled once its library is installed.
     Where every program is named like one, the project has no others, and they are none: ``test_pipeline``. Nor is one
     that a page has its reader run by a path.
     """
@@ -93,16 +95,23 @@ def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
     if top is None:
         return ()
     found: dict[str, Compiled] = {}
-    projects = tuple(_inside(evidence, top))
-    named = _named_like_tests(projects)
     run = {posixpath.basename(m.value.split(" ")[0]) for m in evidence.mentions if _run_by_path(m)}
-    for project in projects:
-        usual, placed = _folder(project, evidence, top), dict(project.placed)
-        for name, line in project.executables:
-            if _NAME.fullmatch(name) and (named or name in run or not _TEST.search(name)):
-                folder = _whole(placed[name], top) if name in placed else usual
-                found.setdefault(name, Compiled(name=name, folder=folder, file=project.file, line=line))
+    for each in (top, *(project for project, _ in linking(evidence, top))):
+        projects = tuple(_inside(evidence, each))
+        named = _named_like_tests(projects)
+        for project in projects:
+            usual, placed = _folder(project, evidence, each), dict(project.placed)
+            for name, line in project.executables:
+                if _NAME.fullmatch(name) and (named or name in run or not _TEST.search(name)):
+                    folder = _whole(placed[name], each) if name in placed else usual
+                    folder = folder if each is top or folder.startswith("source") else _in_source(folder, each)
+                    found.setdefault(name, Compiled(name=name, folder=folder, file=project.file, line=line))
     return tuple(found.values())
+
+
+def _in_source(folder: str, project: CMakeProject) -> str:
+    """Return the folder of a program that is compiled where its project lies."""
+    return posixpath.join("source", _place(project), folder)
 
 
 def _run_by_path(said: Mention) -> bool:

@@ -46,6 +46,8 @@ class Script:
     command: str
     required: bool
     """Nothing else is built: what fails stops the build."""
+    after: bool = False
+    """It needs what the program installs."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -141,7 +143,8 @@ def workspace(
         large_files=decision.large_files and bool(sisters or decision.submodules),
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         scripts=tuple(
-            Script(folder=each.folder, command=each.command, required=each.required) for each in decision.scripts
+            Script(folder=each.folder, command=each.command, required=each.required, after=each.after)
+            for each in decision.scripts
         ),
         downloads=decision.downloads,
         python_path=decision.python_path,

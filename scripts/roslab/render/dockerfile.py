@@ -57,6 +57,7 @@ END: tuple[Block, ...] = (
     workspace.set_up_inside,
     program.compile_program,
     program.install_program,
+    own_scripts.after_program,
     final.custom,  # 7.
     final.environment,
     final.start,
@@ -112,7 +113,7 @@ TODAY = Order(
         wheel_libraries.after_projects,
         workspace.own_projects,
         workspace.any_processor,
-        own_scripts.own_scripts,
+        own_scripts.before_program,
         workspace.compile_inside,
         *END,
     ),

@@ -6,6 +6,7 @@ from typing import Literal
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice, Warning_
+from roslab.decide.linking_projects import linking
 from roslab.decide.programs import beside_top, compiled, folders_of, top_of
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.not_built import warn_of_the_other_ros
@@ -36,7 +37,7 @@ class Layout:
     program_folders: tuple[str, ...] = ()
     """Where its programs are: ``source/…``, relative to the repository's root, or ``build/…``."""
     installed: bool = False
-    """A page installs it."""
+    """A page installs it, or other projects of the tree need its library."""
     set_up_inside: bool = False
     """Scripts of the tree look for the workspace's setup script in the repository's folder."""
 
@@ -51,7 +52,7 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
         folders = folders_of(compiled(evidence))
         folder = top.file.rpartition("/")[0] if top else ""
         warnings = _alone(evidence, top) if top and kind == "cpp" else ()
-        installed = kind == "cpp" and _installed(evidence)
+        installed = kind == "cpp" and (_installed(evidence) or bool(linking(evidence, top)))
         layout = Layout(cmake_folder=folder, program_folders=folders, installed=installed)
         return Choice(answer=layout, warnings=warnings)
     if not packages.built:
@@ -85,7 +86,8 @@ def _alone(evidence: Evidence, top: CMakeProject) -> tuple[Warning_, ...]:
     own = (project for project in evidence.cmake if project.top_level and project.name and not project.lacks)
     own = (project for project in own if not (places.aside(project.file) or places.documentation(project.file)))
     paths = sorted({project.file.rpartition("/")[0] for project in own})
-    done = {folder, *(project.file.rpartition("/")[0] for project in beside_top(evidence))}
+    compiled_too = (*beside_top(evidence), *(project for project, _ in linking(evidence, top)))
+    done = {folder, *(project.file.rpartition("/")[0] for project in compiled_too)}
     others = [path for path in paths if not any(path in done or path.startswith(f"{each}/") for each in paths)]
     if not folder or not others:
         return ()

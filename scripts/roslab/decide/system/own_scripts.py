@@ -11,7 +11,8 @@ from roslab.config.model import Config, Kind
 from roslab.decide.beside_cpp import of_cpp
 from roslab.decide.decision import Choice, OwnScript
 from roslab.decide.linked_projects import linked_projects
-from roslab.decide.programs import beside_top, found_by, names_of
+from roslab.decide.linking_projects import linking
+from roslab.decide.programs import beside_top, found_by, names_of, top_of
 from roslab.decide.reasons import because, page_of, warn
 from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
@@ -39,6 +40,7 @@ _ANEW = "make --always-make"
 _QMAKE = "QT_SELECT=5 qmake"
 """qtchooser, which is ``qmake`` on Ubuntu, starts that of Qt 4 without it where no package says otherwise."""
 _INSTALL = "its own `install` compiles, which an editable installation does not run"
+_LATER = "it needs {}, which the project installs"
 _LEFT = (
     "the page has CMake compile {folder}, which the image does not: it asks for {lacks}, which the image lacks; "
     "compile it under `custom` in roslab.yaml"
@@ -90,9 +92,10 @@ def decide_scripts(
             found.setdefault(script.path, (script, mention))
     chosen = list(found.values())[:MOST]
     wanted = frozenset[str]().union(*map(found_by, evidence.cmake))
-    parts = [
-        _part(project, found=bool(names_of(project) & wanted)) for project in beside_top(evidence) if kind == "cpp"
-    ]
+    needing = linking(evidence, top_of(evidence)) if kind == "cpp" else ()
+    later = [(replace(_part(project, found=False), after=True), asked) for project, asked in needing]
+    others = [project for project in beside_top(evidence) if kind == "cpp" and project not in {p for p, _ in needing}]
+    parts = [_part(project, found=bool(names_of(project) & wanted)) for project in others]
     parts = [part for part in parts if part.folder not in compiled]
     done = compiled | {part.folder for part in parts} | {script.folder for script, _ in chosen}
     linked = [(_first(_part(p, found=True)), a) for p, a in linked_projects(evidence) if kind in {"cpp", "cuda"}]
@@ -112,6 +115,7 @@ def decide_scripts(
             *(part for part, _ in linked),
             *parts,
             *(part for part, _ in beside),
+            *(part for part, _ in later),
         ),
         reasons=(
             *(because("source", s.path, _INSTALL, Place(file=s.path, line=1), weight=WEIGHT) for s in built),
@@ -122,6 +126,7 @@ def decide_scripts(
             *(because("source", p.folder, f"what is built links {a.name}", a, weight=WEIGHT) for p, a in linked),
             *(because("source", part.folder, other, Place(file=part.path, line=1), weight=WEIGHT) for part in parts),
             *(because("source", part.folder, "the page has CMake compile it", m, weight=WEIGHT) for part, m in beside),
+            *(because("source", part.folder, _LATER.format(a.name), a, weight=WEIGHT) for part, a in later),
         ),
         warnings=tuple(
             warn(_LEFT.format(folder=project.file.rpartition("/")[0] or "the root", lacks=lacks), m)

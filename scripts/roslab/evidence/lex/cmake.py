@@ -8,7 +8,8 @@ the parsers of formatters give neither.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
 from roslab.evidence.lex.cmake_loops import COMPONENT, MAX_EXPANSION, MAX_VALUE, Loops, filled
 from roslab.evidence.lex.constants import FALSE, stays_off
@@ -31,9 +32,11 @@ _FUNCTIONS = frozenset({"function", "macro"})
 _CONTROL = _OPENERS - {"while", "block"} | {
     *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option", COMPONENT)
 }
+PROJECT, WHOLE = "PROJECT_NAME", "CMAKE_PROJECT_NAME"
 _NEVER = "NEVER "
 _ON = frozenset({("ON",), ("TRUE",), ("1",), ("YES",)})
 _OFF = frozenset({("OFF",), ("FALSE",), ("0",), ("NO",)})
+NOTHING: Mapping[str, tuple[str, ...]] = MappingProxyType({})
 MAX_WORDS = 400
 """Most words of one call; a longer one is a list of source files."""
 MAX_LENGTH = 64 * 1024
@@ -61,16 +64,21 @@ class Call:
 
 
 def calls(
-    text: str, names: frozenset[str], options: dict[str, bool] | None = None, repeated: frozenset[str] = frozenset()
+    text: str,
+    names: frozenset[str],
+    options: dict[str, bool] | None = None,
+    repeated: frozenset[str] = frozenset(),
+    variables: Mapping[str, tuple[str, ...]] = NOTHING,
 ) -> Iterator[Call]:
     """Yield the calls of the given lower-cased names in order; a name may end in ``*``.
 
     ``options``: those that are declared where the text begins, and whether each is on; its own are added on the way.
-    ``repeated``: names whose calls in a ``foreach`` are yielded once for each round; of all others one stands for all.
+    So are ``variables`` of the file that adds the folder. ``repeated``: names whose calls in a ``foreach`` are yielded
+    once for each round; of all others one stands for all.
     """
     if "#[" in text:
         text = _BRACKET_COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
-    scope = _Scope(options={} if options is None else options)
+    scope = _Scope(options={} if options is None else options, variables=dict(variables))
     beginnings = tuple(name[:-1] for name in names if name.endswith("*"))
     text = f"\n{text}"
     scope.text = text
@@ -150,8 +158,8 @@ class _Scope:
             self.loops.note(name, words)
         if name == "project":
             value = tuple(filled(words[:1], self.variables))
-            self.variables["PROJECT_NAME"] = value
-            self.variables.setdefault("CMAKE_PROJECT_NAME", value)
+            self.variables[PROJECT] = value
+            self.variables.setdefault(WHOLE, value)
         if name == "set" and len(words) <= MAX_EXPANSION:
             values = (w for w in filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
             self.variables[words[0]] = tuple(values)[:MAX_EXPANSION]

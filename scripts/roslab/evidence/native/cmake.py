@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
-from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.lex.cmake import NOTHING, PROJECT, WHOLE, Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, own_project
 from roslab.evidence.native.bare_links import with_bare
 from roslab.evidence.native.cmake_reading import Reading
@@ -117,6 +119,8 @@ class _Added:
     """Those that the build tool decides."""
     unset: tuple[str, ...] = ()
     """Those of one variable that is no declared option."""
+    names: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: NOTHING)
+    """What variables call the project that adds it and the whole."""
     within: bool = False
     """It is a part of a project that is not about tests alone."""
     top: str | None = None
@@ -132,7 +136,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     adds: list[str] = []
     options = dict(above.options)
     text = repository.read(file)
-    for call in calls(text, _NAMES | cmake_since.names(), options, _REPEATED):
+    for call in calls(text, _NAMES | cmake_since.names(), options, _REPEATED, above.names):
         cmake_since.note(call, file.path, reading.newer)
         if folders := cmake_needs.folders(call):
             adds += (here := [_joined(file.folder, folder) for folder in folders])
@@ -143,6 +147,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             top = file.folder if above.top is None else above.top
             there = _Added(
                 options=dict(options),
+                names=_names(reading.name, above),
                 switches=switches,
                 by_tool=by_tool,
                 unset=(*above.unset, *filter(str.isidentifier, call.conditions)),
@@ -215,6 +220,11 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
         lacks=_lacks(repository, file.folder, reading),
     )
+
+
+def _names(project: str | None, above: _Added) -> Mapping[str, tuple[str, ...]]:
+    """Return the variables with the names of a project and of the whole for the folders that it adds."""
+    return {WHOLE: (project,), **above.names, PROJECT: (project,)} if project else above.names
 
 
 def _include(call: Call, repository: Repository, file: File, reading: Reading) -> None:
