@@ -84,6 +84,8 @@ def plan_repository(
         if number := matlab.files(repository):
             octave = matlab.for_octave(repository)
             raise NothingToBuildError(nothing.of_matlab(number, found, octave=octave)) from None
+        if repository.has("package.json"):
+            raise NothingToBuildError(nothing.of_node(found)) from None
         said = tuple(replace(p, message=f"{p.message}; {found}") for p in error.problems)
         raise NothingToBuildError(*nothing.with_branches(said, named_branches.others(repository))) from None
     decision, version = _with_version(decision, evidence, repository)

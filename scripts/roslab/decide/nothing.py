@@ -73,6 +73,15 @@ def of_ros(evidence: Evidence, lists: Iterable[File]) -> str:
     return f"; what is there of ROS ({named}{more}) names packages of others alone"
 
 
+def of_node(found: str) -> Problem:
+    """Return the problem of a tree that is a project of Node.js alone; ``found`` says what there is."""
+    return Problem(
+        message=f"nothing to build was found but a Node.js project (package.json), which this program does not build; "
+        f"{found}",
+        hint="give a Dockerfile, or install Node.js and build it under `custom` in roslab.yaml",
+    )
+
+
 def of_matlab(files: int, found: str, *, octave: bool) -> Problem:
     """Return the problem of a tree whose only code are files of MATLAB; ``found`` says what else there is.
 

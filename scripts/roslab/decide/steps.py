@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide import guides
 from roslab.decide.decision import Choice, Warning_
+from roslab.decide.matlab_code import matlab_code
 from roslab.decide.reasons import warn
 from roslab.decide.ros.by_page import by_own_source
 from roslab.decide.ros.patched import told_by
@@ -59,7 +60,8 @@ def decide_steps(
     cloned = _cloned(evidence, kind, names, there, itself)
     data = _data(evidence, names, {*fetched})
     steps = _fetched(evidence, names, {*added}, done, ros=kind in {"ros1", "ros2"})
-    return Choice(answer=None, warnings=(*guides.told(evidence), *steps, *lists, *cloned, *data))
+    others = (*guides.told(evidence), *matlab_code(evidence, config))
+    return Choice(answer=None, warnings=(*others, *steps, *lists, *cloned, *data))
 
 
 def _fetched(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 
-from roslab.evidence import links, places, pointers, submodules
+from roslab.evidence import links, matlab, places, pointers, submodules
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native import (
     asked_variables,
@@ -125,7 +125,7 @@ from roslab.evidence.ros import (
 from roslab.repository.checkout import Repository
 
 MENTIONED = (
-    *(branch_tables.read, cloned_heads.read, for_reference.read, named_ports.read, opened.read),
+    *(branch_tables.read, cloned_heads.read, for_reference.read, named_ports.read, opened.read, matlab.mentions),
     *(of_other_indexes.read, said_in_code.read, shared_objects.made_on, started_by_scripts.calls, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""

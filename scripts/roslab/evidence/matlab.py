@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
+from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 READ = 50
 """Most files of that ending that are opened."""
+PAGES, MAX_PAGE = 5, 128 * 1024
+_NAME = pattern(r"\b(?:MATLAB|Simulink)\b", re.IGNORECASE)
+_CODE = (".py", ".c", ".cc", ".cpp", ".cxx", ".cu", ".h", ".hpp", ".ipynb")
 _APPLE = pattern(
     r"^[ \t]*(?:@(?:interface|implementation|import|protocol)\b|#[ \t]*(?:import|include)\b)", re.MULTILINE
 )
@@ -30,6 +35,26 @@ def files(repository: Repository) -> int:
     found = nearest([file for file in repository.suffixed(".m") if file.size])
     apple = any(_APPLE.search(repository.read(file)) for file in found[:READ])
     return 0 if apple else len(found)
+
+
+def mentions(repository: Repository) -> Iterator[Mention]:
+    """Yield the number of the files, where they outnumber the other code and a page or a model says that they are its.
+
+    Models of Simulink are MATLAB's alone.
+    """
+    models = repository.suffixed(".slx", ".mdl")
+    others = repository.suffixed(*_CODE)
+    if len(repository.suffixed(".m")) + len(models) <= len(others) or not (number := files(repository)):
+        return
+    pages = nearest([file for file in repository.suffixed(".md", ".rst", ".txt") if file.size <= MAX_PAGE])[:PAGES]
+    for page in pages:
+        if said := _NAME.search(text := repository.read(page)):
+            line = text.count("\n", 0, said.start()) + 1
+            yield Mention(topic="matlab", value=str(number), source="readme", file=page.path, line=line, text=said[0])
+            return
+    for model in models[:1]:
+        text = f"{len(models)} models of Simulink"
+        yield Mention(topic="matlab", value=str(number), source="filename", file=model.path, line=1, text=text)
 
 
 def loaded(repository: Repository) -> tuple[str, ...]:

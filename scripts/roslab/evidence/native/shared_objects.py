@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import made_elsewhere
+from roslab.evidence.native import elf, made_elsewhere
 from roslab.knowledge.shared_objects import package_of, ubuntus_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
@@ -21,6 +21,7 @@ _NAME = pattern(r"\.so(?:\.\d+)*$")
 _MAGIC = b"\x7fELF"
 _MACHINES = frozenset({b"\x3e\x00", b"\xb7\x00"})
 """x86-64 and AArch64. https://refspecs.linuxfoundation.org/elf/gabi4+/ch4.eheader.html"""
+_VERSIONED = pattern(r"lib[\w+.-]{1,60}\.so(?:\.\d+){1,3}")
 _NEEDED = re.compile(rb"\0(lib[\w+.-]{1,60}\.so(?:\.\d+){1,3})(?=\0)")
 
 
@@ -68,7 +69,10 @@ def _needed_of(repository: Repository, without: tuple[str, ...]) -> tuple[tuple[
         data = repository.read_bytes(file, limit=MAX_SIZE)
         if data[:4] != _MAGIC or data[18:20] not in _MACHINES:
             continue
-        for soname in dict.fromkeys(name.decode() for name in _NEEDED.findall(data)):
+        names = elf.needed(data)
+        if names is None:  # all names of that form, of which one may be the file's own
+            names = tuple(name.decode() for name in _NEEDED.findall(data))
+        for soname in dict.fromkeys(name for name in names if _VERSIONED.fullmatch(name)):
             if not repository.named(soname, soname[: soname.index(".so") + 3]):
                 found[file.path, soname] = None
     return tuple(found)
