@@ -1,4 +1,4 @@
-"""Packages that pages name for those who look for a fault: no program of the image needs them to run."""
+"""Packages that pages name for those who work on the code: no program of the image needs them to run."""
 
 from __future__ import annotations
 

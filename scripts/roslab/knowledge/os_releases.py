@@ -48,6 +48,14 @@ def release_of(image: str) -> str | None:
     )
 
 
+def of_debian(image: str) -> bool:
+    """Tell whether an image is Debian's: its release is, or it is the official one of a language, whatever its tag."""
+    name = _REGISTRY.sub("", image).partition("@")[0].partition(":")[0]
+    found = system_of(release_of(image))
+    languages = {row["image"] for row in rows("language_images")} - {"ubuntu"}
+    return found == "Debian" or (found is None and name in languages)
+
+
 @cache
 def _versions(system: str) -> dict[str, str]:
     return {row["version"]: row["codename"] for row in rows("os_releases") if row["system"] == system}

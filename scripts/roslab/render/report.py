@@ -9,6 +9,7 @@ from typing import Any
 
 from roslab.config.model import Source
 from roslab.decide.decision import Decision, Reason
+from roslab.knowledge.os_releases import of_debian
 from roslab.plan.plan import Plan
 from roslab.repository.checkout import printable
 from roslab.values.words import line_of
@@ -17,13 +18,18 @@ COLUMN = 44
 """Longest answer that counts for the width of the column of answers; the reasons are aligned to its right."""
 
 
+def _ubuntu(decision: Decision) -> str | None:
+    """Return the Ubuntu of the image; what the author's own Dockerfile starts from may be Debian."""
+    return None if decision.dockerfile and of_debian(decision.base_image) else decision.ubuntu
+
+
 def inspection(decision: Decision, plan: Plan) -> dict[str, Any]:
     """Return the object of ``inspect --format json``; its keys are a contract with other programs."""
     python = decision.python
     return {
         "kind": decision.kind,
         "ros_distro": decision.ros_distro,
-        "ubuntu": decision.ubuntu,
+        "ubuntu": _ubuntu(decision),
         "base_image": decision.base_image,
         "build_tool": decision.build_tool,
         "dependencies": {
@@ -58,7 +64,7 @@ def inspection_text(decision: Decision, plan: Plan) -> str:
     rows = [
         ("base image", decision.base_image, "base_image"),
         ("ROS", decision.ros_distro, "ros_distro"),
-        ("Ubuntu", decision.ubuntu, "ubuntu"),
+        ("Ubuntu", _ubuntu(decision), "ubuntu"),
         ("built with", decision.build_tool, "build_tool"),
         ("Python", None if decision.dockerfile else _python(decision), "python"),
         ("pip's day", None if decision.dockerfile else decision.python.day, "pip_date"),

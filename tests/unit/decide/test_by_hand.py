@@ -555,6 +555,7 @@ def test_what_a_submodule_that_is_not_there_may_ask_for_is_built_as_the_script_b
     decision = tree(ros1("", "") | {"install_acmelib.sh": BY_SCRIPT} | more)
     found = [(each.name, each.cmake_options) for each in decision.source if each.build == "cmake"]
     assert found == built
+    assert all(each.unasked for each in decision.source)  # nothing that was read asks for it
 
 
 def test_what_apt_has_is_not_built_for_a_submodule_that_is_not_there(tree: Tree) -> None:

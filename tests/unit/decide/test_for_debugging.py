@@ -26,6 +26,10 @@ FILES = {
         "linux-tools-generic",
         "kcachegrind",
         "strace",
+        "clang-tidy-6.0",
+        "clang-format",
+        "lcov",
+        "bash-completion",
     ],
 )
 @pytest.mark.parametrize("file", ["README.md", "install.sh"])
@@ -43,7 +47,9 @@ def test_what_starts_a_node_is(tree: Tree) -> None:
     assert "gdb" in tree({**FILES, "README.md": page, "launch/a.launch": launch}).apt_guessed
 
 
-@pytest.mark.parametrize("name", ["libgdbm-dev", "libdw-dev", "python3-pudb", "libgoogle-perftools-dev"])
+@pytest.mark.parametrize(
+    "name", ["libgdbm-dev", "libdw-dev", "libclang-dev", "python3-pudb", "libgoogle-perftools-dev"]
+)
 def test_what_is_linked_is(tree: Tree, name: str) -> None:
     page = f"ROS Noetic\n```\nsudo apt install {name}\n```\n"
     assert name in tree({**FILES, "README.md": page}).apt_guessed

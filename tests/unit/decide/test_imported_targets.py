@@ -138,6 +138,23 @@ def test_what_a_module_of_the_tree_finds_is_not_told(tree: Tree) -> None:
     assert not any("this Ubuntu" in warning.message for warning in decision.warnings)
 
 
+@pytest.mark.parametrize(
+    ("words", "asked"),
+    [
+        ("GTest REQUIRED", ["cmake>=3.20,<4"]),
+        ("GTest CONFIG REQUIRED", []),
+        ("GTest\n  REQUIRED NO_MODULE", []),
+        ("Boost CONFIG REQUIRED", ["cmake>=3.20,<4"]),
+    ],
+)
+def test_a_library_that_is_found_by_its_own_configuration_needs_no_newer_cmake(
+    tree: Tree, words: str, asked: list[str]
+) -> None:
+    lines = f"find_package({words})\n{LINK.format('GTest::gtest')}"
+    decision = tree(ros1("melodic", "Boost", lines))
+    assert [each.text for each in decision.python.pip_guessed if each.key == "cmake"] == asked
+
+
 FETCHED = "FetchContent_Declare({0} GIT_REPOSITORY https://github.com/lab/{0}.git)\nFetchContent_MakeAvailable({0})\n"
 
 

@@ -56,3 +56,26 @@ def test_what_may_be_in_a_repository_is_told_apart_from_what_is_cloned(tmp_path:
     text = inspection_text(planned.decision, planned.plan)
     assert "looked for while the image is built:\n  nav_lib in https://github.com/lab/nav_lib.git\n" in text
     assert "from source:" not in text
+
+
+@pytest.mark.parametrize(
+    ("image", "shown"),
+    [
+        ("python:3.10-slim", False),
+        ("python:3.9", False),
+        ("debian:12", False),
+        ("node:20", False),
+        ("ubuntu:22.04", True),
+        ("lab/arm:1", True),
+    ],
+)
+def test_no_ubuntu_is_told_of_an_image_of_debian(tmp_path: Path, image: str, *, shown: bool) -> None:
+    files = {
+        "Dockerfile": f'FROM {image}\nCOPY . /app\nRUN pip install /app\nCMD ["python", "/app/run.py"]\n',
+        "run.py": "import numpy\nif __name__ == '__main__':\n    print(1)\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    planned = plan_repository(tmp_path)
+    assert planned.decision.dockerfile
+    assert ("\n  Ubuntu " in inspection_text(planned.decision, planned.plan)) is shown

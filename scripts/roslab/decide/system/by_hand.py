@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Literal
 
 from roslab.config.model import Config, Kind, Source
@@ -112,21 +112,16 @@ def by_hand(
     unread = any(git.absent for git in evidence.sources)
     there, headers = {*taken, *named_in(evidence.cmake)}, headers_of(evidence)
     lacks = _lacks(evidence, packages, kind, target, free)
-    for git in free.values():
-        asked = Dependency(namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line)
+    for git in [each for each in dict.fromkeys(free.values()) if each not in found]:
         above = git.line < last.get(git.file, 0)  # what is below it may need it
         may_be = git.installed and (above or (unread and git.kind == "clone" and bool(fixed(git.ref))))
-        if may_be and _unknown(asked, target, pinned=False):
-            found.setdefault(git, asked)
-        header = includes(git, headers)
-        if header is not None and git not in found and _by_script(git):
-            found[git] = header
-            unasked.add(git)  # the include may be for another machine, or in what is not compiled
-        included, lacking = header is not None, lacks is not None
-        if git not in found and built_by_everybody(git, kind, target, there, included=included, lacking=lacking):
-            found[git] = header or lacks or asked
-            if header is None:
-                unasked.add(git)
+        by_page = may_be and _unknown(_by_page(git), target, pinned=False)
+        why = (
+            (_by_page(git), not above) if by_page else _wanted(git, kind, target, there, includes(git, headers), lacks)
+        )
+        if why:
+            found[git] = why[0]
+            unasked |= {git} if why[1] else set()
     files = [git.file for git in found]
     in_order = sorted(found, key=lambda git: (files.index(git.file), git.line))
     built = (
@@ -134,6 +129,30 @@ def by_hand(
         for git in in_order
     )
     return tuple((with_beside(source, git, evidence), found[git]) for git, source in built)
+
+
+def _by_page(git: GitSource) -> Dependency:
+    return Dependency(namespace="cmake", name=git.name, strength="declared", file=git.file, line=git.line)
+
+
+def _wanted(  # noqa: PLR0917 - what is known of it
+    git: GitSource,
+    kind: Kind,
+    target: Target,
+    there: Collection[str],
+    header: Dependency | None,
+    lacks: Dependency | None,
+) -> tuple[Dependency, bool] | None:
+    """Return what speaks for a library that nothing asks for by its name, and whether the image may go without it.
+
+    ``header``: an include of one called like it, ``lacks``: a link that nothing else brings.
+    """
+    if header and _by_script(git):
+        return header, True  # the include may be for another machine, or in what is not compiled
+    included, lacking = header is not None, lacks is not None
+    if built_by_everybody(git, kind, target, there, included=included, lacking=lacking):
+        return header or lacks or _by_page(git), header is None
+    return None
 
 
 def _lacks(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from functools import cache
 
 from roslab.evidence.cmake_project import CMakeProject
@@ -19,6 +19,7 @@ from roslab.values.version import Version
 
 _DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:.+-]+)", re.IGNORECASE | re.MULTILINE)
 _VERSION = pattern(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)")
+_BY_CONFIG = pattern(r"\bfind_package[ \t]*\(\s*(\w+)\b[^()#]{0,200}\s(?:CONFIG|NO_MODULE)\b", re.IGNORECASE)
 _SUBMODULE = pattern(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 _DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRARY")
 _MODULE = ("include", "find_package")
@@ -86,6 +87,7 @@ def without_own(
 ) -> list[CMakeProject]:
     """Return the projects without what the tree itself has: a function of this name, a module (``FindNAME.cmake``).
 
+    Nor what its find_package takes from the library's own configuration file, which needs no release of CMake.
     And without the imported targets that it makes, whose library a module of it finds, or that it brings itself: by
     FetchContent and its like, or as a submodule.
     """
@@ -101,10 +103,11 @@ def without_own(
     submodules = _SUBMODULE.findall(repository.read(".gitmodules")) if repository.has(".gitmodules") else ()
     itself |= {path.rpartition("/")[2].lower() for path in (*repository.listing.empty, *submodules)}
     itself |= {"gtest"} if "googletest" in itself else set()
+    brought = itself | set(_by_config(repository))
     return [
         replace(
             project,
-            newer=tuple(each for each in project.newer if each.name not in own and not _of(each.name, itself)),
+            newer=tuple(each for each in project.newer if each.name not in own and not _of(each.name, brought)),
             dependencies=tuple(
                 each for each in project.dependencies if of_others(each, own) and not _of(each.target, itself)
             ),
@@ -116,6 +119,16 @@ def without_own(
 def _of(target: str, libraries: Collection[str]) -> bool:
     """Tell whether an imported target (``yaml-cpp::yaml-cpp``) is of one of these libraries."""
     return "::" in target and target.partition("::")[0].lower() in libraries
+
+
+def _by_config(repository: Repository) -> Iterator[str]:
+    """Yield the packages, in lower case, that a file of the tree finds by their own configuration files alone.
+
+    https://cmake.org/cmake/help/latest/command/find_package.html (CONFIG, NO_MODULE), 2026-11-27
+    """
+    for file in (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake"))[:MAX_FILES]:
+        text = repository.read(file) if file.size <= MAX_SIZE else ""
+        yield from (match[1].lower() for match in _BY_CONFIG.finditer(text))
 
 
 def defined(repository: Repository) -> set[str]:
