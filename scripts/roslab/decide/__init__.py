@@ -285,7 +285,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             target=target,
             everything=everything,
             compiling=compiling,
-            clones_day=decide_clones_day(evidence, config, build_tool.answer),
+            clones_day=decide_clones_day(evidence, config, build_tool.answer, scripts.answer),
             dockerfile=dockerfile,
             on_cuda=on_cuda,
             left_out=left_out,

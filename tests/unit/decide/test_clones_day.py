@@ -91,6 +91,28 @@ def test_what_is_of_today(tmp_path: Path, line: str, day: str, config: str) -> N
     assert "git-as-of" not in dockerfile(planned.plan)
 
 
+@pytest.mark.parametrize(
+    ("line", "day"),
+    [(f"git clone {URL}", "2019-03-01"), (f"git clone -b v1.2 {URL}", ""), ("echo", "")],
+)
+def test_what_a_script_of_the_tree_clones_is_of_the_day(tmp_path: Path, line: str, day: str) -> None:
+    files = {
+        "setup.py": "from setuptools import setup\nsetup(name='demo')\n",
+        "README.md": "# Demo\n\n## Installation\n```\nbash build_parts.sh\npip install .\n```\n",
+        "build_parts.sh": f"#!/bin/bash\n{line}\ncd matrix\nmkdir build\ncd build\ncmake ..\nmake\n",
+    }
+    for path, text in files.items():
+        (tmp_path / path).write_text(text)
+    git(tmp_path, "init", "--quiet")
+    git(tmp_path, "add", ".")
+    git(tmp_path, "commit", "--quiet", "--message", "x", day="2019-03-01")
+    planned = plan_repository(tmp_path)
+    assert [script.path for script in planned.decision.scripts] == ["build_parts.sh"]
+    assert planned.plan.workspace.clones_day == day
+    run = 'RUN eval "$(git-as-of 2019-03-01)" \\\n && cd /home/${NB_USER}/'
+    assert (run in dockerfile(planned.plan)) is bool(day)
+
+
 def test_what_cmake_fetches_for_pip_is_of_the_day(tmp_path: Path) -> None:
     """pip builds a project that asks for nothing but what builds it."""
     files = {"python/CMakeLists.txt": f"project(b)\n{FETCH}\n", "python/example.py": "import b\n"}
@@ -151,12 +173,34 @@ def step(here: Path, commands: str) -> str:
         ("git -C m fetch; git -C m checkout origin/aside", "old"),
         ("cd m; git checkout aside", "old"),
         ("cd m; git fetch; git checkout v2", "new"),
+        ("cd m; git pull", "old"),
+        ("git -C m pull --ff-only origin main", "old"),
+        ("cd m; git fetch origin aside; git checkout FETCH_HEAD", "old"),
+        ("cd m; git fetch origin aside; git reset --hard FETCH_HEAD", "old"),
+        ("cd m; git fetch origin v2; git checkout FETCH_HEAD", "new"),
     ],
 )
 def test_what_is_fetched_again_stays_of_the_day(tmp_path: Path, commands: str, said: str) -> None:
     step(tmp_path / "here", f"git clone {origin_of(tmp_path)} m; {commands}")
     words = ["git", "-C", str(tmp_path / "here/m"), "log", "-1", "--format=%s"]
     assert subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip() == said
+
+
+@pytest.mark.parametrize("branch", ["main", "aside"])
+def test_the_newest_alone_that_is_fetched_into_an_empty_repository_is_of_the_day(tmp_path: Path, branch: str) -> None:
+    origin = origin_of(tmp_path)
+    git(origin, "checkout", "--quiet", "aside")
+    git(origin, "commit", "--quiet", "--allow-empty", "--message", "newest", day="2021-01-01")
+    fetch = f"git init m; cd m; git remote add origin file://{origin}; git fetch --depth 1 origin {branch}"
+    step(tmp_path / "here", f"{fetch}; git checkout FETCH_HEAD")
+    words = ["git", "-C", str(tmp_path / "here/m"), "log", "-1", "--format=%s"]
+    assert subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip() == "old"
+
+
+def test_what_was_changed_before_a_pull_stays(tmp_path: Path) -> None:
+    commands = f"git clone {origin_of(tmp_path)} m; cd m; echo more >other.txt; git pull; git pull"
+    step(tmp_path / "here", commands)
+    assert (tmp_path / "here/m/other.txt").read_text() == "more\n"
 
 
 @pytest.mark.parametrize(

@@ -60,3 +60,17 @@ def test_a_patch_of_several_commits(clone: Path, command: tuple[str, ...]) -> No
     made = _run("--stops", clone, clone.parent / "new.patch", *command)
     assert (made.returncode, (clone / "a.txt").read_text()) == (0, "newest\n"), made.stderr
     assert sorted(each.name for each in clone.iterdir()) == [".git", "a.txt"]
+
+
+@pytest.mark.parametrize("option", ["--3way", "-3"])
+def test_a_patch_that_is_there_already_by_a_merge_of_three(clone: Path, option: str) -> None:
+    for words in (("add", "."), ("-c", "user.name=a", "-c", "user.email=a@b.c", "commit", "--quiet", "-m", "old")):
+        subprocess.run(["git", *words], cwd=clone, check=True)
+    (clone / "a.txt").write_text("new\n")
+    whole = subprocess.run(["git", "diff", "--full-index"], cwd=clone, check=True, capture_output=True, text=True)
+    (clone.parent / "new.patch").write_text(whole.stdout)
+    subprocess.run(["git", "checkout", "--quiet", "."], cwd=clone, check=True)
+    made = _run("--stops", clone, clone.parent / "new.patch", *GIT, option)
+    assert (made.stdout, (clone / "a.txt").read_text()) == ("roslab: new.patch is applied to maps\n", "new\n")
+    again = _run("--stops", clone, clone.parent / "new.patch", *GIT, option)
+    assert (again.stdout, again.returncode) == ("roslab: maps has what new.patch changes already\n", 0)

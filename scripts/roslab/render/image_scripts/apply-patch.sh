@@ -34,12 +34,18 @@ fits() { # OPTION...
   rm -rf "${copy}"
   return "${answer}"
 }
+# With --3way git takes a patch for applied that is there already: whether it is, the same call without that tells
+plain=()
+for word in "$@"; do case ${word} in -3 | --3way) ;; *) plain+=("${word}") ;; esac done
+command=("${plain[@]}")
+if ! fits >/dev/null 2>&1 && fits --reverse >/dev/null 2>&1; then
+  echo "roslab: ${folder##*/} has what ${name} changes already"
+  exit 0
+fi
 command=("$@")
 if fits; then
   run
   echo "roslab: ${name} is applied to ${folder##*/}"
-elif fits --reverse >/dev/null 2>&1; then
-  echo "roslab: ${folder##*/} has what ${name} changes already"
 elif [ -n "${stops}" ]; then
   echo "roslab: ${name} does not fit ${folder##*/}: the build stops there, as its author's does" >&2
   exit 1

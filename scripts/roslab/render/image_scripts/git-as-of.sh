@@ -1,8 +1,8 @@
 #!/bin/bash
 # usage: eval "$(git-as-of DAY)"
-# Comes before git itself in PATH for the rest of this step, under its name. It is git, but brings each clone, and each
-# branch of its remote, to the last commit of a day (UTC): pip and CMake fetch repositories and know no days. CMake
-# fetches once more after each clone, and goes to where the remote's branch then is.
+# Comes before git itself in PATH for the rest of this step, under its name. It is git, but brings each clone, what it
+# pulls, FETCH_HEAD, and each branch of its remote, to the last commit of a day (UTC): pip, CMake and scripts fetch
+# repositories and know no days. CMake fetches once more after each clone, and goes to where the remote's branch then is.
 # A tag or a commit that they are told to take is checked out afterwards, as ever.
 set -euo pipefail
 
@@ -40,7 +40,7 @@ for ((i = 0; i < $#; i++)); do
       ;;
   esac
 done
-if [ -z "${GIT_AS_OF:-}" ] || [[ "${command}" != clone && "${command}" != fetch ]]; then
+if [ -z "${GIT_AS_OF:-}" ] || [[ ! "${command}" =~ ^(clone|fetch|pull)$ ]]; then
   exec git "$@"
 fi
 git "$@"
@@ -95,6 +95,14 @@ if [ "${command}" = clone ]; then
   fi
 fi
 if ! "${here[@]}" rev-parse --git-dir >/dev/null 2>&1; then exit 0; fi
+fetched="$("${here[@]}" rev-parse --absolute-git-dir)/FETCH_HEAD"
+heads="$(cat "${fetched}" 2>/dev/null || true)" # to deepen writes it anew
+if [ "${command}" = pull ]; then
+  deepen HEAD
+  commit="$(of_day HEAD)"
+  # --keep: what the step changed there stays
+  if [ -n "${commit}" ]; then "${here[@]}" reset --quiet --keep "${commit}"; fi
+fi
 while read -r branch; do
   if [[ "${branch}" != */HEAD ]]; then
     deepen "${branch}"
@@ -102,3 +110,13 @@ while read -r branch; do
     if [ -n "${commit}" ]; then "${here[@]}" update-ref "${branch}" "${commit}"; fi
   fi
 done < <("${here[@]}" for-each-ref --format='%(refname)' refs/remotes)
+if [ -z "${heads}" ]; then exit 0; fi
+while IFS= read -r line; do
+  commit="${line%%$'\t'*}"
+  if [[ "${line}" = *$'\t'"branch '"* ]]; then
+    deepen "${commit}"
+    commit="$(of_day "${commit}")"
+  fi
+  printf '%s\t%s\n' "${commit:-${line%%$'\t'*}}" "${line#*$'\t'}"
+done <<<"${heads}" >"${fetched}.of-day"
+mv "${fetched}.of-day" "${fetched}"

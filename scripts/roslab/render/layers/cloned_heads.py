@@ -1,4 +1,4 @@
-"""What CMake clones without a commit is of a day: git under another name comes before git itself.
+"""What CMake and scripts clone without a commit is of a day: git under another name comes before git itself.
 
 CMake writes down where it found git, and whoever compiles again in the image needs it there: it stays in a folder.
 """
@@ -17,7 +17,7 @@ def of_day(plan: Plan) -> shell.Around:
     day = plan.workspace.clones_day
     if not day:
         return shell.NOTHING
-    why = f"# What CMake clones without a commit is of {quote.checked(day)}\n"
+    why = f"# What this clones without a commit is of {quote.checked(day)}\n"
     stays = f"COPY --from=scripts /git-as-of {FOLDER}/git\n"
     return shell.Around(
         before=f"{why}{shell.copy_script('git-as-of')}{stays}",

@@ -5,8 +5,9 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.plan.workspace import Script
 from roslab.render import quote
-from roslab.render.layers import gpu_said, shell
+from roslab.render.layers import cloned_heads, gpu_said, shell
 from roslab.render.layers.workspace import own_home, source_folder
+from roslab.values.dataclass import replace
 
 
 def before_program(plan: Plan) -> str:
@@ -27,11 +28,12 @@ def after_program(plan: Plan) -> str:
 def _run(plan: Plan, scripts: list[Script], head: str) -> str:
     if not scripts:
         return ""
-    runs = []
+    runs, around = [], cloned_heads.of_day(plan)
     for script in scripts:
         where = quote.shell_with_user(f"{source_folder(plan)}/{script.folder}".rstrip("/"))
         left_out = quote.shell(f"roslab: left out: {script.command} failed")
         run = f"{gpu_said.SCRIPT} {script.command}" if gpu_said.asked(plan, script.folder) else script.command
         command = run if script.required else f"{{ {run} || echo {left_out}; }}"
-        runs.append(shell.run(f"cd {where}", command))
+        runs.append(shell.run(f"cd {where}", command, around=around))
+        around = replace(around, before="")
     return "\n".join([head, "USER root", *gpu_said.script(runs), *runs, own_home(plan)])
