@@ -12,9 +12,13 @@ from roslab.evidence.prose.octave import file_of
 
 
 def matlab_code(evidence: Evidence, config: Config) -> Iterator[Warning_]:
-    """Yield a warning where most code of the tree is MATLAB's, and neither roslab.yaml nor a page runs it otherwise."""
+    """Yield a warning where most code of the tree is MATLAB's, and neither roslab.yaml nor a page runs it otherwise.
+
+    Not where the code is elsewhere: in submodules, or in what a list names.
+    """
     said = next((each for each in evidence.mentions if each.topic == "matlab"), None)
-    if said is None or config.matlab or any(file_of(each) for each in evidence.mentions):
+    elsewhere = any(git.kind in {"submodule", "vcs"} for git in evidence.sources)
+    if said is None or elsewhere or config.matlab or any(file_of(each) for each in evidence.mentions):
         return
     message = f"most of the code is MATLAB's ({said.value} .m files), which is licensed and never in an image"
     hint = "start the container with the MATLAB of the host: `matlab: {host_path: …}` in roslab.yaml"

@@ -13,6 +13,7 @@ from roslab.pipeline import plan_repository
 
 Tree = Callable[[dict[str, str]], Decision]
 CODE = {f"sim/step_{name}.m": "x = 1;\n" for name in "abc"} | {"bridge.py": "import numpy\n"}
+MODULE = '[submodule "a"]\n\tpath = a\n\turl = https://github.com/lab/a.git\n'
 PAGE = {"README.md": "# Rotors\n\nSimulated\nin MATLAB.\n"}
 
 
@@ -26,6 +27,7 @@ def told(decision: Decision) -> list[tuple[str | None, int | None]]:
         (PAGE, [("README.md", 4)]),
         ({"sim/rotor.slx": "PK", "README.md": "# Rotors\n"}, [("sim/rotor.slx", 1)]),
         ({"README.md": "# Rotors\n"}, []),
+        (PAGE | {".gitmodules": MODULE}, []),
         (PAGE | {f"{name}.py": "import os\n" for name in "klmn"}, []),
         (PAGE | {"README.md": "# MATLAB\n```\noctave sim/step_a.m\n```\n"}, []),
     ],
