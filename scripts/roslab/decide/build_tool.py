@@ -29,7 +29,7 @@ def _of_cpp(evidence: Evidence, *, said: bool) -> Choice[BuildTool]:
             if other.topic == "other_builder" and other.value in other_builders.of_cpp():
                 why = f"{other.value} builds it, which no step of the image calls"
                 return Choice(answer="none", reasons=(because("build_tool", "none", why, other, weight=Weight.CPP),))
-        if not (said or evidence.cmake or any(git.kind == "submodule" for git in evidence.sources)):
+        if not said:
             why = "nothing shows how it is compiled"
             return Choice(answer="none", reasons=(because("build_tool", "none", why, weight=Weight.CPP),))
     return _made(evidence) or Choice(

@@ -14,16 +14,17 @@ CODE = {"src/main.cpp": "#include <zlib.h>\nint main() {}\n"}
 
 
 @pytest.mark.parametrize(
-    ("text", "kind"),
+    ("text", "tool"),
     [
-        (f"{LIST}find_package(ZLIB REQUIRED)\nadd_executable(viewer main.cpp)\n", "cpp"),
-        (f"{LIST}add_library(viewer main.cpp)\n", "cpp"),
-        ("add_executable(viewer main.cpp)\n", "python"),  # a part of what adds its folder by a variable
-        (f"{LIST}find_package(ZLIB REQUIRED)\n", "python"),
+        (f"{LIST}find_package(ZLIB REQUIRED)\nadd_executable(viewer main.cpp)\n", "cmake"),
+        (f"{LIST}add_library(viewer main.cpp)\n", "cmake"),
+        ("add_executable(viewer main.cpp)\n", "none"),  # a part of what adds its folder by a variable
+        (f"{LIST}find_package(ZLIB REQUIRED)\n", "none"),
     ],
 )
-def test_what_adds_programs_is_a_project(tree: Tree, text: str, kind: str) -> None:
-    assert tree({"src/CMakeLists.txt": text, **CODE}).kind == kind
+def test_what_adds_programs_is_a_project(tree: Tree, text: str, tool: str) -> None:
+    decision = tree({"src/CMakeLists.txt": text, **CODE})
+    assert (decision.kind, decision.build_tool) == ("cpp", tool)
 
 
 def test_a_macro_of_an_included_module_makes_the_project(tree: Tree) -> None:
