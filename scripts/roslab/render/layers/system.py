@@ -14,8 +14,6 @@ from roslab.values.pattern import pattern
 from roslab.values.secret import NETRC, SSH
 
 SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
-CMAKE_URL = "https://cmake.org/files"
-"""Kitware's own archive of every release, ``vX.Y/cmake-X.Y.Z.tar.gz``."""
 BRANCH = pattern(r"(?![0-9a-f]{7,40}$)(?!.*\d+[._]\d)(?!refs/).+")
 """A ref that is no commit and has no number of a release: a branch, which may be gone."""
 CONFIGURE = "configure-library"
@@ -126,24 +124,6 @@ def author_folders(plan: Plan) -> str:
         )
         linked.append(f"if [ ! -e {name} ]; then {made}; fi")
     return shell.run(*linked, comment="Files name these folders of the author's machine") if linked else ""
-
-
-def newer_cmake(plan: Plan) -> str:
-    """Build the CMake that ``base.cmake_update`` asks for over the distribution's."""
-    if not plan.cmake_update:
-        return ""
-    version = plan.cmake_update
-    name = f"cmake-{version}"
-    url = f"{CMAKE_URL}/v{'.'.join(version.split('.')[:2])}/{name}.tar.gz"
-    return shell.run(
-        f"curl --fail --silent --show-error --location {quote.shell(url)} | tar --extract --gzip --directory /tmp",
-        f"cd /tmp/{quote.shell(name)}",
-        shell.SET_JOBS,
-        './bootstrap --parallel="${jobs}" -- -DCMAKE_USE_OPENSSL=OFF',
-        'make --jobs="${jobs}" install',
-        f"rm -rf /tmp/{quote.shell(name)}",
-        comment=f"CMake {version}, newer than the distribution's",
-    )
 
 
 def library_stages(plan: Plan) -> str:
