@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator, Mapping
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
 from roslab.decide.contained import contained
-from roslab.decide.launch_calls import launch_calls
+from roslab.decide.launch_calls import demanded, launch_calls
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.reasons import page_of
@@ -23,6 +23,7 @@ from roslab.decide.unmade_nodes import with_unmade
 from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.evidence.launch_file import LaunchFile
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
@@ -40,12 +41,12 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     ros = kind in {"ros1", "ros2"}
     compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
     calls = launch_calls(evidence)
-    demands = {calls[each.file]: each.demands for each in evidence.launch if each.file in calls}
+    files = {calls[each.file]: each for each in evidence.launch if each.file in calls}
     said = written(evidence, kind, ros=ros, compiled=compiled)
     unmade = with_unmade(evidence)
     stops = [calls[file] for file in unmade if file in calls]
     for each in said:
-        told = _cut(_below(each, evidence) if compiled else each, demands)
+        told = _cut(_below(each, evidence) if compiled else each, files)
         yield replace(told, unmade=_starts(each, stops))
     yield from contained(evidence, kind, compiled=compiled)
     yield from () if any(each.strong for each in said) else in_sessions(evidence, kind, compiled=compiled)
@@ -56,7 +57,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         nodes = tuple(_nodes(evidence, kind))
         vain = unstartable(evidence, programs=bool(nodes)) if launched else frozenset()
         vain |= unmade if any(each.file not in vain | unmade for each in launched) else frozenset()
-        yield from (replace(each, cut=True) if each.file in vain else _cut(each, demands) for each in launched)
+        yield from (replace(each, cut=True) if each.file in vain else _cut(each, files) for each in launched)
         yield from nodes if all(each.file in vain for each in launched) else ()
     elif compiled:
         yield from (_below(each, evidence) for each in _compiled(evidence))
@@ -92,12 +93,11 @@ def _launched_by(argv: tuple[str, ...]) -> tuple[str, ...]:
     return argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
 
 
-def _cut(candidate: Candidate, demands: Mapping[tuple[str, ...], tuple[str, ...]]) -> Candidate:
+def _cut(candidate: Candidate, files: Mapping[tuple[str, ...], LaunchFile]) -> Candidate:
     """Return a command as one that lacks arguments, if its launch file demands some that it does not give."""
     rest = _launched_by(candidate.argv)
-    given = {word.partition(":=")[0] for word in rest}
-    lacking = {*demands.get(rest[:1], ()), *demands.get(rest[:2], ())} - given
-    return replace(candidate, cut=True) if lacking else candidate
+    launch = files.get(rest[:1]) or files.get(rest[:2])
+    return replace(candidate, cut=True) if launch and demanded(launch, rest) else candidate
 
 
 def _below(candidate: Candidate, evidence: Evidence) -> Candidate:

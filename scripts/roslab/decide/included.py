@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
+from roslab.decide.launch_calls import demanded
 from roslab.decide.reasons import page_of
 from roslab.evidence.facts import Evidence
 
@@ -15,15 +16,16 @@ def included(evidence: Evidence, kind: Kind) -> Candidate | None:
     leaves an argument open that the file demands.
     """
     start = ("roslaunch",) if kind == "ros1" else ("ros2", "launch")
-    demands = {(each.package, each.file.rpartition("/")[2]): each.demands for each in evidence.launch}
+    files = {(each.package, each.file.rpartition("/")[2]): each for each in evidence.launch}
     for said in evidence.mentions:
         if said.topic != "included" or kind not in {"ros1", "ros2"}:
             continue
         package, name, *rest = said.value.split()
-        asked = demands.get((package, name))
+        launch = files.get((package, name))
         given = {word.partition(":=")[0]: word for word in rest}
-        if asked is not None and given.keys() >= set(asked):
-            argv = (*start, package, name, *(given[each] for each in asked))
+        if launch is not None and not demanded(launch, rest):
+            asked = dict.fromkeys(each.name for each in launch.demands)
+            argv = (*start, package, name, *(given[each] for each in asked if each in given))
             why = f"{page_of(said.file)} includes it"
             return Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True)
     return None

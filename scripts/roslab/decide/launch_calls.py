@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from roslab.decide.ros.slips import meant
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.ros.launch_conditions import holds
 from roslab.knowledge.released import ever_released
 
 
@@ -20,6 +21,16 @@ def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
     named = [(each.file, each.package, each.file.rpartition("/")[2]) for each in evidence.launch if each.package]
     often = Counter((package, name) for _, package, name in named)
     return {file: (file,) if often[package, name] > 1 else (package, name) for file, package, name in named}
+
+
+def demanded(launch: LaunchFile, words: Iterable[str] = ()) -> frozenset[str]:
+    """Return the arguments that have to be given to a launch file and are not among these, ``NAME:=VALUE``.
+
+    Not those that it declares in parts which the others leave out.
+    """
+    given = {name: value for name, is_given, value in (word.partition(":=") for word in words) if is_given}
+    asked = (each for each in launch.demands if not any(holds(when, given) is False for when in each.conditions))
+    return frozenset(each.name for each in asked) - given.keys()
 
 
 def names_of_launch_files(evidence: Evidence) -> dict[str, frozenset[str]]:

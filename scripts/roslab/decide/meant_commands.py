@@ -10,7 +10,7 @@ from roslab.config.model import Kind
 from roslab.decide.brought_launches import Brings, all_brought
 from roslab.decide.candidate import Candidate
 from roslab.decide.first_command import LAUNCHERS
-from roslab.decide.launch_calls import launch_calls, started_launch
+from roslab.decide.launch_calls import demanded, launch_calls, started_launch
 from roslab.decide.reasons import page_of
 from roslab.decide.scripts import NOTEBOOK, RUNS
 from roslab.decide.sections import about_running
@@ -61,8 +61,8 @@ def listed(evidence: Evidence, kind: Kind) -> Candidate | None:
 
 def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
     """Yield what pages at the root name without running it, each with the line that does."""
-    ours = (each for each in evidence.launch if each.package and kind == f"ros{each.ros}" and not each.demands)
-    owners = {launch.file: launch for launch in ours}
+    ours = (each for each in evidence.launch if each.package and kind == f"ros{each.ros}")
+    owners = {launch.file: launch for launch in ours if not demanded(launch)}
     calls = launch_calls(evidence)
     for said in evidence.mentions:
         argv: tuple[str, ...] = ()

@@ -2,10 +2,29 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from roslab.evidence.dependency import Dependency
 from roslab.values.dataclass import dataclass
+
+
+class When(NamedTuple):
+    """A condition that the value of an argument decides."""
+
+    arguments: tuple[str, ...]
+    """The argument, and those whose value it has by its default: the first that is given counts."""
+    default: str
+    value: str
+    """What it is compared with, ``""`` where it has to be true."""
+    holds_if: bool
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Demand:
+    """An argument without a default, which has to be given where all conditions around its declaration hold."""
+
+    name: str
+    conditions: tuple[When, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -38,7 +57,7 @@ class LaunchFile:
     """Of these the package, the program and the one most like it, where it is a package of the tree without that."""
     arguments: tuple[str, ...] = ()
     """Those that it declares."""
-    demands: tuple[str, ...] = ()
+    demands: tuple[Demand, ...] = ()
     """Arguments without a default, without which it is not started."""
     switches: tuple[tuple[str, str], ...] = ()
     """Packages of which it includes something only where an argument is true, as it is by default, each with that."""

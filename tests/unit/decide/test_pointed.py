@@ -184,6 +184,41 @@ def test_a_call_that_gives_what_its_launch_file_demands_comes_first(tree: Tree, 
     assert " ".join(tree(files).command) == command
 
 
+OF_ROBOTS = (
+    '<arg name="robot" default="panda"/><arg name="arm" default="$(arg robot)"/>'
+    "<group if=\"$(eval arg('arm') == 'panda')\"><arg name=\"hand\"/></group>"
+)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "given", "whole"),
+    [
+        (OF_ROBOTS, "", False),
+        (OF_ROBOTS, " robot:=pr2", True),
+        (OF_ROBOTS, " arm:=pr2", True),
+        (OF_ROBOTS, " robot:=pr2 arm:=panda", False),
+        (OF_ROBOTS.replace("==", "!="), "", True),
+        (OF_ROBOTS.replace("==", "!="), " robot:=pr2", False),
+        (OF_ROBOTS.replace("arg('arm')", "robot"), " robot:=pr2", True),
+        (OF_ROBOTS.replace("<group if", "<group unless"), "", True),
+        ('<arg name="real" default="false"/><group if="$(arg real)"><arg name="ip"/></group>', "", True),
+        ('<arg name="real" default="false"/><group if="$(arg real)"><arg name="ip"/></group>', " real:=true", False),
+        ('<arg name="real" default="false"/><group if="$(arg real)"><arg name="a" value=""/></group>', "", True),
+        ('<arg name="real" default="false"/><include file="a" if="$(arg real)"/><arg name="ip"/>', "", False),
+        ('<arg name="real"/><group if="$(arg real)"><arg name="ip"/></group>', " real:=false", True),
+        (f'{OF_ROBOTS}<group unless="$(arg robot)"><arg name="hand"/></group>', " robot:=pr2", False),
+    ],
+)
+def test_an_argument_in_a_part_that_is_left_out_is_not_demanded(
+    tree: Tree, arguments: str, given: str, *, whole: bool
+) -> None:
+    page = f"ROS Noetic\n```\nroslaunch demo track.launch{given}\nroslaunch demo drive.launch\n```\n"
+    decision = tree(demanding(arguments) | {"README.md": page})
+    assert " ".join(decision.command) == (
+        f"roslaunch demo track.launch{given}" if whole else "roslaunch demo drive.launch"
+    )
+
+
 IN_PYTHON = (
     "from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([{}])\n"
 )
@@ -197,6 +232,13 @@ ROS2 = {
     ("declared", "stopped"),
     [
         ("DeclareLaunchArgument('map', description='the map (a file)')", True),
+        (
+            (
+                "DeclareLaunchArgument('real', default_value='false'), GroupAction([DeclareLaunchArgument('map')], "
+                "condition=IfCondition(LaunchConfiguration('real')))"
+            ),
+            False,
+        ),
         ('DeclareLaunchArgument(\n        name="map",\n        description=str(1),\n    )', True),
         ("DeclareLaunchArgument('map', default_value=os.path.join(get('demo'), 'a.yaml'), description='b')", False),
         ("DeclareLaunchArgument('map', **options)", False),

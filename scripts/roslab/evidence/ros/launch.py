@@ -15,10 +15,10 @@ from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.evidence.lex.xml_comments import without_xml_comments
-from roslab.evidence.ros import better_launch, launch_programs, launch_variables, reached
+from roslab.evidence.ros import better_launch, demanded_arguments, launch_programs, launch_variables, reached
 from roslab.evidence.ros.declared_arguments import declared_arguments
 from roslab.evidence.ros.included_launches import included
-from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES, conditional, kept_by, started
+from roslab.evidence.ros.launch_conditions import conditional, kept_by, started
 from roslab.evidence.ros.launch_switches import switches
 from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.unmade_nodes import with_unmade
@@ -77,12 +77,6 @@ _REMARK = pattern(r"\n[ \t]*#[^\n]*")
 _NAME = pattern(r"<name>\s*([\w-]+)\s*</name>")
 _STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
 _QUOTED = pattern(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
-_DECLARED = pattern(
-    r"DeclareLaunchArgument\(((?:[^()\"']|\"[^\"\n]{0,600}\"|'[^'\n]{0,600}'|\((?:[^()]|\([^()]{0,200}\)){0,600}\)){0,900})\)"
-)
-_DECLARED_NAME = pattern(r"\s{0,99}(?:name\s?=\s?)?[\"']([\w.-]{1,60})[\"']")
-_OPTIONAL = pattern(r"\b(?:default(?:_value)?|condition)\s?=|\*\*")
-"""What makes an argument one that may be left out, or that may be declared in a way that is not seen."""
 _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
 
@@ -110,7 +104,11 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
                 arguments=declared_arguments(text),
-                demands=_demanded(text) if xml else _declared(text) if python else (),
+                demands=demanded_arguments.in_xml(text)
+                if xml
+                else demanded_arguments.in_python(text)
+                if python
+                else (),
                 switches=switches(text) if old else (),
                 variables=launch_variables.needed(text, conditional) if xml else (),
                 **_tested(text, repository if old else None),
@@ -144,29 +142,6 @@ def _waiting(text: str) -> tuple[tuple[str, str], ...]:
 def _started_viewers(text: str) -> list[re.Match[str]]:
     found = matches_at(_GUI, text, *_VIEWERS)
     return [match for match in found if _NAMES.search(text, max(0, match.start() - 40), match.start())]
-
-
-def _demanded(text: str) -> tuple[str, ...]:
-    """Return the arguments that an XML file declares without a default: whoever starts it has to give them.
-
-    In ROS 1 (https://wiki.ros.org/roslaunch/XML/arg) and 2, 2026-11-23. Those under a condition are left out.
-    """
-    found: dict[str, None] = {}
-    for match in matches_at(ARGUMENT, text, "<arg"):
-        said = {name: one or other for name, one, other in ATTRIBUTES.findall(match[1])}
-        if said.get("name") and not said.keys() & {"default", "value", "if", "unless"}:
-            found[said["name"]] = None
-    return tuple(found)
-
-
-def _declared(text: str) -> tuple[str, ...]:
-    """Return the arguments that a file in Python declares without a default.
-
-    https://docs.ros.org/en/rolling/Tutorials/Intermediate/Launch/Using-Substitutions.html, 2026-11-23.
-    """
-    calls = (match[1] for match in matches_at(_DECLARED, text, "DeclareLaunchArgument"))
-    names = (_DECLARED_NAME.match(call) for call in calls if not _OPTIONAL.search(call))
-    return tuple(dict.fromkeys(name[1] for name in names if name))
 
 
 class _Tested(TypedDict):

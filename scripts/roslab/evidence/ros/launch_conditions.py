@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import NamedTuple
 
+from roslab.evidence.launch_file import When
 from roslab.evidence.lex.lines import matches_at
 from roslab.values.pattern import pattern
 
@@ -39,6 +40,11 @@ _CALLED = pattern(
     r"(?:LaunchConfiguration\(\s{0,99}[\"'](\w+)[\"']\s{0,99}\)|(\w+)|[\"'](\w+)[\"'])\s{0,99},?\s{0,99}\)"
 )
 _VARIABLE = pattern(r"\b(\w+)\s?=\s?LaunchConfiguration\(\s{0,99}[\"'](\w+)[\"']")
+_COMPARED = pattern(
+    r"\$\(\s?eval\s+(?:arg\(\s?[\"'](\w+)[\"']\s?\)|(\w+)|[\"']\$\(\s?(?:arg|var)\s+(\w+)\s?\)[\"'])"
+    r"\s?(==|!=)\s?[\"']([\w.-]*)[\"']\s?\)"
+)
+"""A condition that compares an argument: ``$(eval arg('robot') == 'ur5')``."""
 _TRUTH = {"true": True, "1": True, "false": False, "0": False}
 _MOST = 4
 """Most arguments that are followed, one of which gives the value of the next."""
@@ -80,9 +86,30 @@ def kept_by(text: str, begin: int, end: int) -> tuple[tuple[str, str], ...]:
     return tuple(found.items())
 
 
+def decided_by(text: str, begin: int, end: int) -> tuple[When, ...]:
+    """Return the conditions around something that values of arguments decide."""
+    return tuple(_when(each) for each in _around(text, begin, end))
+
+
+def holds(when: When, given: Mapping[str, str]) -> bool | None:
+    """Tell whether a condition holds for arguments with these values, ``None`` where they do not tell."""
+    value = next((given[name] for name in when.arguments if name in given), when.default).lower()
+    truth = _TRUTH.get(value) if not when.value else value == when.value if value else None
+    return truth if truth is None or when.holds_if else not truth
+
+
 def _holds(condition: _Condition) -> bool | None:
-    truth = _TRUTH.get(_followed(condition.written, condition.defaults)[-1])
-    return truth if truth is None or condition.holds_if else not truth
+    return holds(_when(condition), {})
+
+
+def _when(condition: _Condition) -> When:
+    compared = _COMPARED.fullmatch(condition.written.strip())
+    if compared is None:
+        *names, value = _followed(condition.written, condition.defaults)
+        return When((*names,), value, "", condition.holds_if)
+    name = compared[1] or compared[2] or compared[3]
+    *names, value = _followed(f"$(arg {name})", condition.defaults)
+    return When((*names,), value, compared[5].lower(), condition.holds_if == (compared[4] == "=="))
 
 
 def _around(text: str, begin: int, end: int) -> Iterator[_Condition]:
