@@ -40,6 +40,10 @@ class Candidate:
     """pip installs the program with the repository."""
     elsewhere: bool = False
     """It is a script that cannot do without a folder of its author's computer."""
+    behind: bool = False
+    """Its section launches a package that nothing brings before it."""
+    alone: bool = False
+    """A node of ROS 1 whose page starts no master but by launch files."""
     unmade: bool = False
     """A node that it starts is installed by no package, so that it stops."""
     contained: bool = False

@@ -120,9 +120,17 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     ordered = sorted(
         kept, key=lambda c: _order(c, pages[c.file], gap=c.line >= gaps.get((c.file, c.heading), c.line + 1))
     )
-    starts_whole = any(not (c.unmade or c.elsewhere or c.cut or _lacks(c)) for c in kept)
-    ordered.sort(key=lambda c: (c.elsewhere, starts_whole and c.unmade, _stops(c, kept)))
+    ordered.sort(key=lambda c: c.alone and any(_has_master(each, c) for each in kept))
+    whole_ones = [c for c in kept if not (c.unmade or c.elsewhere or c.cut or _lacks(c))]
+    starts_whole, stands_alone = bool(whole_ones), any(not c.behind and _meant(c) >= 0 for c in whole_ones)
+    ordered.sort(key=lambda c: (c.elsewhere, starts_whole and c.unmade, _stops(c, kept), stands_alone and c.behind))
     return variant(_filled_in(_by_another_device(ordered[0], written), rest), rest) if ordered else None
+
+
+def _has_master(launch: Candidate, node: Candidate) -> bool:
+    """Tell whether a launch file that the same page starts before a node without a master has one for it."""
+    before = launch.file == node.file and launch.line < node.line and launch.argv[0] == "roslaunch"
+    return before and not (launch.cut or launch.unmade or launch.behind or _lacks(launch)) and _meant(launch) >= 0
 
 
 def _stops(candidate: Candidate, others: Iterable[Candidate]) -> bool:

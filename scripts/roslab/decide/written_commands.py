@@ -29,6 +29,7 @@ from roslab.decide.run_by_page import why_run
 from roslab.decide.scripts import bare, script_of, task_of
 from roslab.decide.sections import about_trouble
 from roslab.decide.simulators import simulators_of
+from roslab.decide.without_others import clones_others, without_others
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose import copies
@@ -72,7 +73,8 @@ def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tup
     tools = [ros and of_a_tool(c, folders, evidence) for c in found]
     weak = [(nodes or (ros and "/" in c.file)) and outside for c, outside in zip(found, lone, strict=True)]
     weak = [outside or tool for outside, tool in zip(weak, tools, strict=True)]
-    return tuple(replace(c, strong=False) if outside else c for c, outside in zip(found, weak, strict=True))
+    said = (replace(c, strong=False) if outside else c for c, outside in zip(found, weak, strict=True))
+    return without_others(said, evidence) if ros else tuple(said)
 
 
 def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> Iterator[Candidate]:
@@ -88,7 +90,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         declared=declared_by(evidence),
         simulators=simulators_of(evidence),
         packages=packages_of(evidence).names,
-        clones=any(git.kind in {"vcs", "git_url", "upstream", "submodule"} or git.beside for git in evidence.sources),
+        clones=clones_others(evidence),
         installed=installed_by_pip(evidence),
         projects=(
             *(project.folder for project in evidence.python if project.installable),

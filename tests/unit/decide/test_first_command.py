@@ -69,6 +69,30 @@ def test_the_first_command_of_a_page_for_ros_1(tree: Tree, page: str, command: s
     assert " ".join(tree({**ROS1, "README.md": page}).command) == command
 
 
+MAP, NODE, ABSENT = "roslaunch demo map.launch\n", "rosrun demo demo_node\n", "roslaunch camera_driver usb.launch\n"
+ODOMETRY = "roslaunch demo odometry.launch\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        (f"# Robot\n{MAP}# Run the camera\n{NODE}", MAP),
+        (f"# Robot\n{MAP}# Run the camera\nroscore\n{NODE}", NODE),
+        (f"# Calibration\n{MAP}# Run the camera\n{NODE}", NODE),
+        (f"# Robot\nroslaunch demo map.launch a:=data/a.bag\n# Run the camera\n{NODE}", NODE),
+        (f"# Run the camera\n{NODE}# Robot\n{MAP}", NODE),
+        (f"# Robot\n{MAP}# Run the camera\n{ABSENT}{ODOMETRY}", MAP),
+        (f"# Robot\n{MAP}# Run the camera\n{ODOMETRY}{ABSENT}", ODOMETRY),
+        (f"# Calibration\n{MAP}# Run the camera\n{ABSENT}{ODOMETRY}", ODOMETRY),
+        (f"# Robot\n{MAP}# Run the camera\nroslaunch usb_cam usb_cam.launch\n{ODOMETRY}", ODOMETRY),
+        (f"# Robot\n{MAP}# Get the driver\n{ABSENT}# Run\n{ODOMETRY}", ODOMETRY),
+        (f"# Robot\n{MAP}# Run\ncd ~/catkin_ws/src\ngit clone https://github.com/lab/x.git\n{ABSENT}{ODOMETRY}", ODOMETRY),
+    ],
+)
+def test_what_needs_others_comes_behind_what_a_page_launches_alone(tree: Tree, page: str, command: str) -> None:
+    assert " ".join(tree({**ROS1, "README.md": f"ROS Noetic\n{page}"}).command) == command.strip()
+
+
 @pytest.mark.parametrize(
     ("first", "titles", "command"),
     [

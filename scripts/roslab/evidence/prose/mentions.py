@@ -88,6 +88,7 @@ _REMOVED = pattern(
 """A command before a Python version that takes it away, or its privileges: it is about the author's machine."""
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)[^\n]*:\W*(?:<br ?/?>)?\W*\Z", re.IGNORECASE)
 """A line that an example follows, which then stands in a block of its own."""
+_MASTER = pattern(r"\broscore\b")
 _CONTEXT = pattern(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 _OF_A_SYSTEM = pattern(r"debian|linux|codename|docker|\bapt(?:-get)?\b|\blts\b|\b\d\d\.(?:04|10)\b", re.IGNORECASE)
 _STOOD_ON = pattern(r"\b(?:on|for|under)\s+(?:the\s+)?[`*_\"']{0,3}\Z", re.IGNORECASE)
@@ -97,6 +98,7 @@ _ENDS = pattern(r"[`*_\"']{0,3}\s*(?:[^\w\s]|(?:and|or)\b|\n|\Z)", re.IGNORECASE
 def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "script"]) -> Iterator[Mention]:
     """Yield the versions that a text names, with the line each stands on."""
     yield from gazebo.named(text, file, source)
+    yield from _masters(text, file) if source == "readme" else ()
     lowered = text.lower()
     for topic, words, each in _patterns():
         position, line, found = 0, 1, 0
@@ -125,6 +127,13 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
             found += 1
             if found >= MAX_MENTIONS:
                 break
+
+
+def _masters(text: str, file: str) -> Iterator[Mention]:
+    """Yield the first place where a page names the program that is the master of ROS 1."""
+    if found := _MASTER.search(text):
+        line = text.count("\n", 0, found.start()) + 1
+        yield Mention(topic="master", value="roscore", source="readme", file=file, line=line, text=found[0])
 
 
 def _denied(text: str, match: re.Match[str]) -> str:
