@@ -28,6 +28,8 @@ class Candidate:
     """The folder that it has to be started in."""
     cut: bool = False
     """Arguments that the reader fills in were left out, and they have no default."""
+    lacking: tuple[str, ...] = ()
+    """Arguments that its launch file demands and that it does not give: so it stops at once."""
     demands: Literal["required", "open", ""] = ""
     """What the program says of an option that was left out so: it stops without it, or may."""
     absent: tuple[str, ...] = ()

@@ -9,7 +9,8 @@ from collections.abc import Collection, Iterator, Mapping
 from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
 from roslab.decide.contained import contained
-from roslab.decide.launch_calls import demanded, launch_calls
+from roslab.decide.demanded_arguments import launched_by, with_demands
+from roslab.decide.launch_calls import launch_calls
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.reasons import page_of
@@ -23,7 +24,6 @@ from roslab.decide.unmade_nodes import with_unmade
 from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.evidence.launch_file import LaunchFile
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
@@ -46,7 +46,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     unmade = with_unmade(evidence)
     stops = [calls[file] for file in unmade if file in calls]
     for each in said:
-        told = _cut(_below(each, evidence) if compiled else each, files)
+        told = with_demands(_below(each, evidence) if compiled else each, files)
         yield replace(told, unmade=_starts(each, stops))
     yield from contained(evidence, kind, compiled=compiled)
     yield from () if any(each.strong for each in said) else in_sessions(evidence, kind, compiled=compiled)
@@ -57,7 +57,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         nodes = tuple(_nodes(evidence, kind))
         vain = unstartable(evidence, programs=bool(nodes)) if launched else frozenset()
         vain |= unmade if any(each.file not in vain | unmade for each in launched) else frozenset()
-        yield from (replace(each, cut=True) if each.file in vain else _cut(each, files) for each in launched)
+        yield from (replace(each, cut=True) if each.file in vain else with_demands(each, files) for each in launched)
         yield from nodes if all(each.file in vain for each in launched) else ()
     elif compiled:
         yield from (_below(each, evidence) for each in _compiled(evidence))
@@ -84,20 +84,8 @@ def _explained(evidence: Evidence) -> Iterator[Candidate]:
 
 def _starts(candidate: Candidate, calls: Collection[tuple[str, ...]]) -> bool:
     """Tell whether a command starts one of the launch files with these calls."""
-    rest = _launched_by(candidate.argv)
+    rest = launched_by(candidate.argv)
     return rest[:1] in calls or rest[:2] in calls
-
-
-def _launched_by(argv: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the words of a command behind those that start a launch file, if it does."""
-    return argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
-
-
-def _cut(candidate: Candidate, files: Mapping[tuple[str, ...], LaunchFile]) -> Candidate:
-    """Return a command as one that lacks arguments, if its launch file demands some that it does not give."""
-    rest = _launched_by(candidate.argv)
-    launch = files.get(rest[:1]) or files.get(rest[:2])
-    return replace(candidate, cut=True) if launch and demanded(launch, rest) else candidate
 
 
 def _below(candidate: Candidate, evidence: Evidence) -> Candidate:

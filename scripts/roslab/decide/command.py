@@ -22,6 +22,7 @@ from roslab.decide.candidate import Candidate, is_component, is_python, program_
 from roslab.decide.candidates import candidates_of
 from roslab.decide.contained import only_contained
 from roslab.decide.decision import Choice, Reason
+from roslab.decide.demanded_arguments import told as lacking_arguments
 from roslab.decide.entry_scripts import stops, told
 from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upkeep
 from roslab.decide.gone_programs import gone_programs
@@ -137,7 +138,8 @@ def decide_command(
         chosen = replace(chosen, given=True, entrypoint=False)
     chosen = replace(chosen, entrypoint_takes=taken)
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
-    gone = tuple(gone_programs(evidence, kind)) if command == ("bash",) and not dockerfile else ()
+    shell = command == ("bash",) and not dockerfile
+    gone = (*gone_programs(evidence, kind), *lacking_arguments(found)) if shell else ()
     said_of = told(authored, chosen.command) if authored else ()
     return Choice(
         answer=chosen, reasons=reasons, warnings=(*said_of, *(left_to_reader(page, evidence) if page else gone))
@@ -182,7 +184,7 @@ def _obvious(
     """
     built = {file for m in evidence.mentions if m.topic == "build_script" for file in m.files}
     foreign = copied(evidence, packages_of(evidence))
-    ours = [c for c in found if _own(c.argv, evidence) and not (upkeep(c) or below(c.file, foreign))]
+    ours = [c for c in found if _own(c.argv, evidence) and not (upkeep(c) or c.lacking or below(c.file, foreign))]
     ours = without_copied_packages(ours, evidence)
     ours = [c for c in ours if program_of(c.argv)[-1] not in built]
     if dockerfile:
@@ -218,6 +220,8 @@ def _obvious(
         return argv, because("command", shlex.join(argv), why, only, weight=Weight.ONLY_ONE)
     programs = len({program_of(c.argv) for c in found})
     why = f"{programs} programs could be the default" if programs > 1 else "no program stands out"
+    if any(c.strong and c.lacking for c in found):
+        why = "what pages run lacks arguments that its launch file demands"
     said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said
 

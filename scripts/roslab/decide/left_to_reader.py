@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from roslab.decide.candidate import Candidate, is_python, program_of
 from roslab.decide.chores import prepared_before
 from roslab.decide.decision import Warning_
+from roslab.decide.demanded_arguments import filled_in
 from roslab.decide.filled_in import filled
 from roslab.decide.first_command import LAUNCHERS
 from roslab.decide.reasons import warn
@@ -67,6 +68,7 @@ def _told(said: Mention, page: Candidate, evidence: Evidence) -> Iterator[Warnin
             "`command` in roslab.yaml where it is needed",
             said,
         )
+    yield from filled_in(page, said.value)
     for mention in evidence.mentions:
         if mention.topic == "refused" and (mention.file, mention.line) == (said.file, said.line):
             yield warn(

@@ -86,7 +86,10 @@ ODOMETRY = "roslaunch demo odometry.launch\n"
         (f"# Calibration\n{MAP}# Run the camera\n{ABSENT}{ODOMETRY}", ODOMETRY),
         (f"# Robot\n{MAP}# Run the camera\nroslaunch usb_cam usb_cam.launch\n{ODOMETRY}", ODOMETRY),
         (f"# Robot\n{MAP}# Get the driver\n{ABSENT}# Run\n{ODOMETRY}", ODOMETRY),
-        (f"# Robot\n{MAP}# Run\ncd ~/catkin_ws/src\ngit clone https://github.com/lab/x.git\n{ABSENT}{ODOMETRY}", ODOMETRY),
+        (
+            f"# Robot\n{MAP}# Run\ncd ~/catkin_ws/src\ngit clone https://github.com/lab/x.git\n{ABSENT}{ODOMETRY}",
+            ODOMETRY,
+        ),
     ],
 )
 def test_what_needs_others_comes_behind_what_a_page_launches_alone(tree: Tree, page: str, command: str) -> None:

@@ -176,12 +176,41 @@ def test_a_launch_file_that_demands_an_argument_is_not_started_without(
             "roslaunch demo track.launch eye:=left\nroslaunch demo drive.launch\n",
             "roslaunch demo track.launch eye:=left",
         ),
-        ("roslaunch demo track.launch\n", "roslaunch demo track.launch"),
+        ("roslaunch demo track.launch\n", "bash"),
+        ("roslaunch demo track.launch eye:=<the eye>\n", "bash"),
     ],
 )
 def test_a_call_that_gives_what_its_launch_file_demands_comes_first(tree: Tree, page: str, command: str) -> None:
     files = demanding('<arg name="eye"/>') | {"README.md": f"ROS Noetic\n# Usage\n```\n{page}```\n"}
     assert " ".join(tree(files).command) == command
+
+
+def test_the_shell_tells_what_the_launch_file_of_the_page_demands(tree: Tree) -> None:
+    page = "ROS Noetic\n```\nroslaunch demo track.launch eye:=<the eye>\n```\n"
+    decision = tree(demanding('<arg name="eye"/>') | {"README.md": page})
+    told = [f"{each.file}:{each.line}: {each.message}" for each in decision.warnings if "eye" in each.message]
+    runs = "README.md:3: the README runs roslaunch demo track.launch, which stops without eye"
+    assert told == [f"{runs}: give the whole command under `command` in roslab.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("argument", "page", "command"),
+    [
+        ("robot_ip", "roslaunch demo track.launch robot_ip:=<IP>\n", "roslaunch demo track.launch robot_ip:=127.0.0.1"),
+        ("hostname", "roslaunch demo track.launch\n", "roslaunch demo track.launch hostname:=127.0.0.1"),
+        ("robot_ip", "roslaunch demo track.launch\nroslaunch demo drive.launch\n", "roslaunch demo drive.launch"),
+        ("mac_address", "roslaunch demo track.launch\n", "bash"),
+        ("ship", "roslaunch demo track.launch\n", "bash"),
+    ],
+)
+def test_an_address_that_a_launch_file_demands_is_the_machines_own(
+    tree: Tree, argument: str, page: str, command: str
+) -> None:
+    files = demanding(f'<arg name="{argument}"/>') | {"README.md": f"ROS Noetic\n# Usage\n```\n{page}```\n"}
+    decision = tree(files)
+    assert " ".join(decision.command) == command
+    here = [each.message for each in decision.warnings if "127.0.0.1 for" in each.message]
+    assert len(here) == command.count("127.0.0.1")
 
 
 OF_ROBOTS = (
