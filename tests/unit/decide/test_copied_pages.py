@@ -22,6 +22,10 @@ COPY = {
     "camera/driver/CMakeLists.txt": CMAKE,
     "camera/driver/launch/camera.launch.py": LAUNCH,
 }
+PACKED = {path.replace("camera/", "camera-main/", 1): text for path, text in COPY.items() if "LICENSE" not in path} | {
+    "camera-main/io/package.xml": PACKAGE.format("io"),
+    "camera-main/io/CMakeLists.txt": CMAKE,
+}
 OWN = {"arm/package.xml": PACKAGE.format("arm"), "arm/CMakeLists.txt": CMAKE, "arm/launch/arm.launch.py": LAUNCH}
 CAMERA = ("ros2", "launch", "driver", "camera.launch.py")
 
@@ -33,6 +37,11 @@ CAMERA = ("ros2", "launch", "driver", "camera.launch.py")
         ({**COPY, "msgs/package.xml": PACKAGE.format("msgs"), "msgs/CMakeLists.txt": CMAKE}, ("bash",)),
         ({**COPY, **OWN, "README.md": "    ros2 launch driver camera.launch.py\n"}, CAMERA),
         (COPY, CAMERA),  # all that there is
+        ({**PACKED, **OWN}, ("ros2", "launch", "arm", "arm.launch.py")),
+        ({f"src/{path}": text for path, text in {**PACKED, **OWN}.items()}, ("ros2", "launch", "arm", "arm.launch.py")),
+        (PACKED, CAMERA),
+        ({**PACKED, **OWN, "camera-main/io/package.xml": None}, CAMERA),  # a part of its own
+        ({path.replace("-main", "-arm"): text for path, text in {**PACKED, **OWN}.items()}, CAMERA),
         ({**COPY, **OWN, "camera/LICENSE": None}, CAMERA),  # a part of its own
     ],
 )
@@ -42,3 +51,12 @@ def test_the_page_of_a_copy_gives_no_command(
     found = tree({path: text for path, text in files.items() if text is not None})
     assert found.command == command
     assert CAMERA in found.command_candidates
+
+
+@pytest.mark.parametrize(
+    ("folder", "needed"), [("sdk-main", False), ("sdk-1.2.0", False), ("sdk", True), ("demo-main", True)]
+)
+def test_what_the_pages_of_a_packed_repository_install_is_no_need(tree: Tree, folder: str, *, needed: bool) -> None:
+    files = {f"{folder}/LICENSE": "text", f"{folder}/README.md": "# Build\n\n    sudo apt-get install doxygen\n"}
+    files[".git/config"] = '[remote "origin"]\n\turl = https://github.com/lab/demo.git\n'
+    assert any(each.answer == "doxygen" for each in tree({**OWN, **files}).reasons) == needed

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from roslab.evidence.archives import archives
 from roslab.evidence.facts import PackageManifest
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
@@ -24,10 +25,11 @@ def read(repository: Repository, manifests: Sequence[PackageManifest]) -> tuple[
 
 
 def repositories(repository: Repository, manifests: Sequence[PackageManifest]) -> tuple[str, ...]:
-    """Return the folders that hold a whole repository of packages: none of their own, but a licence and a page."""
+    """Return the folders that hold a whole repository of packages: a licence and a page, or as GitHub packs it."""
     own = {manifest.file.rpartition("/")[0] for manifest in manifests}
     licensed = {file.folder for file in repository.named(*_LICENCES)} - {"", *own}
     found = licensed & {file.folder for file in repository.named(*_PAGES)} if licensed else set[str]()
+    found |= {*archives(repository)} - own
     return tuple(folder for folder in sorted(found) if any(below(manifest.file, [folder]) for manifest in manifests))
 
 
