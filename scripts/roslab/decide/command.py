@@ -18,7 +18,7 @@ from roslab.decide.author_command import (
     there_in,
 )
 from roslab.decide.brought_launches import brought
-from roslab.decide.candidate import Candidate, is_component, is_python, program_of, there
+from roslab.decide.candidate import Candidate, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.contained import only_contained
 from roslab.decide.decision import Choice, Reason
@@ -31,6 +31,7 @@ from roslab.decide.launched import launched
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
 from roslab.decide.outward import ports_of_page, volumes_of
+from roslab.decide.own_commands import own
 from roslab.decide.reasons import because, configured
 from roslab.decide.released_pages import without_copied_packages
 from roslab.decide.required_options import behind_whole
@@ -184,7 +185,7 @@ def _obvious(
     """
     built = {file for m in evidence.mentions if m.topic == "build_script" for file in m.files}
     foreign = copied(evidence, packages_of(evidence))
-    ours = [c for c in found if _own(c.argv, evidence) and not (upkeep(c) or c.lacking or below(c.file, foreign))]
+    ours = [c for c in found if own(c.argv, evidence) and not (upkeep(c) or c.lacking or below(c.file, foreign))]
     ours = without_copied_packages(ours, evidence)
     ours = [c for c in ours if program_of(c.argv)[-1] not in built]
     if dockerfile:
@@ -260,16 +261,6 @@ def _found(candidate: Candidate) -> Reason:
     """Return the reason for a candidate, not decisive: it is one of several."""
     weight = Weight.WRITTEN if candidate.strong else Weight.FOUND
     return because("command", shlex.join(candidate.argv), candidate.why, candidate, weight=weight, decisive=False)
-
-
-def _own(argv: tuple[str, ...], evidence: Evidence) -> bool:
-    """Tell whether a command starts something that the repository contains, not just a viewer."""
-    at = {"roslaunch": 1, "rosrun": 1, "ros2": 2 + is_component(argv)}.get(argv[0], len(argv))
-    package = argv[at : at + 1]
-    names = {manifest.name for manifest in evidence.manifests}
-    return (
-        not package or not names or package[0] in names or any(launch.file == package[0] for launch in evidence.launch)
-    )
 
 
 def _others(evidence: Evidence, only: Candidate) -> bool:

@@ -21,6 +21,7 @@ _SERVES = pattern(
     r"(?:\w*[^\W\d_]2|(?:2|to)_|(?:onnx|pth?|(?:py)?torch|keras|ckpt|weights?)_?(?:2|to)_?)(?:onnx|trt|tensorrt|engine|tflite|torchscript)|"
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
     r"get[_-](?:repos?|repositor(?:y|ies)|dep(?:s|endenc(?:y|ies))|submodules?|data(?:sets?)?|weights|models?|assets)|"
+    r"(?:add|init\w*|sync|pull)[_-](?:git[_-])?(?:repos?|repositor(?:y|ies)|submodules?)|"
     r"create[_-](?:conda[_-])?(?:v?env|environment)\w*|build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|udev\w*|stat(?:istic)?s|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"
     r"^(?:(?:source|load|activate|export)[_-])?v?env$",
     re.IGNORECASE,
@@ -79,6 +80,8 @@ _CLOUD = pattern(
 """Sections about somebody else's machines; the container that a page starts it in is what the image makes."""
 _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya?ml|png|mp4|avi|pcd|ply|obj|csv|json)$")
 """An argument that names a file."""
+_PLANS = pattern(r"(?:^|/)(?:plans?|specs|superpowers|roadmaps?|backlog)/", re.IGNORECASE)
+"""A folder with what is, or was, to be done."""
 LAUNCHERS = ("roslaunch", "rosrun", "ros2")
 _HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s)$")
 _TOPIC = pattern(r"(?!\w*(?:file|path|dir|folder|map|bag|conf|data|world|model|urdf|weight|vocab))\w+:=(?:/\w+)+")
@@ -123,8 +126,16 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     ordered.sort(key=lambda c: c.alone and any(_has_master(each, c) for each in kept))
     whole_ones = [c for c in kept if not (c.unmade or c.elsewhere or c.cut or _lacks(c))]
     starts_whole, stands_alone = bool(whole_ones), any(not c.behind and _meant(c) >= 0 for c in whole_ones)
-    ordered.sort(key=lambda c: (c.elsewhere, starts_whole and c.unmade, _stops(c, kept), stands_alone and c.behind))
+    ordered.sort(
+        key=lambda c: (c.elsewhere, _inner(c), starts_whole and c.unmade, _stops(c, kept), stands_alone and c.behind)
+    )
     return variant(_filled_in(_by_another_device(ordered[0], written), rest), rest) if ordered else None
+
+
+def _inner(candidate: Candidate) -> bool:
+    """Tell whether a command is of those who write the code: a plan runs it, or a file called private, ``_boot.sh``."""
+    name = program_of(candidate.argv)[-1].rpartition("/")[2]
+    return bool(_PLANS.search(candidate.file)) or (name.startswith("_") and not name.startswith("__"))
 
 
 def _has_master(launch: Candidate, node: Candidate) -> bool:

@@ -69,6 +69,34 @@ def test_the_first_command_of_a_page_for_ros_1(tree: Tree, page: str, command: s
     assert " ".join(tree({**ROS1, "README.md": page}).command) == command
 
 
+@pytest.mark.parametrize(
+    ("script", "page", "command"),
+    [
+        ("addSubmodules.sh", "README.md", "roslaunch demo map.launch"),
+        ("init_submodules.sh", "README.md", "roslaunch demo map.launch"),
+        ("add_noise.sh", "README.md", "bash add_noise.sh"),
+        ("_boot.sh", "README.md", "roslaunch demo map.launch"),
+        ("boot.sh", "README.md", "bash boot.sh"),
+        ("boot.sh", "plans/README.md", "roslaunch demo map.launch"),
+    ],
+)
+def test_what_only_those_who_write_the_code_run_comes_last(tree: Tree, script: str, page: str, command: str) -> None:
+    pages = {page: f"# Usage\n```\n./{script}\n```\n"}
+    pages["README.md"] = pages.get("README.md", "") + "```\nroslaunch demo map.launch\n```\n"
+    there = f"{page.rpartition('/')[0]}/{script}".lstrip("/")
+    assert " ".join(tree({**ROS1, there: "roslaunch demo map.launch\n", **pages}).command) == command
+
+
+@pytest.mark.parametrize(
+    ("viewer", "command"),
+    [("rosrun rviz rviz", "bash"), ("rosrun rviz rviz -d demo.rviz", "rosrun rviz rviz -d demo.rviz")],
+)
+def test_a_bare_viewer_is_no_command_of_a_tree_without_packages(tree: Tree, viewer: str, command: str) -> None:
+    page = f"ROS Noetic\n# Run\ncatkin_make\n{viewer}\n"
+    modules = '[submodule "a"]\n\tpath = a\n\turl = https://github.com/lab/a.git\n'
+    assert " ".join(tree({"README.md": page, ".gitmodules": modules, "demo.rviz": ""}).command) == command
+
+
 MAP, NODE, ABSENT = "roslaunch demo map.launch\n", "rosrun demo demo_node\n", "roslaunch camera_driver usb.launch\n"
 ODOMETRY = "roslaunch demo odometry.launch\n"
 
@@ -888,6 +916,12 @@ def test_a_script_is_started_in_the_folder_that_the_page_goes_to(tree: Tree, pag
         ("exec /bin/bash", "roslaunch demo map.launch"),
         ("gnome-terminal -- bash -c 'roslaunch demo map.launch; exec bash'", "bash robot.sh master"),
         ("exec roslaunch demo map.launch", "bash robot.sh master"),
+        ("read -s password\nroslaunch demo map.launch", "roslaunch demo map.launch"),
+        ("  read -r -sp 'Password: ' password\nroslaunch demo map.launch", "roslaunch demo map.launch"),
+        ("read -s -n 1 -p 'any key'\nroslaunch demo map.launch", "bash robot.sh master"),
+        ("git submodule add https://github.com/lab/arm.git arm", "roslaunch demo map.launch"),
+        ("git submodule init\ngit submodule update", "roslaunch demo map.launch"),
+        ("git submodule init\nroslaunch demo map.launch", "bash robot.sh master"),
     ],
 )
 def test_a_script_that_opens_a_shell_is_not_what_is_run(tree: Tree, last: str, command: str) -> None:

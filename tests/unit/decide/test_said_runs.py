@@ -47,6 +47,8 @@ def test_a_sentence_runs_it(tree: Tree, sentence: str, file: str | None) -> None
         ("Usage", "The size is defined in `demo/plan.py`", False),
         ("Usage", "`demo/plan.py`\n\n```\nmake\n```", False),
         ("Structure", "- `demo/plan.py`", False),
+        ("Running order", "| Nr | Plan |\n|---|---|\n| 1 | Extract the boot to `demo/plan.py` |", False),
+        ("Running order", "| Script | Takes |\n|---|---|\n| `demo/plan.py` | a map |", True),
         ("Running the tests", "- `test/test_plan.py`", False),
     ],
 )

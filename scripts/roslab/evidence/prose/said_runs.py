@@ -102,12 +102,19 @@ def _alone(
         title = heading.rpartition(" / ")[2]
         if heading in taken or not _TITLE.search(title) or any(line.fenced for line in section):
             continue
-        spans = [(line, span) for line in section if not line.heading for span in _SPAN.finditer(line.text)]
+        named = ((line, span) for line in section if not line.heading for span in _SPAN.finditer(line.text))
+        spans = [(line, span) for line, span in named if not _in_a_cell(line.text, span)]
         if len({_path(span["path"], page, repository) for _, span in spans}) != 1:
             continue
         line, span = spans[0]
         if not any(_SET.search(each.text) or _IN.search(each.text[: it.start()]) for each, it in spans):
             yield line, span["path"], span["rest"]
+
+
+def _in_a_cell(text: str, span: re.Match[str]) -> bool:
+    """Tell whether a cell of a table says more than the path, as a list of plans does."""
+    cell = text[: span.start()].rpartition("|")[2] + text[span.end() :].partition("|")[0]
+    return text.lstrip().startswith("|") and bool(cell.strip())
 
 
 def _mention(written: str, rest: str, line: Line, page: File, repository: Repository) -> Mention | None:

@@ -1,7 +1,7 @@
 """Scripts of the tree that start no program of it: they open a shell in which a person goes on, or a container.
 
-So do those that stop because nobody has set a variable, and those that only install what others need or send the tree
-to another machine.
+So do those that stop because nobody has set a variable or wait for a password, and those that only install what others
+need, add submodules or send the tree to another machine.
 """
 
 from __future__ import annotations
@@ -48,6 +48,13 @@ _STARTS = pattern(
 """A line that starts a program, or what a variable names."""
 
 
+_PASSWORD = pattern(
+    r"^[ \t]*(?:IFS=\S*[ \t]+)?read[ \t]+(?!(?:\S+[ \t]+)*-\w*[nN])(?:-[\w.]+[ \t]+)*-\w*s\w*\b", re.MULTILINE
+)
+"""It waits for words that are not shown; of ``-n 1`` any key is enough."""
+_SUBMODULES = pattern(r"^[ \t]*git[ \t]+(?:-\S+[ \t]+)*submodule[ \t]+(?:add|init|deinit|sync)\b", re.MULTILINE)
+
+
 def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
     """Tell whether a command runs a script that ends in a shell, or starts a container or no program at all."""
     scripts = [file for file in mention.files if file.endswith(".sh")]
@@ -58,7 +65,9 @@ def _leads_elsewhere(text: str) -> bool:
     from roslab.evidence.prose.unset import stops_unset  # noqa: PLC0415 - few scripts stop so
 
     text = text.replace("\\\n", " ")
-    if (_INSTALLS.search(text) or _SENDS.search(text)) and not _STARTS.search(text):
+    if any(each.search(text) for each in (_INSTALLS, _SENDS, _SUBMODULES)) and not _STARTS.search(text):
+        return True
+    if _PASSWORD.search(text):
         return True
     return stops_unset(text) or starts_container(text) or any(map(_OPENS.match, text.splitlines()))
 
