@@ -46,7 +46,37 @@ def _variable(tree: Tree, header: str, cmake: str, distribution: str) -> str | N
         ("tf2/LinearMath/Transform.h", "find_package(tf2_ros REQUIRED)\n", "humble", None),  # it finds tf2
         ("tf2/LinearMath/Transform.h", AUTO, "humble", None),
         ("rclcpp/rclcpp.hpp", "", "humble", None),
+        ("fields2cover.h", "find_package(Fields2Cover REQUIRED)\n", "jazzy", "/opt/ros/jazzy/include"),
+        ("fields2cover.h", "", "jazzy", None),
+        ("other.h", "find_package(Fields2Cover REQUIRED)\n", "jazzy", None),
     ],
 )
 def test_a_package_of_headers_alone(tree: Tree, header: str, cmake: str, distribution: str, value: str | None) -> None:
     assert _variable(tree, header, cmake, distribution) == value
+
+
+@pytest.mark.parametrize(
+    ("name", "package"),
+    [
+        ("fields2cover", "ros-jazzy-fields2cover"),
+        ("Fields2Cover", "ros-jazzy-fields2cover"),
+        ("Nav2-Msgs", "ros-jazzy-nav2-msgs"),
+        ("Fields9Cover", None),
+    ],
+)
+def test_a_name_of_cmake_is_a_package_in_another_spelling(tree: Tree, name: str, package: str | None) -> None:
+    files = {"package.xml": XML, "CMakeLists.txt": CMAKE.format(f"find_package({name} REQUIRED)\n"), "src/a.cpp": ""}
+    decision = tree(files | {"README.md": "For ROS 2 Jazzy.\n"})
+    found = {each for each in (*decision.apt, *decision.apt_guessed) if each.startswith("ros-jazzy-")}
+    assert found == ({package} if package else set())
+    assert any(f"brings {name}," in each.message for each in decision.warnings) == (package is None)
+
+
+def test_what_the_tree_finds_by_a_file_of_its_own_is_no_package_of_ros(tree: Tree) -> None:
+    files = {
+        "package.xml": XML,
+        "CMakeLists.txt": CMAKE.format("find_package(Fields2Cover REQUIRED)\n"),
+        "src/a.cpp": "",
+    }
+    decision = tree(files | {"README.md": "For ROS 2 Jazzy.\n", "cmake/FindFields2Cover.cmake": "set(A 1)\n"})
+    assert not any("fields2cover" in each for each in (*decision.apt, *decision.apt_guessed))

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
+from roslab.decide.system.names import spellings
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distro
 from roslab.knowledge.header_only import header_only
+from roslab.knowledge.released import released
 
 _NAME = "CPLUS_INCLUDE_PATH"
 """Searched last, so that a package of the workspace comes before the one in /opt/ros.
@@ -43,8 +45,25 @@ def nested_headers(evidence: Evidence, ros: str | None) -> Iterator[tuple[str, s
             for package in (row.package, *row.includes):
                 folders.setdefault(f"/opt/ros/{known.name}/include/{package}", each)
             break
+    for each in _of_plain_cmake(evidence, known.name):
+        folders.setdefault(f"/opt/ros/{known.name}/include", each)
     if folders:
         asked = next(iter(folders.values()))
-        package = asked.name.partition("/")[0]
+        package = asked.name.partition("/")[0].partition(".")[0]
         why = f"{asked.name} is in a folder of its package alone, and CMake does not find {package}"
         yield _NAME, ":".join(folders), why, asked
+
+
+def _of_plain_cmake(evidence: Evidence, ros: str) -> Iterator[Dependency]:
+    """Yield the includes of a package that CMake finds by a name of its own: ``Fields2Cover``, ``fields2cover.h``.
+
+    It is none of ament, whose call for dependencies tells no folder of it then, and has its headers beside all others.
+    """
+    for project in evidence.cmake:
+        named = [d.name for d in project.dependencies if d.namespace == "cmake" and d.name not in released(ros)]
+        packages = {each for name in named for each in spellings(name) if each in released(ros)}
+        folder = PurePosixPath(project.file).parent
+        for each in evidence.code if packages else ():
+            inside = each.namespace == "include" and folder in PurePosixPath(each.file).parents
+            if inside and each.name.partition("/")[0].partition(".")[0].lower() in packages:
+                yield each

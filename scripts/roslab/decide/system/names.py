@@ -39,6 +39,16 @@ class Target:
         """Tell whether the image's ROS released a package of that name."""
         return bool(self.ros_distro) and name in released(self.ros_distro or "")
 
+    def released_as(self, name: str) -> str | None:
+        """Return the package that the image's ROS released for a name of CMake, which may have capitals or dashes."""
+        return next((each for each in spellings(name) if self.knows(each)), None)
+
+
+def spellings(name: str) -> tuple[str, ...]:
+    """Return how a package of ROS may be called whose configuration file for CMake has a name: ``Fields2Cover``."""
+    small = name.lower()
+    return (name, *dict.fromkeys((small, small.replace("-", "_"), small.replace("_", "-"))))
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Resolved:
@@ -68,7 +78,8 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
             own = dependency.namespace == "cmake" and dependency.role != COMPONENT and dependency.name in target.modules
             return _library((own and _by_link(found, dependency.name, target)) or found, target)
         if dependency.namespace != "link":
-            return _ros(dependency.name, target)
+            other = None if dependency.name in target.modules else target.released_as(dependency.name)
+            return _ros(other or dependency.name, target)
     return Resolved(known=False)
 
 
