@@ -131,11 +131,8 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         left_out={*of.left_out, *failing},
         ros_distro=distro,
     )
-    alone = (
-        ()
-        if of.own.answer or config.compatible or not ros
-        else folders_of(of.packages, spare(config, of.command.answer, of.packages, {*of.left_out, *failing}))
-    )
+    whole = of.own.answer or config.compatible or not ros
+    alone = () if whole else spare(config, of.command.answer, of.packages, {*of.left_out, *failing})
     system = of.system if of.own.answer else _as_needed(of, evidence, needed)
     choices = (
         of.day,
@@ -248,6 +245,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         undeclared=of.missing.answer.undeclared,
         workspace=of.layout.answer.workspace,
         set_up_inside=of.layout.answer.set_up_inside,
+        git_folder=not config.compatible and any(m.topic == "git_folder" for m in evidence.mentions),
         cmake_folder=of.layout.answer.cmake_folder,
         program_folders=of.layout.answer.program_folders,
         installed=of.layout.answer.installed,

@@ -204,6 +204,8 @@ class Decision:
     """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
     set_up_inside: bool = False
     """Scripts of the repository look for the setup script of the workspace in the repository's own folder."""
+    git_folder: bool = False
+    """The code asks git for the repository's folder."""
     cmake_folder: str = ""
     """Folder of the top-level CMakeLists.txt of a plain CMake project, ``""`` for the root."""
     program_folders: tuple[str, ...] = ()

@@ -64,6 +64,8 @@ class CMakeProject:
     """Paths of libraries in the tree that it always links and that are not there, each with its line."""
     lacks: bool = False
     """None of the files of code that its programs, else its libraries name is there: it cannot be built by itself."""
+    without: tuple[tuple[str, int], ...] = ()
+    """Of these the ones that are not there and that it names in any case, each with its line: CMake stops at them."""
     guards: tuple[tuple[str, str], ...] = ()
     """Programs that are built only where a package was found, each with the package's name in lower case."""
     optional: tuple[tuple[str, str], ...] = ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 
-from roslab.evidence import links, matlab, places, pointers, submodules
+from roslab.evidence import git_folder, links, matlab, places, pointers, submodules
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native import (
     asked_variables,
@@ -125,8 +125,9 @@ from roslab.evidence.ros import (
 from roslab.repository.checkout import Repository
 
 MENTIONED = (
-    *(branch_tables.read, cloned_heads.read, for_reference.read, named_ports.read, opened.read, matlab.mentions),
-    *(of_other_indexes.read, said_in_code.read, shared_objects.made_on, started_by_scripts.calls, templates.read),
+    *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
+    *(matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
+    *(started_by_scripts.calls, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""
 PROSE = (
@@ -213,6 +214,7 @@ def gather(repository: Repository) -> Evidence:
             *shared_objects.read(own),
             *called_in_scripts.read(own, prose.mentions),
             *by_file,
+            *git_folder.needed(own),
         ),
         prose=prose.dependencies,
         prose_pip=(*prose.requirements, *project.not_by_pip(python_projects)),

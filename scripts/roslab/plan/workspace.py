@@ -92,6 +92,8 @@ class Workspace:
     """CMake writes what runs to the source, or to the user's home: it is compiled where it runs."""
     made_elsewhere: tuple[str, ...] = ()
     """Files and folders of the repository that CMake wrote on another machine: hidden from the build."""
+    git_folder: bool = False
+    """The code asks git for the repository's folder."""
     clones_day: str = ""
     """The day of what files of CMake clone without a commit, ``""`` for today's."""
     native: bool
@@ -151,6 +153,7 @@ def workspace(
         variables=decision.variables,
         python_projects=python.projects,
         unread=tuple(each for each in unread if each not in copied),
+        git_folder=decision.git_folder and not decision.dockerfile,
         clones_day=decision.clones_day,
         native=decision.native,
         without=decision.without,

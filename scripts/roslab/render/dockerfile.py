@@ -15,6 +15,7 @@ from roslab.render.layers import (
     cloned_files,
     downloads,
     final,
+    git_folder,
     locks,
     manifests,
     native_parts,
@@ -59,11 +60,12 @@ END: tuple[Block, ...] = (
     program.compile_program,
     program.install_program,
     own_scripts.after_program,
+    git_folder.made,
     final.custom,  # 7.
     final.environment,
     final.start,
 )
-AFTER: tuple[Block, ...] = (workspace.set_up_inside, program.install_program)
+AFTER: tuple[Block, ...] = (workspace.set_up_inside, program.install_program, git_folder.made)
 """What needs what was compiled, where that comes from a stage of its own."""
 TODAY = Order(
     base=(base.start, base.package_sources, base.snapshots, base.repositories),  # 1. sources of packages, the user

@@ -12,9 +12,11 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.included import without_headers
 from roslab.decide.ros.nothing_to_build import nothing_to_build
 from roslab.decide.ros.nowhere import without_own
+from roslab.decide.ros.outside import outside
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import address, plain
+from roslab.decide.ros.without_code import without_code
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.bare_links import without_linked
 from roslab.decide.system.built import Built
@@ -66,6 +68,7 @@ _UNDECLARED = (
     "CMake of {0} requires {1}, which its package.xml does not name: it is named there in the image, or {1} might be "
     "built too late; add <depend>{1}</depend>"
 )
+_BESIDE = "outside of the workspace that the page builds: it goes without where it does not compile"
 ENDED = 300
 """Weight of the reasons for what is taken out of a manifest; nothing competes with them."""
 
@@ -87,7 +90,8 @@ class Missing:
     tests: tuple[str, ...] = ()
     """Those of the options that are for the tests."""
     stopping: tuple[str, ...] = ()
-    """Files of CMake that look for a library or a program, or link one, which nothing brings."""
+    """Files of CMake that look for a library or a program, or link one, which nothing brings; and manifests of packages
+    outside of the workspace that the page builds."""
     strays: tuple[str, ...] = ()
     """Folders of CMake projects without a package.xml that lack something, and that nothing of the tree needs."""
     undeclared: bool = False
@@ -159,9 +163,15 @@ def decide_missing(
         if not similar(plain(asked.name), names)
     ]
     started = line_of(command).split()
-    left = skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {}
+    left, codeless = without_code(
+        evidence,
+        packages,
+        build_tool,
+        started=started,
+        left=skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {},
+    )
     found = leave_out(lacking, packages, build_tool, started=started, left=left, tried=tried or {}, linked=linked)
-    warnings = told_configs(found.warnings, unmet, kind)
+    warnings = [*codeless, *told_configs(found.warnings, unmet, kind)]
     first = {asked.name: asked for asked in reversed(unsure_of)}
     warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
@@ -187,24 +197,25 @@ def decide_missing(
     asks = of_program_and_below if kind == "cpp" else required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - made
     warnings += too_old(asks(evidence, packages), target, found.packages, names, build_tool)
+    beside = tuple(outside(evidence, packages, command)) if kind != "cpp" else ()
     why = f"ROS {target.ros_distro} has no package of that name: it is taken out of the manifests in the image"
-    switches = tuple(f"-D{name}=OFF" for name in (*off, *tests))
     return Choice(
         answer=Missing(
             packages=found.packages,
             lacking=found.lacking,
             stops=found.stops,
             ended=tuple(ended),
-            options=switches,
+            options=tuple(f"-D{name}=OFF" for name in (*off, *tests)),
             tests=tuple(tests),
             strays=tuple(sorted(aside)),
             undeclared=bool(hidden),
-            stopping=tuple(dict.fromkeys(file for file, _ in unfound if file)),
+            stopping=tuple(dict.fromkeys((*(file for file, _ in unfound if file), *(m.file for m, _ in beside)))),
         ),
         warnings=tuple(warnings),
         reasons=(
             *(because("dependencies", name, why, asked, weight=ENDED) for name, asked in ended.items()),
             *(because("workspace", name, said.why, said.place, weight=ENDED) for name, said in left.items()),
+            *(because("workspace", m.name or "", _BESIDE, said, weight=ENDED) for m, said in beside),
         ),
     )
 

@@ -11,6 +11,7 @@ from collections.abc import Collection, Sized
 from roslab.config.model import Config
 from roslab.decide.command import Command
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.left_out import folders_of
 
 FEWEST = 6
 """Of fewer packages each is most likely what the repository is about."""
@@ -19,13 +20,13 @@ SHARE = 3
 
 
 def spare(config: Config, command: Command, packages: Packages, left_out: Collection[str]) -> tuple[str, ...]:
-    """Return the packages that no other one of the tree needs, where the image starts a shell and nothing is tested."""
+    """Return the folders of those that no other one needs, where a shell is started and nothing is tested."""
     built = [m for m in packages.built if m.name and m.name not in left_out and not m.metapackage]
     if command.command != Command().command or command.given or config.command or config.test or len(built) < FEWEST:
         return ()
     needed = {d.name for m in packages.built for d in m.dependencies if d.role not in {"test", "doc"}}
     alone = tuple(m.name for m in built if m.name and m.name not in needed)
-    return alone if len(alone) >= FEWEST // 2 else ()
+    return folders_of(packages, alone) if len(alone) >= FEWEST // 2 else ()
 
 
 def most(found: Sized) -> int:

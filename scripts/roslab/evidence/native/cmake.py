@@ -10,7 +10,7 @@ from roslab.evidence.lex.cmake import NOTHING, PROJECT, WHOLE, Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, own_project
 from roslab.evidence.native.bare_links import with_bare
 from roslab.evidence.native.cmake_reading import Reading
-from roslab.evidence.native.installed_paths import installed, not_there
+from roslab.evidence.native.installed_paths import code_not_there, installed, not_there
 from roslab.evidence.native.lost_libraries import lost, named
 from roslab.evidence.native.macros import macros
 from roslab.evidence.native.made_targets import TARGET, target
@@ -219,6 +219,9 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
         settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
         lacks=_lacks(repository, file.folder, reading),
+        without=code_not_there(reading.always, text, file.folder, repository)
+        if above.always or file.folder not in added
+        else (),
     )
 
 

@@ -46,6 +46,8 @@ class Reading:
     """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
     named: set[str] = field(default_factory=set)
     """Files of code that programs name, relative to this one's folder."""
+    always: dict[str, int] = field(default_factory=dict)
+    """Those that a program or a library names as they are and in any case, with their lines."""
     compiled: set[str] = field(default_factory=set)
     """Those that libraries name."""
     dependencies: list[Dependency] = field(default_factory=list)
@@ -60,6 +62,7 @@ class Reading:
 
     def library(self, call: Call) -> None:
         """Note a library, with its files where it is made here and does not lie elsewhere (``IMPORTED``)."""
+        self._code(call)
         self.libraries.update(call.words[:1])
         if "IMPORTED" not in call.words:
             self.made |= dict.fromkeys(call.words[:1])
@@ -67,6 +70,7 @@ class Reading:
 
     def program(self, call: Call) -> None:
         """Note a program with its files, and the packages that its conditions ask for."""
+        self._code(call)
         name, *files = call.words
         before = name in self.executables
         self.executables.setdefault(name, call.line)
@@ -82,3 +86,11 @@ class Reading:
         for condition in call.conditions:
             found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
             self.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
+
+    def _code(self, call: Call) -> None:
+        """Note the files that a program or a library is compiled from in any case."""
+        if not (call.conditions or call.in_function or "IMPORTED" in call.words):
+            for word in call.written[1:]:
+                path = _HERE.sub("", word)
+                if _CODE.fullmatch(path):
+                    self.always.setdefault(path, call.line)

@@ -1,10 +1,10 @@
-"""What a CMakeLists.txt installs and the tree does not have: git keeps no empty folder and nothing that it ignores."""
+"""What a CMakeLists.txt installs or compiles and the tree lacks: git keeps no empty folder, nor what it ignores."""
 
 from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import takewhile
 
 from roslab.evidence.installed_path import InstalledPath
@@ -59,6 +59,24 @@ def not_there(found: Iterable[InstalledPath], text: str, repository: Repository)
         for each in found
         if not (repository.may_have(each.path) or f"{each.path}/".startswith(modules))
         if each.folder or text.count(posixpath.basename(each.path)) == 1
+    )
+    return () if lacking and _WRITES.search(text) else lacking
+
+
+def code_not_there(
+    found: Mapping[str, int], text: str, folder: str, repository: Repository
+) -> tuple[tuple[str, int], ...]:
+    """Return the files of code that are compiled and not in the tree, each with its line; none that the file may make.
+
+    ``found``: by their paths from the folder of the CMakeLists.txt, whose ``text`` is given.
+    """
+    modules = repository.once(_submodules)
+    paths = {posixpath.normpath(posixpath.join(folder, name)): (name, line) for name, line in found.items()}
+    lacking = tuple(
+        (path, line)
+        for path, (name, line) in paths.items()
+        if not (path.startswith(("..", *modules)) or repository.may_have(path))
+        if text.count(posixpath.basename(name)) == 1
     )
     return () if lacking and _WRITES.search(text) else lacking
 

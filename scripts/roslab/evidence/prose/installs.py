@@ -149,7 +149,7 @@ class Collector:
                 text=words,
                 heading=self.heading,
                 inside=workspaces.longer(self.folder, self.whole)
-                if topic == "command" and self.source == "readme"
+                if topic in {"command", "build_tool"} and self.source == "readme"
                 else "",
                 variables=command.assigned if topic == "command" else (),
             )

@@ -1,0 +1,47 @@
+"""Packages that CMake cannot configure, for they compile files of code which the tree does not have."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from roslab.config.model import BuildTool
+from roslab.decide.decision import Warning_
+from roslab.decide.programs import owner
+from roslab.decide.reasons import warn
+from roslab.decide.ros.skipped import Skipped
+from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.left_out import SKIP, needing
+from roslab.evidence.facts import Evidence
+from roslab.values.origin import Place
+
+
+def without_code(
+    evidence: Evidence,
+    packages: Packages,
+    build_tool: BuildTool,
+    *,
+    started: Collection[str],
+    left: Mapping[str, Skipped],
+) -> tuple[dict[str, Skipped], tuple[Warning_, ...]]:
+    """Return the packages that are left out, those of ``left`` and these with what needs them, and a warning for each.
+
+    As far as something else is built and nothing of it is started; else the build stops there, which is told too.
+    """
+    folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
+    out, warnings = dict(left), []
+    for project in evidence.cmake:
+        package = owner(project.file, folders) if project.without else None
+        if package is None or package in out:
+            continue
+        path, line = project.without[0]
+        place = Place(file=project.file, line=line)
+        with_it = needing(package, packages)
+        others = {m.name for m in packages.built if not m.metapackage} - out.keys() - {*with_it}
+        skipped = build_tool in SKIP and others and not {*with_it} & {*started}
+        lacks = f"CMake compiles {path}, which the tree does not have"
+        more = f", and with it {', '.join(with_it[1:])}" if with_it[1:] else ""
+        then = f"{package} is left out of the build{more}" if skipped else f"{build_tool} will stop at {package}"
+        warnings.append(warn(f"{lacks}: {then}; add the file, or correct the path", place))
+        if skipped:
+            out |= {name: Skipped(place, lacks) for name in with_it if name not in out}
+    return out, tuple(warnings)

@@ -1,0 +1,43 @@
+"""Code that asks git for the folder of the repository, and stops where the source is in none.
+
+https://git-scm.com/docs/git-rev-parse#Documentation/git-rev-parse.txt---show-toplevel and
+https://gitpython.readthedocs.io/en/stable/reference.html#git.repo.base.Repo, 2026-11-27.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Mention
+from roslab.evidence.lex.lines import matching_lines
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 256 * 1024
+_ASKS = pattern(
+    r"^[^#\n]{0,300}?(?:\brev-parse[\"',\s]{1,9}(?:--show-toplevel|--git-dir)\b|\bsearch_parent_directories\s?=\s?True\b)",
+    re.MULTILINE,
+)
+_WORDS = ("rev-parse", "search_parent_directories")
+
+
+def read(repository: Repository) -> Iterator[Mention]:
+    """Yield the first line of Python that does, also in a launch file, which a program of the image may run."""
+    for file in repository.suffixed(".py"):
+        if file.size > MAX_SIZE or places.aside(file.path) or places.documentation(file.path):
+            continue
+        text = repository.read(file)
+        for match in matching_lines(_ASKS, text, *_WORDS) if any(word in text for word in _WORDS) else ():
+            line = text.count("\n", 0, match.start()) + 1
+            said = match[0].strip()
+            yield Mention(topic="git_folder", value="git", source="code", file=file.path, line=line, text=said)
+            return
+
+
+def needed(repository: Repository) -> Iterator[Dependency]:
+    """Yield git itself, where the code asks it."""
+    for said in read(repository):
+        yield Dependency(namespace="apt", name="git", strength="used", file=said.file, line=said.line, role="called")

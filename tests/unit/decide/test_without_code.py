@@ -1,0 +1,84 @@
+"""A package that compiles a file which the tree does not have cannot be configured: the others are built without it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def package(name: str, *lines: str, needs: str = "rclcpp", folder: str = "") -> dict[str, str]:
+    asks = f"<buildtool_depend>ament_cmake</buildtool_depend><depend>{needs}</depend>"
+    xml = f"<package><name>{name}</name>{asks}</package>"
+    code = "\n".join((f"project({name})", "find_package(ament_cmake REQUIRED)", *lines, "ament_package()", ""))
+    place = f"{folder}{name}"
+    return {f"{place}/package.xml": xml, f"{place}/CMakeLists.txt": code, f"{place}/src/{name}.cpp": "int main() {}\n"}
+
+
+ARM = package("arm", "add_executable(arm src/arm.cpp)")
+
+
+@pytest.mark.parametrize(
+    ("lines", "left"),
+    [
+        (("add_executable(eye eye.cpp)",), True),
+        (("add_library(eye ${CMAKE_CURRENT_SOURCE_DIR}/eye.cpp)",), True),
+        (("add_executable(eye src/eye.cpp)",), False),
+        (("if(WITH_EYE)", "add_executable(eye eye.cpp)", "endif()"), False),
+        (("add_custom_command(OUTPUT eye.cpp COMMAND make_eye)", "add_executable(eye eye.cpp)"), False),
+        (("execute_process(COMMAND python3 make_eye.py)", "add_executable(eye eye.cpp)"), False),
+        (("set(CODE eye.cpp)", "add_executable(eye ${CODE})"), False),
+        (("add_executable(eye ${CMAKE_BINARY_DIR}/eye.cpp)",), False),
+        (("add_executable(eye lib/eye.cpp)",), False),
+    ],
+)
+def test_a_package_without_its_code(tree: Tree, lines: tuple[str, ...], *, left: bool) -> None:
+    modules = {".gitmodules": '[submodule "l"]\n\tpath = eye/lib\n\turl = https://github.com/lab/l.git\n'}
+    decision = tree({**ARM, **package("eye", *lines), **modules})
+    assert decision.left_out == (("eye",) if left else ())
+    told = [
+        each.message for each in decision.warnings if "does not have" in each.message and "compiles" in each.message
+    ]
+    missing = "CMake compiles eye/eye.cpp, which the tree does not have: eye is left out of the build"
+    assert told == ([f"{missing}; add the file, or correct the path"] if left else [])
+
+
+def test_what_needs_it_goes_with_it(tree: Tree) -> None:
+    hand = package("hand", "add_executable(hand src/hand.cpp)", needs="eye")
+    decision = tree({**ARM, **hand, **package("eye", "add_executable(eye eye.cpp)")})
+    assert decision.left_out == ("eye", "hand")
+
+
+@pytest.mark.parametrize("page", ["", "ros2 run eye eye\n"])
+def test_where_nothing_else_is_built_it_is_told(tree: Tree, page: str) -> None:
+    files = package("eye", "add_executable(eye eye.cpp)") | (ARM if page else {})
+    decision = tree({**files, "README.md": f"```\n{page}```\n"})
+    assert not decision.left_out
+    assert any("colcon will stop at eye" in each.message for each in decision.warnings)
+
+
+PAGE = "```\ncd {}\ncolcon build\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "more", "spare"),
+    [
+        (PAGE.format("ros2_ws"), {}, ("eye",)),
+        (PAGE.format("~/workspaces/ros2_ws"), {}, ("eye",)),
+        (PAGE.format("~/other_ws"), {}, ()),
+        ("```\ncolcon build\n```\n", {}, ()),
+        (PAGE.format("ros2_ws") + PAGE.format("eye_ws"), package("nose", folder="eye_ws/src/"), ()),
+        (PAGE.format("ros2_ws") + "```\nros2 run eye eye\n```\n", {}, ()),
+        (PAGE.format("ros2_ws"), package("hand", needs="eye", folder="ros2_ws/src/"), ()),
+    ],
+)
+def test_a_package_outside_of_the_workspace_of_the_page_may_fail(
+    tree: Tree, page: str, more: dict[str, str], spare: tuple[str, ...]
+) -> None:
+    inside = package("arm", "add_executable(arm src/arm.cpp)", folder="ros2_ws/src/")
+    decision = tree({**inside, **package("eye", "add_executable(eye src/eye.cpp)"), **more, "README.md": page})
+    assert decision.may_fail == spare
