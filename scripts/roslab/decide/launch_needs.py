@@ -8,6 +8,7 @@ from roslab.config.model import Config
 from roslab.decide.author_folders import absent_paths
 from roslab.decide.command import Command
 from roslab.decide.decision import Choice, Warning_
+from roslab.decide.executed_programs import executed_programs
 from roslab.decide.launch_calls import started_launch
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
@@ -93,6 +94,7 @@ def decide_launch_needs(
     told += _elsewhere(evidence, launch, ros_distro)
     told += absent
     told += unmade_nodes(evidence, launch)
+    told += executed_programs(evidence, launch)
     told += lacking_simulators(evidence, config, launch, given)
     told += lacking_vendors(evidence, config, launch, ros_distro)
     return Choice(answer=None, warnings=(*told, *others))

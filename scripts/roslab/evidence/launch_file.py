@@ -53,6 +53,8 @@ class LaunchFile:
     """Package and name of the others that it names, as it does to include them; ``""`` where it says no package."""
     nodes: tuple[tuple[str, str], ...] = ()
     """Package and program of each node that it starts."""
+    executes: tuple[tuple[str, str, int], ...] = ()
+    """Programs that it starts by their names beside its nodes, each with the folder of its author's and its line."""
     unmade: tuple[tuple[str, str, str], ...] = ()
     """Of these the package, the program and the one most like it, where it is a package of the tree without that."""
     arguments: tuple[str, ...] = ()

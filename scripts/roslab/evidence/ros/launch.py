@@ -17,6 +17,7 @@ from roslab.evidence.lex.lines import matches_at, matching_lines
 from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.evidence.ros import better_launch, demanded_arguments, launch_programs, launch_variables, reached
 from roslab.evidence.ros.declared_arguments import declared_arguments
+from roslab.evidence.ros.executed import executed
 from roslab.evidence.ros.included_launches import included
 from roslab.evidence.ros.launch_conditions import conditional, kept_by, started
 from roslab.evidence.ros.launch_switches import switches
@@ -103,6 +104,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 viewers=_waiting(text),
                 includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
+                executes=tuple(executed(text, started)) if python else (),
                 arguments=declared_arguments(text),
                 demands=demanded_arguments.in_xml(text)
                 if xml

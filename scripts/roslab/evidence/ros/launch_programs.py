@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matches_at
+from roslab.evidence.ros.executed import executed
+from roslab.evidence.ros.launch_conditions import started
 from roslab.knowledge.compiled import programs
 from roslab.knowledge.released import ever_released
 from roslab.repository.checkout import File
@@ -43,7 +45,15 @@ def started_first(text: str, file: File, conditional: Callable[[str, int, int], 
         if (name := programs().get(match[1])) and not (aside or conditional(text, match.start(), match.end())):
             line = text.count("\n", 0, match.start()) + 1
             yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="exec")
+    yield from _executed(text, file)
     yield from _window_of_joints(text, file)
+
+
+def _executed(text: str, file: File) -> Iterator[Dependency]:
+    """Yield the programs of apt that a file in Python starts beside its nodes."""
+    for each in executed(text, started) if file.name.endswith(".py") else ():
+        if name := programs().get(each.program):
+            yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=each.line, role="exec")
 
 
 def _window_of_joints(text: str, file: File) -> Iterator[Dependency]:
