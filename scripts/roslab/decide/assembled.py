@@ -35,6 +35,7 @@ from roslab.decide.ros.not_there import decide_not_there
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.stops_without import decide_stops
 from roslab.decide.system.header_definitions import header_definitions_of
+from roslab.decide.system.inside import installed_inside
 from roslab.decide.system.left_out import folders_of
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.may_fail import may_fail
@@ -219,6 +220,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         must_build=needed,
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,
+        inside_installed=() if of.own.answer else installed_inside(evidence, of.inside.answer),
         python_path=python_path(evidence, config, of.kind.answer, of.python.answer.projects, of.command.answer.page),
         variables=() if of.own.answer else of.variables.answer,
         scripts=() if of.own.answer else of.scripts.answer,

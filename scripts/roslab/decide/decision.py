@@ -155,6 +155,8 @@ class Decision:
     """Git LFS is installed, as a page has its reader do: it fetches its files of what is cloned, too."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of copied libraries that are compiled where they lie, each with the options of CMake."""
+    inside_installed: tuple[str, ...] = ()
+    """Those of these folders that a page installs after it has compiled them."""
     python_path: tuple[str, ...] = ()
     """Folders of the repository on PYTHONPATH, ``.`` for the root."""
     variables: tuple[tuple[str, str], ...] = ()

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.decide.brought_launches import with_brought
 from roslab.decide.decision import Warning_
+from roslab.decide.ros.source_names import address
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.base_programs import base_programs
@@ -24,6 +25,7 @@ def executed_programs(evidence: Evidence, launch: LaunchFile) -> Iterator[Warnin
     """Yield a warning for each such program, and for a folder of the author's home in which one is started."""
     own = {name for project in evidence.cmake for name, _ in project.executables}
     own |= {name for project in evidence.python for name, _ in project.scripts}
+    own |= {name for name, place in unpackaged_programs().items() if address(place) in _cloned(evidence)}
     told: set[str] = set()
     for file in with_brought(evidence, launch):
         for program, folder, line in file.executes:
@@ -39,6 +41,10 @@ def executed_programs(evidence: Evidence, launch: LaunchFile) -> Iterator[Warnin
                 place = f" from {unpackaged_programs()[program]}" if program in unpackaged_programs() else ""
                 then = f"bring it{place} by `custom` in roslab.yaml"
                 yield Warning_(message=f"{message}: {then}", file=file.file, line=line)
+
+
+def _cloned(evidence: Evidence) -> set[str]:
+    return {address(git.url) for git in evidence.sources if git.kind != "link"}
 
 
 def _known(program: str) -> bool:

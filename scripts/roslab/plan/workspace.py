@@ -78,6 +78,8 @@ class Workspace:
     """Git fetches the files of Git LFS of what is cloned; those that are not served stay pointers."""
     inside: tuple[tuple[str, str], ...] = ()
     """Folders of the repository, each with CMake's options, that are compiled where they lie before all else."""
+    inside_installed: tuple[str, ...] = ()
+    """Those of these folders that are installed, too."""
     scripts: tuple[Script, ...] = ()
     downloads: tuple[Download, ...] = ()
     """Files that are fetched into the repository's folder before its source is copied."""
@@ -144,6 +146,7 @@ def workspace(
         must_build=decision.must_build,
         large_files=decision.large_files and bool(sisters or decision.submodules),
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
+        inside_installed=decision.inside_installed,
         scripts=tuple(
             Script(folder=each.folder, command=each.command, required=each.required, after=each.after)
             for each in decision.scripts

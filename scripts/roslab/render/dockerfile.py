@@ -16,6 +16,7 @@ from roslab.render.layers import (
     downloads,
     final,
     git_folder,
+    inside,
     locks,
     manifests,
     native_parts,
@@ -117,7 +118,7 @@ TODAY = Order(
         workspace.own_projects,
         workspace.any_processor,
         own_scripts.before_program,
-        workspace.compile_inside,
+        inside.compile_inside,
         *END,
     ),
 )

@@ -117,3 +117,34 @@ def test_a_copied_package_makes_no_workspace_of_a_cmake_project(tree: Tree) -> N
     package = "<package><name>tag</name><buildtool_depend>catkin</buildtool_depend></package>"
     copied = {"thirdparty/tag/package.xml": package, "thirdparty/tag/CMakeLists.txt": "project(tag)\n"}
     assert tree({"CMakeLists.txt": CMAKE, **copied}).kind == "cpp"
+
+
+AGENT = "https://github.com/eProsima/Micro-XRCE-DDS-Agent.git"
+MODULES = {".gitmodules": f'[submodule "dds"]\n\tpath = px4/DDS\n\turl = {AGENT}\n'}
+OF_ROS = {
+    "package.xml": "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+    "CMakeLists.txt": "project(a)\nfind_package(ament_cmake REQUIRED)\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("last", "installed"),
+    [
+        ("sudo make install\nsudo ldconfig /usr/local/lib/", ("px4/DDS",)),
+        ("sudo cmake --install .", ("px4/DDS",)),
+        ("", ()),
+        ("cd ~/other\nmkdir build && cd build\nsudo make install", ()),
+    ],
+)
+def test_what_a_page_installs_after_it_has_compiled_it(tmp_path: Path, last: str, installed: tuple[str, ...]) -> None:
+    page = f"ROS 2 Humble\n```\ngit clone https://github.com/lab/a.git\ncd a\n```\nThen\n```\ncd px4/DDS/ && mkdir build\ncd build\ncmake ..\nmake -j16\n{last}\n```\n"
+    for path, text in {**OF_ROS, **MODULES, "README.md": page}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    plan = plan_repository(tmp_path).plan
+    assert plan.workspace.inside == (("px4/DDS", ""),)
+    assert plan.workspace.inside_installed == installed
+    text = dockerfile(plan)
+    assert ("cmake -P cmake_install.cmake" in text) is bool(installed)
+    assert "/CMakeLists.txt ] || { mkdir --parents" in text
+    assert "roslab: left out: px4/DDS cannot be compiled" in text

@@ -5,7 +5,7 @@ A page does so, or a script that it runs, or the project links the file that is 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
@@ -58,6 +58,13 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
             why = f"a package links {path}, which is compiled there"
             reasons.append(because("source", folder or ".", why, place, weight=WEIGHT))
     return Choice(answer=tuple(answer.items()), reasons=tuple(reasons))
+
+
+def installed_inside(evidence: Evidence, inside: Iterable[tuple[str, str]]) -> tuple[str, ...]:
+    """Return those of the folders that a page of the tree installs after it has compiled them."""
+    folders = {folder for folder, _ in inside if folder}
+    said = (m for m in evidence.mentions if m.topic == "installed_here" and not places.vendored(m.file))
+    return tuple(sorted({folder for m in said if (folder := meant(m.value, folders))}))
 
 
 def _linked(evidence: Evidence, folders: Collection[str]) -> Iterator[tuple[str, str, Place]]:

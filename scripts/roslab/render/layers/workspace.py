@@ -174,18 +174,6 @@ def any_processor(plan: Plan) -> str:
     return f"USER ${{NB_USER}}\n{shell.call('any-processor', f' {folder}{words(place.without)}', comment=comment)}"
 
 
-def compile_inside(plan: Plan) -> str:
-    """Compile the libraries that lie in the repository, where the build looks for them."""
-    if not plan.workspace.inside:
-        return ""
-    runs = []
-    for folder, options in plan.workspace.inside:
-        build = quote.shell_with_user("/".join(filter(None, (source_folder(plan), folder, "build"))))
-        cmake = f"cmake{words(('-DCMAKE_BUILD_TYPE=Release', *options.split()))} .."
-        runs.append(shell.run(f"mkdir --parents {build}", f"cd {build}", cmake, f"make --jobs={shell.JOBS}", TIDY))
-    return "\n".join(["# Libraries inside the repository", "USER ${NB_USER}", *runs])
-
-
 def compile_workspace(plan: Plan) -> str:
     """Compile the ROS workspace as the user, who can then compile it again."""
     build = plan.workspace.ros
