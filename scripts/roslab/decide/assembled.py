@@ -32,11 +32,11 @@ from roslab.decide.ros.keys import by_pip, once, stopping
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
+from roslab.decide.ros.submodule_packages import may_fail_in
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.stops_without import decide_stops
 from roslab.decide.system.header_definitions import header_definitions_of
 from roslab.decide.system.inside import installed_inside
-from roslab.decide.system.left_out import folders_of
 from roslab.decide.system.linked_headers import linked_headers
 from roslab.decide.system.may_fail import may_fail
 from roslab.decide.system.missing import Missing, marked
@@ -214,7 +214,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         vcs=of.sources.answer.vcs,
         submodules=() if of.own.answer else of.sources.answer.submodules,
         apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),
-        may_fail=() if of.own.answer or config.compatible else folders_of(of.packages, failing),
+        may_fail=() if of.own.answer or config.compatible else may_fail_in(evidence, of.packages, failing),
         spare=alone,
         most_spare=most(alone),
         must_build=needed,

@@ -23,6 +23,7 @@ from roslab.decide.candidates import candidates_of
 from roslab.decide.contained import only_contained
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.demanded_arguments import told as lacking_arguments
+from roslab.decide.demanded_arguments import without_lacking
 from roslab.decide.entry_scripts import stops, told
 from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upkeep
 from roslab.decide.gone_programs import gone_programs
@@ -185,8 +186,8 @@ def _obvious(
     """
     built = {file for m in evidence.mentions if m.topic == "build_script" for file in m.files}
     foreign = copied(evidence, packages_of(evidence))
-    ours = [c for c in found if own(c.argv, evidence) and not (upkeep(c) or c.lacking or below(c.file, foreign))]
-    ours = without_copied_packages(ours, evidence)
+    ours = [c for c in found if own(c.argv, evidence) and not (upkeep(c) or below(c.file, foreign))]
+    ours = without_lacking(without_copied_packages(ours, evidence))
     ours = [c for c in ours if program_of(c.argv)[-1] not in built]
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from roslab.decide.candidate import Candidate
+from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.decision import Warning_
 from roslab.decide.launch_calls import demanded
 from roslab.decide.reasons import page_of, warn
@@ -40,6 +40,17 @@ def with_demands(candidate: Candidate, files: Mapping[tuple[str, ...], LaunchFil
         return replace(candidate, cut=True, lacking=tuple(sorted(asked)))
     given = (f"{name}:={HERE}" for name in sorted(asked))
     return replace(candidate, cut=True, argv=(*candidate.argv, *given))
+
+
+def without_lacking(candidates: Iterable[Candidate]) -> list[Candidate]:
+    """Return the commands without those that lack such arguments, unless another call of the program gives them."""
+    found = list(candidates)
+    return [c for c in found if not c.lacking or any(_gives(each, c) for each in found)]
+
+
+def _gives(other: Candidate, lacking: Candidate) -> bool:
+    same = program_of(other.argv) == program_of(lacking.argv) and not (other.cut or other.blanks)
+    return same and {*lacking.lacking} <= {word.partition(":=")[0] for word in other.argv if ":=" in word}
 
 
 def told(candidates: Iterable[Candidate]) -> Iterator[Warning_]:

@@ -137,7 +137,8 @@ OF_ROS = {
     ],
 )
 def test_what_a_page_installs_after_it_has_compiled_it(tmp_path: Path, last: str, installed: tuple[str, ...]) -> None:
-    page = f"ROS 2 Humble\n```\ngit clone https://github.com/lab/a.git\ncd a\n```\nThen\n```\ncd px4/DDS/ && mkdir build\ncd build\ncmake ..\nmake -j16\n{last}\n```\n"
+    before = "ROS 2 Humble\n```\ngit clone https://github.com/lab/a.git\ncd a\n```\nThen\n"
+    page = f"{before}```\ncd px4/DDS/ && mkdir build\ncd build\ncmake ..\nmake -j16\n{last}\n```\n"
     for path, text in {**OF_ROS, **MODULES, "README.md": page}.items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")

@@ -61,6 +61,7 @@ def test_a_library_that_cmake_looks_for_and_nothing_brings(tmp_path: Path) -> No
         "add_executable(a a.cpp)\ntarget_link_libraries(a ${ACME})\n"
     )
     files["arm/CMakeLists.txt"] += "add_subdirectory(src)\n"
+    files["arm/src/a.cpp"] = "int main() {}\n"
     found, text = planned(tmp_path, files)
     assert found == ("arm",)
     assert f"leave-out-failed --keep mine src/{tmp_path.name}/arm -- " in text

@@ -12,6 +12,7 @@ from roslab.decide.reasons import because, warn
 from roslab.decide.ros.not_built import warn_of_the_other_ros
 from roslab.decide.ros.other_workspaces import warn_of_others
 from roslab.decide.ros.source_names import address, plain
+from roslab.decide.ros.submodule_packages import only_in_submodules
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -56,7 +57,10 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
         layout = Layout(cmake_folder=folder, program_folders=folders, installed=installed)
         return Choice(answer=layout, warnings=warnings)
     if not packages.built:
-        return Choice(answer=Layout())
+        said = only_in_submodules(evidence)
+        all_cloned = "all of its packages lie in submodules, which the image clones, and a page builds them"
+        reason = (because("workspace", "overlay", all_cloned, said, weight=LAYOUT),) if said else ()
+        return Choice(answer=Layout(workspace="overlay" if said else "none"), reasons=reason)
     first = Place(file=packages.built[0].file, line=1)
     others = (*warn_of_others(evidence, packages.built, packages.doubles), *warn_of_the_other_ros(evidence, kind))
     refused = kind == "ros1" and any(project.file == "CMakeLists.txt" for project in evidence.cmake)
