@@ -63,3 +63,22 @@ def test_a_key_of_rosdep_is_left_to_rosdep(tree: Tree) -> None:
     found = tree({**FILES, "rosdep.yaml": "roscpp: {ubuntu: [curl]}\ndemo-shapes: {ubuntu: [libgeos-dev]}\n"})
     assert "curl" not in found.apt_guessed
     assert "roscpp" in found.rosdep
+
+
+@pytest.mark.parametrize(
+    ("key", "tool", "told"),
+    [
+        ("json", "ament_python", False),
+        ("threading", "ament_python", False),
+        ("json", "ament_cmake", True),
+        ("jsonn", "ament_python", True),
+    ],
+)
+def test_a_module_of_pythons_own_library_needs_no_package(tree: Tree, key: str, tool: str, *, told: bool) -> None:
+    said = f"<depend>rclpy</depend><exec_depend>{key}</exec_depend><export><build_type>{tool}</build_type></export>"
+    files = {"package.xml": f"<package><name>demo</name>{said}</package>", "README.md": "# For ROS 2 Humble\n"}
+    setup = {"setup.py": "from setuptools import setup\nsetup(name='demo')\n"}
+    cmake = {"CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n"}
+    found = tree(files | (setup if tool == "ament_python" else cmake))
+    assert bool(unknown(found)) is told
+    assert (key in found.skip_keys) is not told

@@ -8,17 +8,14 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, left_over, library_called, of_installed, packaged
-from roslab.decide.ros.own_configs import installing
-from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
-from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import distro, ubuntus, ubuntus_with_python2
-from roslab.knowledge.released import ever_released, released, rosdep_keys
+from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import ros_sources
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
@@ -75,36 +72,6 @@ def declared_keys(packages: Packages, target: Target, kind: Kind) -> tuple[Depen
 def by_pip(keys: Iterable[str]) -> bool:
     """Tell whether rosdep calls pip for one of the keys."""
     return any(key.endswith(_OF_PIP) for key in keys)
-
-
-def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ...]:
-    """Return the keys that are libraries or programs of their own package's CMake, or installed by another's.
-
-    A program may be called like a package that is released, that a page names, or that CMake looks for or the code
-    includes: a node is often called like the driver that it wraps. What another project installs has no package.xml.
-    """
-    here = installing(evidence)
-    named = {plain(git.name) for git in evidence.sources}
-    named |= {plain(each.name.partition("/")[0]) for each in evidence.code if each.namespace == "include"}
-    made = [(project.file, {*project.made, *_programs(project, named)}) for project in evidence.cmake]
-    folders = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
-
-    def of(file: str) -> str | None:
-        inside = (folder for folder in folders if not folder or file.startswith(f"{folder}/"))
-        return max(inside, key=len, default=None)
-
-    return tuple(
-        key.name
-        for key in keys
-        if key.name.lower() in here
-        or any(key.name in names and of(file) == key.file.rpartition("/")[0] for file, names in made)
-    )
-
-
-def _programs(project: CMakeProject, named: Collection[str]) -> Iterator[str]:
-    names = (path.rpartition("/")[2] for path, _ in project.executables)
-    sought = {plain(each.name) for each in project.dependencies if each.namespace == "cmake"}
-    return (name for name in names if plain(name) not in {*named, *sought} and not ever_released(name))
 
 
 def own_packages(keys: Iterable[Dependency], evidence: Evidence, target: Target) -> dict[str, tuple[Dependency, ...]]:

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.ros.included import imported, included
-from roslab.decide.ros.keys import declared_keys, own_targets
+from roslab.decide.ros.keys import declared_keys
+from roslab.decide.ros.own_targets import own_targets
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.bare_links import as_packages

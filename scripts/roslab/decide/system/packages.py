@@ -16,10 +16,10 @@ from roslab.decide.ros.keys import (
     declared_keys,
     of_an_apt_source,
     own_packages,
-    own_targets,
     together,
     translate,
 )
+from roslab.decide.ros.own_targets import own_targets
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.asked_how import how_asked
