@@ -54,6 +54,21 @@ def test_what_cmake_requires_of_the_workspace(tmp_path: Path, cmake: str, depend
     assert not _run(tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("path", "named"), [("sdk/CMakeLists.txt", ["arm_sdk"]), ("arm_sdk/CMakeLists.txt", []), ("sdk/cmake/a.txt", [])]
+)
+def test_a_project_without_a_manifest(tmp_path: Path, path: str, named: list[str]) -> None:
+    user = _package(tmp_path, "arm", "find_package(arm_sdk 1.2 REQUIRED)")
+    if not named:
+        _package(tmp_path, "sdk", "")
+    made = tmp_path / "src" / path
+    made.parent.mkdir(parents=True, exist_ok=True)
+    name = "arm_sdk" if named else "other"
+    made.write_text(f"cmake_minimum_required(VERSION 3.16)\n\nProject( {name} VERSION 1.3.0)\n")
+    assert ("arm requires arm_sdk" in _run(tmp_path)) is bool(named)
+    assert _named(user) == named
+
+
 def test_packages_that_need_each_other_stay_as_they_are(tmp_path: Path) -> None:
     first = _package(tmp_path, "a", "find_package(catkin REQUIRED COMPONENTS c)")
     _package(tmp_path, "b", "", "a")

@@ -192,7 +192,9 @@ def decide_missing(
         *(() if custom else _lost(evidence, packages, of_build, may_hold, tried or {})),
     )
     warnings += [warning for _, warning in unfound]
-    hidden = {f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages)}
+    hidden = {
+        f"{package} {asked.name}": (package, asked) for package, asked in undeclared(evidence, packages, build_tool)
+    }
     warnings += [warn(_UNDECLARED.format(package, asked.name), asked) for package, asked in hidden.values()]
     asks = of_program_and_below if kind == "cpp" else required
     names -= {plain(git.name) for git in evidence.sources if git.kind == "clone"} - made

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
-from roslab.config.model import Kind
+from roslab.config.model import BuildTool, Kind
 from roslab.decide.programs import top_of
+from roslab.decide.ros.own_configs import installing
 from roslab.decide.ros.source_names import SHORTEST, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
@@ -59,13 +60,16 @@ def _of_top(evidence: Evidence) -> Iterator[tuple[str, CMakeProject]]:
             yield top.name or "the program" if top else "", project
 
 
-def undeclared(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+def undeclared(evidence: Evidence, packages: Packages, build_tool: BuildTool) -> Iterator[tuple[str, Dependency]]:
     """Yield each package with what its CMakeLists.txt requires of the other packages and its package.xml does not name.
 
-    Build tools order packages by their package.xml alone: CMake may look for one that is not there yet.
+    Build tools order packages by their package.xml alone: CMake may look for one that is not there yet. A project of
+    CMake without such a file is a package of its name to colcon (https://github.com/colcon/colcon-cmake, 2026-11-27).
     """
     by_folder = {manifest.file.rpartition("/")[0]: manifest for manifest in packages.built}
     names = {manifest.name for manifest in packages.built}
+    if build_tool == "colcon":
+        names |= {top.name for name, top in installing(evidence).items() if name == (top.name or "").lower()}
     for project in evidence.cmake:
         manifest = by_folder.get(project.file.rpartition("/")[0])
         if manifest is None or manifest.name is None:

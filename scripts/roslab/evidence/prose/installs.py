@@ -255,8 +255,8 @@ class Collector:
         clone = clone_at([*here.split("/"), *self.below.split("/")], self.sources)
         clone = titled(self.heading, self.sources) if clone is None and program != "dpkg" else clone
         if self.configured and program != "dpkg":
-            here = [m for m in self.mentions if m.topic == "compiled" and f"/{m.value}/" in f"/{self.folder}/"]
-            self.mentions += [replace(m, topic="installed_here") for m in here[-1:]]
+            inside = [m for m in self.mentions if m.topic == "compiled" and f"/{m.value}/" in f"/{self.folder}/"]
+            self.mentions += [replace(m, topic="installed_here") for m in inside[-1:]]
         if clone is not None:
             said, how = self.sources[clone], (self.options, self.below, here)
             self.sources[clone] = by_hand(said, program, *how, configured=self.configured, prepared=self.prepared)

@@ -2,7 +2,7 @@
 # usage: declare-needs FOLDER
 # Names in the package.xml files below a folder those packages of it that a CMakeLists.txt requires and its package.xml does
 # not name: build tools order packages by these files alone, and CMake stops where one comes too late. Of packages that need
-# each other none is named.
+# each other none is named. To colcon, a project of CMake without a package.xml is a package of the project's name.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 declare -A file_of=() needs=()
@@ -12,6 +12,13 @@ while read -r manifest; do
   file_of["${name}"]="${manifest}"
   needs["${name}"]=" $(read-manifest depends "${manifest}" | tr '\n' ' ') "
 done < <(find "$1" -name .git -prune -o -name package.xml -print)
+
+declare -A plain=()
+while read -r made; do
+  if [ -e "$(dirname "${made}")/package.xml" ]; then continue; fi
+  name="$(sed --quiet --regexp-extended 's:^\s*project\s*\(\s*([A-Za-z0-9_.-]+).*:\1:Ip' "${made}" | sed 1q)"
+  if [ -n "${name}" ]; then plain["${name}"]="${made}"; fi
+done < <(find "$1" -name .git -prune -o -name CMakeLists.txt -print)
 
 needs_in_turn() { # PACKAGE OTHER
   local queue=("$1") seen=' ' next
@@ -29,7 +36,7 @@ while read -r name; do
   manifest="${file_of["${name}"]}" made="$(dirname "${file_of["${name}"]}")/CMakeLists.txt"
   if [ ! -f "${made}" ]; then continue; fi
   for need in $(required-by-cmake "${made}"); do
-    if [ -z "${file_of["${need}"]:-}" ] || grep --quiet --extended-regexp ">\s*${need}\s*<" "${manifest}"; then continue; fi
+    if [ -z "${file_of["${need}"]:-${plain["${need}"]:-}}" ] || grep --quiet --extended-regexp ">\s*${need}\s*<" "${manifest}"; then continue; fi
     if needs_in_turn "${need}" "${name}"; then continue; fi
     sed --in-place "s:</package>:  <build_depend>${need}</build_depend>\n</package>:" "${manifest}"
     needs["${name}"]="${needs["${name}"]}${need} "
