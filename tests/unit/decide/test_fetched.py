@@ -222,3 +222,14 @@ def test_a_package_of_a_submodule_is_not_taken_from_the_index_too(tree: Tree) ->
     found = tree({".gitmodules": modules, "README.md": page, "run.py": "import trimesh\nimport tqdm\n"}).python
     assert found.projects == ("sub/trimesh",)
     assert [each.written for each in found.pip_guessed] == ["tqdm"]
+
+
+@pytest.mark.parametrize(
+    ("file", "cloned"),
+    [("ros2_ws/requirements.txt", ()), ("other/requirements.txt", ("sub/knn/build/ros2_ws/requirements.txt",))],
+)
+def test_a_page_that_goes_back_to_the_root_in_words(tree: Tree, file: str, cloned: tuple[str, ...]) -> None:
+    page = "```\ncd sub/knn\nmkdir build\ncd build\ncmake ..\n```\nBack in the main folder:\n"
+    page += "```\ncd ros2_ws\npip install -r requirements.txt\n```\n"
+    found = tree({".gitmodules": MODULES, "README.md": page, file: "munch==2.0\n", "run.py": "import munch\n"})
+    assert found.python.cloned_files == cloned

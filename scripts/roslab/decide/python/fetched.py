@@ -56,10 +56,14 @@ def cloned_files(evidence: Evidence, files: Iterable[RequirementFile] = ()) -> t
     """
     absent = _absent(evidence)
     named = [path for _, path in lacking(evidence, files)]
-    named += [
-        posixpath.normpath(asked.written) for asked in evidence.prose_pip if asked.role == "file" and _near(asked)
-    ]
+    asked_for = [each for each in evidence.prose_pip if each.role == "file" and _near(each)]
+    named += [path for each in asked_for if not _of_tree(path := posixpath.normpath(each.written), evidence)]
     return tuple(dict.fromkeys(path for name in named if (path := _inside(absent, name))))
+
+
+def _of_tree(path: str, evidence: Evidence) -> bool:
+    """Tell whether a page means a file of the tree: it goes back to the root in words, and from there to a folder."""
+    return any("/" in each.file and path.endswith(f"/{each.file}") for each in evidence.requirements)
 
 
 def lacking(evidence: Evidence, files: Iterable[RequirementFile]) -> list[tuple[RequirementFile, str]]:
