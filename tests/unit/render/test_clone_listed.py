@@ -55,6 +55,26 @@ def test_what_is_there_is_cloned(tmp_path: Path, remote: Path, options: tuple[st
 
 
 @pytest.mark.parametrize(
+    ("distro", "branch", "new"),
+    [
+        ("noetic", "kinetic-devel", True),
+        ("melodic", "kinetic-devel", False),
+        ("noetic", "devel", False),
+        ("", "kinetic-devel", False),
+    ],
+)
+def test_a_branch_of_another_distribution_gives_way_to_its_own(
+    tmp_path: Path, remote: Path, monkeypatch: pytest.MonkeyPatch, distro: str, branch: str, new: bool
+) -> None:
+    _git(remote, "branch", "kinetic-devel", "devel")
+    _git(remote, "branch", "noetic-devel")
+    monkeypatch.setenv("ROS_DISTRO", distro)
+    answer = _run("--ros1", "--branch", branch, remote.as_uri(), str(tmp_path / "copy"))
+    assert (answer.returncode, (tmp_path / "copy/new").exists()) == (0, new), answer.stderr
+    assert ("noetic-devel: it is taken" in answer.stdout) is new
+
+
+@pytest.mark.parametrize(
     ("said", "status"),
     [
         ("fatal: could not read Username for 'https://github.com': terminal prompts disabled", 0),

@@ -4,7 +4,7 @@
 # password or has no such repository, it is named and left out, as are such submodules; what else fails stops the build.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
 #   --ref REF        a tag or commit
-#   --branch BRANCH  a branch, which may be gone
+#   --branch BRANCH  a branch, which may be gone; for that of another distribution (kinetic-devel) its own is taken, if there is one
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD)
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
@@ -47,6 +47,12 @@ if ! try clone "${url}" "${folder}"; then
   leave_out "${url}"
   rm -rf "${folder}"
   exit 0
+fi
+own="${ROS_DISTRO:-}-devel"
+if [[ "${branch}" =~ ^[a-z]+-devel$ && "${branch}" != "${own}" ]] &&
+  git -C "${folder}" rev-parse --quiet --verify "origin/${own}" >/dev/null; then
+  echo "roslab: ${url} has a branch ${own}: it is taken for ${branch}, which is another distribution's"
+  branch="${own}"
 fi
 if [ -n "${branch}" ]; then
   checkout-branch "${folder}" "${branch}"
