@@ -64,7 +64,7 @@ def test_what_is_there_is_cloned(tmp_path: Path, remote: Path, options: tuple[st
     ],
 )
 def test_a_branch_of_another_distribution_gives_way_to_its_own(
-    tmp_path: Path, remote: Path, monkeypatch: pytest.MonkeyPatch, distro: str, branch: str, new: bool
+    tmp_path: Path, remote: Path, monkeypatch: pytest.MonkeyPatch, *, distro: str, branch: str, new: bool
 ) -> None:
     _git(remote, "branch", "kinetic-devel", "devel")
     _git(remote, "branch", "noetic-devel")
