@@ -1,4 +1,4 @@
-"""The repositories that ROS distributions list under the name of their folder, by their owners at GitHub."""
+"""The repositories that ROS distributions list, under their own or another name, by their owners at GitHub."""
 
 from __future__ import annotations
 

@@ -65,6 +65,15 @@ def test_one_that_is_called_like_a_listed_repository_is_tried_at_its_commit(tmp_
     assert f"src/turtlebot_msgs ({LISTED}); the image takes the commit from" in tried
 
 
+def test_the_name_of_its_address_tells_one_that_is_listed_under_another(tmp_path: Path) -> None:
+    """ROS lists moveit2 as moveit, realsense-ros as realsense2_camera."""
+    evidence = gather(tree(tmp_path, "ROS Noetic\n", "src/moveit2", "src/realsense-ros"))
+    assert [each.url for each in evidence.sources if each.kind == "submodule"] == [
+        "https://github.com/ros-planning/moveit2.git",
+        "https://github.com/IntelRealSense/realsense-ros.git",
+    ]
+
+
 def test_nothing_stays_of_a_repository_without_the_commit(tmp_path: Path) -> None:
     tree(tmp_path, "ROS Noetic\n", "src/turtlebot_msgs")
     plan = plan_repository(tmp_path).plan
