@@ -58,6 +58,11 @@ def test_a_program_of_a_package_is_installed(tree: Tree) -> None:
     assert not any("socat" in each.message for each in decision.warnings)
 
 
+def test_python_is_that_of_ros(tree: Tree) -> None:
+    decision = of(tree, "ExecuteProcess(cmd=['python3', 'a.py'])")
+    assert "python3" not in (*decision.apt, *decision.apt_guessed)
+
+
 def test_the_folder_of_an_author_is_told(tree: Tree) -> None:
     action = "ExecuteProcess(cmd=['make', 'sitl'], cwd=os.path.expanduser('~/PX4-Autopilot'), output='screen')"
     told = [each.message for each in of(tree, action).warnings if "PX4" in each.message]

@@ -34,6 +34,8 @@ _NODE_AFTER = pattern(rf"{_PROGRAM}[^<>()]{{0,160}}?{_OF_PACKAGE}")
 """The package and the program of a node in a call or an element, in either order."""
 _TAG = pattern(r"<(arg|param)\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
 _SAID = pattern(r"\b(name|default|value)\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
+_PYTHON = pattern(r"python[\d.]*")
+"""ROS's own, which the image has."""
 _ARGUMENT = pattern(r"\$\(\s*arg\s+(\w+)\s*\)")
 
 
@@ -52,7 +54,8 @@ def started_first(text: str, file: File, conditional: Callable[[str, int, int], 
 def _executed(text: str, file: File) -> Iterator[Dependency]:
     """Yield the programs of apt that a file in Python starts beside its nodes."""
     for each in executed(text, started) if file.name.endswith(".py") else ():
-        if name := programs().get(each.program):
+        name = "" if _PYTHON.fullmatch(each.program) else programs().get(each.program)
+        if name:
             yield Dependency(namespace="apt", name=name, strength="used", file=file.path, line=each.line, role="exec")
 
 
