@@ -25,7 +25,7 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.demanded_arguments import told as lacking_arguments
 from roslab.decide.demanded_arguments import without_lacking
 from roslab.decide.entry_scripts import stops, told
-from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves, upkeep
+from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves
 from roslab.decide.gone_programs import gone_programs
 from roslab.decide.included import included
 from roslab.decide.launched import launched
@@ -42,6 +42,7 @@ from roslab.decide.scripts import ports_in, ports_of
 from roslab.decide.sections import about_running
 from roslab.decide.sessions import of_sessions
 from roslab.decide.unbuilt_packages import starts_one, unbuilt
+from roslab.decide.upkeep import upkeep
 from roslab.decide.windows import opens_windows
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence.entry_script import Taken

@@ -10,6 +10,7 @@ from roslab.decide.candidate import Candidate, is_python, program_of
 from roslab.decide.chores import without_chores
 from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running, shows, starts
+from roslab.decide.upkeep import upkeep
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name
@@ -29,15 +30,6 @@ _SERVES = pattern(
 """The name of a program that serves the one that is meant."""
 _INTERFACE = pattern(r"(?:^|[/_.-])(?:v?can\d?|slcan\d?|can2usb)(?:[_.-][\w.-]*)?\.(?:ba)?sh$", re.IGNORECASE)
 """A script of the shell that sets up a CAN bus of the machine, which takes its administrator."""
-_UPKEEP = pattern(
-    r"(?:^|/)(?:\.\w[\w-]*|build[_-]?(?:tools?|utils?|scripts?)|ci|continuous_integration|docs?|documentation|sphinx\w*|"
-    r"packaging|releases?|deploy\w*(?=/[^ ]*\.sh$)|dev(?:[_-]?tools?)?|maint\w*|admin|debian|"
-    r"conda(?:[._-]recipe)?|recipe)/|"
-    r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set|sync|check)_(?:\w+_)?version|versioneer|publish|upload|"
-    r"coverage|codecov|stubgen|pre_?commit|git_?hook|noxfile|fabfile|conftest|setup|conf|gen_?docs?|make_?docs?)\.(?:py|sh)$",
-    re.IGNORECASE,
-)
-"""A script that keeps the project itself: of its releases, its build, its documentation, its continuous integration."""
 _DATASET = pattern(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)
 """The name of a file of Python that makes data; a node or a compiled program of that name runs on data."""
 _FORMAT = pattern(
@@ -228,13 +220,6 @@ def _meant(candidate: Candidate) -> int:
 def _tried(candidate: Candidate) -> bool:
     """Tell whether a page has the reader run it to see whether it works, in a section that is not about that alone."""
     return candidate.tried and about_running(candidate.heading) >= 0
-
-
-def upkeep(candidate: Candidate) -> bool:
-    """Tell whether a script is for those who work on the project: who only uses it never runs it."""
-    words = program_of(candidate.argv)
-    script = words[1] if words[0] in {"python3", "bash", "sh"} and len(words) > 1 else words[0]
-    return bool(_UPKEEP.search(script)) and script.endswith((".py", ".sh"))
 
 
 def serves(candidate: Candidate) -> bool:

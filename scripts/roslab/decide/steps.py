@@ -68,13 +68,10 @@ def _fetched(
     evidence: Evidence, names: set[str], added: set[str], done: Collection[tuple[str, int]], *, ros: bool
 ) -> Iterator[Warning_]:
     told: dict[str, Warning_] = {}
-    fetched: set[tuple[str, str]] = set()
     for mention in evidence.mentions:
-        fetched |= {(mention.file, name) for name in _packages(mention) if "://" in mention.value}
         if (
             mention.topic == "step"
             and mention.source in {"readme", "script"}
-            and not _installs(mention, fetched)
             and (mention.file, mention.line) not in done
             and not places.vendored(mention.file)
             and not (ros and _OF_ROS.search(mention.value))
@@ -83,18 +80,6 @@ def _fetched(
             message = f"not part of the image: `{mention.value}`; put what it brings under `apt`, `source` or `custom`"
             told.setdefault(mention.value.partition(" | ")[0], warn(f"{message} in roslab.yaml", mention))
     yield from list(told.values())[:MOST]
-
-
-def _packages(step: Mention) -> list[str]:
-    """Return the names of the files of Debian's packages that a step names."""
-    words = step.value.split() if step.topic == "step" else []
-    return [word.rpartition("/")[2] for word in words if word.endswith(".deb")]
-
-
-def _installs(step: Mention, fetched: Collection[tuple[str, str]]) -> bool:
-    """Tell whether a step only installs packages that a step above it fetches, which is told for both."""
-    names = _packages(step) if "://" not in step.value else []
-    return bool(names) and all((step.file, name) in fetched for name in names)
 
 
 def _data(evidence: Evidence, names: set[str], fetched: set[str]) -> Iterator[Warning_]:

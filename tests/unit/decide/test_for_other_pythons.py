@@ -41,7 +41,7 @@ def test_the_python_that_most_pins_fit(tree: Tree, lines: str, python: str) -> N
 
 
 @pytest.mark.parametrize(
-    "line", ["dataclasses==0.8", "enum34==1.1.10", "typing", "futures==3.1.1", "contextvars==2.4", "pathlib==1.0.1"]
+    "line", ["dataclasses==0.8", "enum34==1.1.10", "futures==3.1.1", "contextvars==2.4", "pathlib==1.0.1"]
 )
 def test_what_the_python_has_itself_is_left_out(tree: Tree, line: str) -> None:
     decision = tree({**CODE, "requirements.txt": f"torch==1.11.0\n{line}\n", "README.md": PAGE.format("3.8")})

@@ -306,11 +306,3 @@ def test_a_module_that_a_clone_may_bring_is_told(tree: Tree, code: str, said: st
     page = "```\ngit clone https://github.com/acme/AcmeArm-Service-Binding.git\n```\n"
     found = told(tree, page, **{"scripts/a.py": f"#!/usr/bin/env python3\n{code}"})
     assert [message.partition(".git, ")[2] for message, _, _ in found] == [said]
-
-
-def test_a_package_that_is_fetched_and_then_installed_is_told_once(tree: Tree) -> None:
-    page = "## Installation\n```\nwget {0}/a_1_amd64.deb\nsudo dpkg -i a_1_amd64.deb\nsudo dpkg -i b_1_amd64.deb\n```\n"
-    assert [(message, line) for message, _, line in told(tree, page.format("https://example.org"))] == [
-        ("not part of the image: `wget https://example.org/a_1_amd64.deb`", 4),
-        ("not part of the image: `dpkg -i b_1_amd64.deb`", 6),
-    ]

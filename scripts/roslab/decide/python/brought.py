@@ -18,6 +18,4 @@ def with_what_is_brought(evidence: Evidence, kind: Kind, folder_name: str) -> Ev
     """Return the evidence with what clones and fetched files ask for, and the limits that follow from it."""
     asked = with_library_modules(with_imported(with_fetched(evidence), kind))
     whole = without_lists(with_cloned(asked, kind, folder_name), kind)
-    return with_other_indexes(with_bounds(named_by_wheels(whole), kind), kind)
-    whole = without_lists(with_cloned(with_imported(with_fetched(evidence), kind), kind, folder_name), kind)
-    return with_bounds(named_by_wheels(without_unlocked(whole)), kind)
+    return with_other_indexes(with_bounds(named_by_wheels(without_unlocked(whole)), kind), kind)
