@@ -90,7 +90,10 @@ def decide_python(
     repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
     manifests = [*loosened(_of_manifests(evidence, chosen), runs, loose)]
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
-    of_file = [asked for asked in _of_environment(evidence, chosen) if not asked.role and (manager != "conda" or pixi)]
+    listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
+    off = conda_refused(listed, number)
+    in_file = (asked for asked in _of_environment(evidence, chosen) if asked not in off)
+    of_file = [asked for asked in in_file if not asked.role and (manager != "conda" or pixi)]
     declared = [*lists.requirements, *repaired.requirements, *map(in_full, of_file)]
     kept = dict(kept_by_build_types(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
@@ -150,8 +153,6 @@ def decide_python(
         *(asked.written for asked in (pixi.requirements if pixi else ()) if asked.role == "option"),
     ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
-    listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
-    off = conda_refused(listed, number)
     older = setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ())
     in_conda = limits_of(evidence, conda, kind)
     chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if not in_python(each, runs)))

@@ -18,7 +18,9 @@ _DEVELOPERS = pattern(
     r"(?:^|[-_./])(?:dev\w*|tests?|testing|docs?|documentation|lint\w*|format\w*|style|build|release|ci|typing)(?:[-_.]|$)"
 )
 """Extras for those who work on the project itself."""
-_OF_MACHINES = pattern(r"(?:^|[-_.])(?:tpu|rocm|amd|mac\w*|osx|darwin|metal|mps|win\w*|jetson|colab|hpc)(?:[-_.\d]|$)")
+_OF_MACHINES = pattern(
+    r"(?:^|[-_.])(?:tpu|rocm|amd|mac(?:os\w*)?|osx|darwin|metal|mps|win(?:dows)?|jetson|colab|hpc)(?:[-_.\d]|$)"
+)
 """Extras for another machine than that of the image."""
 
 

@@ -86,7 +86,8 @@ def _place(row: OtherIndex, evidence: Evidence, declared: Iterable[Requirement])
 
 
 def _uses(use: Dependency, row: OtherIndex) -> bool:
-    return use.namespace == "import" and use.name in row.modules and not places.test(use.file)
+    counts = use.strength == "used" and not places.aside(use.file)
+    return use.namespace == "import" and use.name in row.modules and counts
 
 
 def _release(row: OtherIndex, evidence: Evidence) -> Release:

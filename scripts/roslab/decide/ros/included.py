@@ -87,8 +87,12 @@ def imported(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
 def _imported(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     """Yield the first import of each package of messages by Python in the built packages, under no condition."""
     folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built)
+    by_pip = {plain(asked.key) for file in evidence.requirements for asked in file.requirements}
+    by_pip |= {plain(asked.key) for asked in evidence.prose_pip}
     told: set[str] = set(packages.names)
     for each in evidence.code:
+        if plain(each.name) in by_pip:
+            continue
         of_ros = each.role == MESSAGES or each.name.endswith(_MESSAGES)
         sure = each.namespace == "import" and each.strength == "used" and of_ros
         if not sure or each.name in told or places.aside(each.file) or each.name in imports():

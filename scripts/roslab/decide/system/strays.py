@@ -8,11 +8,10 @@ from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.nothing_to_build import outside_packages
-from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import SOURCE
 from roslab.decide.system.names import Target, resolve
-from roslab.decide.system.required import outside, similar
+from roslab.decide.system.required import outside, provided_as
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 
@@ -36,7 +35,7 @@ def strays(
         if not _taken(project, folder) or not outside_packages(folder, packages) or _needed(project, evidence):
             continue
         for asked in outside(project, evidence, packages):
-            if not (resolve(asked, target).known or similar(plain(asked.name), names)):
+            if not (resolve(asked, target).known or provided_as(asked.name, names)):
                 yield folder, warn(_TOLD.format(folder, asked.name, SOURCE), asked)
                 break
 

@@ -38,7 +38,8 @@ def context_of(repository: Repository, folder: str, asked: Iterable[str]) -> str
 
     ``None`` where none has: a step may have made it. ``folder``: that of the Dockerfile.
     """
-    paths = tuple(asked)
+    if not (paths := tuple(asked)):
+        return None
     parts = folder.split("/") if folder else []
     above = ("/".join(parts[:end]) for end in range(len(parts) + 1))
     return next((each for each in above if all(_there(repository, each, path) for path in paths)), None)

@@ -11,11 +11,15 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 _OTHER = pattern(
-    r"\b(?:in|from|open(?:ing)?|on)\s+(?:an?other|a (?:second|new|different|separate)|other|the other)\s+"
+    r"\b(?:in|from|open(?:ing)?|on)\s+(?:an?other|a (?:second|different|separate)|other|the other)\s+"
     r"(?:(?:new|separate|command|bash)\s+)?(?:terminal|shell|console|tab|window|prompt)s?\b",
     re.IGNORECASE,
 )
-_STARTS = pattern(r"\b(?:run|start|launch|execute)\b", re.IGNORECASE)
+_STARTS = pattern(
+    r"^\W*(?:\d+[.)]\s*)?(?:\*\*)?(?:first(?:ly)?,?\s+|then,?\s+)?(?:run|start|launch|execute)\b"
+    r"(?![^.\n]{0,60}\b(?:as follows|docker|container)\b)",
+    re.IGNORECASE,
+)
 _LAUNCH = pattern(
     r"(?<![\w./-])[\w-]*(?:[(<\[{][\w -]{1,40}[)>\]}][\w-]*){0,3}(?:\.launch(?:\.(?:py|xml))?|_launch\.py)(?!\w)"
 )

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Iterator
 from roslab.evidence.python.modules import Module
 from roslab.values.pattern import pattern
 
-_FROM = pattern(r"^from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#;]*)", re.MULTILINE)
+_FROM = pattern(r"^from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+(\([^()]*\)|[^\n#;]*)", re.MULTILINE)
 _IMPORT = pattern(r"^import[ \t]+([A-Za-z_][^\n#;]*)", re.MULTILINE)
 _INIT = "__init__"
 

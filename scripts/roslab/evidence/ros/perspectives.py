@@ -9,7 +9,7 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 1024 * 1024
 MAX_FILES = 20
-_RUNNING = pattern(r"\"running-plugins\"\s*:\s*\{(?:[^{}\"]{1,200}|\"(?:[^\"\\]|\\.){0,9000}\"){0,20}\}")
+_RUNNING = pattern(r"\"running-plugins\"\s*:\s*\{[^{}\"]{0,200}(?:\"(?:[^\"\\]|\\.){0,9000}\"[^{}\"]{0,200}){0,20}\}")
 """The list of open plugins: ``{'rqt_plot/Plot': [1, 2]}``, in a text of JSON.
 
 https://github.com/ros-visualization/qt_gui_core/blob/master/qt_gui/src/qt_gui/plugin_manager.py, 2026-11-27."""
