@@ -92,8 +92,11 @@ def decide_python(
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
     listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
     off = conda_refused(listed, number)
-    in_file = (asked for asked in _of_environment(evidence, chosen) if asked not in off)
-    of_file = [asked for asked in in_file if not asked.role and (manager != "conda" or pixi)]
+    of_file = [
+        asked
+        for asked in _of_environment(evidence, chosen)
+        if asked not in off and not asked.role and (manager != "conda" or pixi)
+    ]
     declared = [*lists.requirements, *repaired.requirements, *map(in_full, of_file)]
     kept = dict(kept_by_build_types(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
@@ -193,7 +196,7 @@ def decide_python(
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,
         conda_channels=(*(pixi or alone).channels, *further_channels(evidence, conda)),
-        conda_local=tuple(each.written for each in listed if each.role == "project" or each in off),
+        conda_local=(*(each.written for each in listed if each.role == "project"), *(each.name for each in off)),
         conda_pip=any(each.role != "project" and each not in off for each in listed),
         conda_no_channels=no_channels(evidence, conda),
         conda_old_pip=old_pip(evidence, conda),

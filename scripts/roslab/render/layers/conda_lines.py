@@ -11,6 +11,9 @@ from roslab.plan.python import PythonPlan
 from roslab.render import quote
 from roslab.render.layers import building, caches, manifests, shell
 
+_PIP = "^ *- *pip:[[:space:]]*(#.*)?$"
+"""The line above what a conda file has for pip, as sed finds it."""
+
 
 def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
     """Return the commands that take out of a conda file what it cannot install, and correct its pip.
@@ -59,17 +62,18 @@ def _fewer_channels(addresses: Sequence[str], file: str) -> str:
     return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
 
 
-def _without(folders: Sequence[str], file: str, *, others: bool) -> tuple[str, ...]:
-    """Return the command that takes folders of the tree out of a conda file: pip installs them once they are there.
+def _without(entries: Sequence[str], file: str, *, others: bool) -> tuple[str, ...]:
+    """Return the command that takes folders of the tree and packages out of what a conda file has for pip.
 
-    ``others``: pip installs more than them.
+    Folders are installed once they are there, the packages cannot be. ``others``: pip installs more than them.
     """
-    if not folders:
+    if not entries:
         return ()
-    lines = "|".join(re.escape(folder) for folder in folders)
-    entry = f"^ *- *[\"']?(-e +|--editable +)?([.]/)?({lines})/?(\\[[^]]*\\])?[\"']? *$"
-    entry += "" if others else "|^ *- *pip: *$"
-    script = f"\\%{entry}%d"
+    names = "|".join(re.escape(entry) for entry in entries)
+    version = "( *[<>=!~;@][^#]*)?"
+    entry = f"^ *- *[\"']?(-e +|--editable +)?([.]/)?({names})/?( *\\[[^]]*\\])?{version}[\"']?[[:space:]]*(#.*)?$"
+    entry += "" if others else f"|{_PIP}"
+    script = f"\\%{_PIP}%,${{\\%{entry}%d}}"
     return (f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}",)
 
 
