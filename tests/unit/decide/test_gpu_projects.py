@@ -55,7 +55,7 @@ EXTENSION = "from torch.utils.cpp_extension import CUDAExtension\nPARTS = [CUDAE
 @pytest.mark.parametrize(
     ("page", "projects", "line"),
     [
-        ("pip install -e ops", ("ops",), "with-gpu-said python3 -m pip install "),
+        ("pip install -e ops", ("ops",), '$(with-gpu-said)${PYTHONPATH:+:${PYTHONPATH}}" python3 -m pip install '),
         ("cd ops\nsh make.sh", (), "{ with-gpu-said bash make.sh || echo "),
     ],
 )
@@ -92,6 +92,9 @@ def test_torch_says_that_there_is_a_gpu(tmp_path: Path) -> None:
     for before, said in (((), "False"), (("bash", str(script)), "True")):
         done = subprocess.run([*before, *ask], env=surroundings, capture_output=True, text=True, check=True)
         assert done.stdout.strip() == said
+    called = f'python() {{ "{sys.executable}" "$@"; }}; PYTHONPATH="$(bash {script}):{tmp_path}" python -c "{ask[-1]}"'
+    done = subprocess.run(["bash", "-c", called], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "True"
     failed = subprocess.run(["bash", str(script), "sh", "-c", "exit 7"], env=surroundings, check=False)
     assert failed.returncode == 7
 

@@ -1,10 +1,13 @@
 #!/bin/bash
-# usage: with-gpu-said COMMAND...
+# usage: with-gpu-said [COMMAND...]
 # Runs a command in which torch says that there is a GPU: no build of an image sees one, and a setup.py that only asks
 # for it compiles for CUDA all the same, for the architectures of TORCH_CUDA_ARCH_LIST.
+# Without a command it prints the folder for PYTHONPATH that does this, for what the shell calls by a function of its own.
 set -euo pipefail
 
-folder="$(mktemp --directory)"
+shared=/dev/shm # no layer has what lies there
+if [ ! -w "${shared}" ]; then shared=/tmp; fi
+folder="$(mktemp --directory "${shared}/gpu-said.XXXXXX")"
 cat >"${folder}/sitecustomize.py" <<'PYTHON'
 import sys
 from importlib.machinery import PathFinder
@@ -29,6 +32,10 @@ class Saying:
 
 sys.meta_path.insert(0, Saying)
 PYTHON
+if [ "$#" -eq 0 ]; then
+  echo "${folder}"
+  exit
+fi
 status=0
 PYTHONPATH="${folder}${PYTHONPATH:+:${PYTHONPATH}}" "$@" || status=$?
 rm -rf "${folder}"

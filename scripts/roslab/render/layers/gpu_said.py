@@ -8,6 +8,8 @@ from roslab.plan.plan import Plan
 from roslab.render.layers import shell
 
 SCRIPT = "with-gpu-said"
+PATH = f'PYTHONPATH="$({SCRIPT})${{PYTHONPATH:+:${{PYTHONPATH}}}}"'
+"""Before a call of pip: the shell calls Python by a function, which calls pip again, and which no script would see."""
 
 
 def asked(plan: Plan, folder: str) -> bool:

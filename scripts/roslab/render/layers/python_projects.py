@@ -44,7 +44,7 @@ def projects(plan: Plan) -> str:
     isolation = " --no-build-isolation" if plan.python.first else ""
     options = f"{caches.pip_option(plan)}{isolation}{python.pip_options(plan.python.options)}"
     pip = f"{python.interpreter(plan)} -m pip install {options}"
-    pip = f"{gpu_said.SCRIPT} {pip}" if any(gpu_said.asked(plan, folder) for folder in folders) else pip
+    pip = f"{gpu_said.PATH} {pip}" if any(gpu_said.asked(plan, folder) for folder in folders) else pip
     pip = "".join(f"{name}={quote.shell(flags)} " for name, flags in building.macros(plan)) + pip
     if plan.python.native_parts and NETRC not in plan.secrets:  # a setup.py looks for them at home; root's has a .netrc
         pip = f'HOME="/home/${{NB_USER}}" {pip}'
