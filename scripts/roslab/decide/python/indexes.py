@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from roslab.decide.python.manifests import with_includes
@@ -18,6 +19,10 @@ _PLACES = pattern(r"--(?:extra-index-url|find-links) https?://")
 """An option that adds a place to look for packages; a folder is found from the file alone."""
 
 
+_BUILDS = pattern(r"(?:cu|rocm)\d[\d.]*|cpu|xpu|" + re.escape(OLDEST_PAGE))
+"""Local versions that have a page of wheels; others are an author's own builds."""
+
+
 def indexes_of(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -> Iterator[str]:
     """Yield the index or page with the wheels of a torch that pip's index lacks and whose page no file names.
 
@@ -28,7 +33,7 @@ def indexes_of(asked: Sequence[Requirement], files: Sequence[RequirementFile]) -
     for each in asked:
         release = Version(each.release) if each.release and each.key in _WITH_LOCAL_VERSIONS and not each.url else None
         build = release.local or (OLDEST_PAGE if each.key == "torch" and release < ON_INDEX else "") if release else ""
-        if release is not None and build and f"/whl/{build}" not in in_files:
+        if release is not None and build and _BUILDS.fullmatch(build) and f"/whl/{build}" not in in_files:
             page = f"https://download.pytorch.org/whl/{build}"
             old = each.key == "torch" and release < ONE_PAGE_BEFORE
             yield f"--find-links {page}/torch_stable.html" if old else f"--extra-index-url {page}"

@@ -37,5 +37,5 @@ def left_frameworks(evidence: Evidence, kind: Kind, asked: Iterable[Requirement]
             or any(name in key for key in keys)
         ):
             continue
-        message = f"{name} is not installed: no node of the tree imports it, only code beside them"
+        message = f"nothing asks for {name} by its name: no node of the tree imports it, only code beside them"
         yield warn(f"{message}; if that is to run in the image, give {name} under `pip` in roslab.yaml", each)

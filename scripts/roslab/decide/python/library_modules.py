@@ -44,7 +44,8 @@ def variables_of(libraries: Iterable[str]) -> Iterator[tuple[str, str, str]]:
 
 def _places(row: LibraryModules, evidence: Evidence) -> Iterator[tuple[str, int]]:
     for use in evidence.code:
-        if use.namespace == "import" and use.name in row.modules and not places.test(use.file):
+        counts = use.strength == "used" and not places.aside(use.file)
+        if use.namespace == "import" and use.name in row.modules and counts:
             yield use.file, use.line
     listed = (asked for file in evidence.requirements if file.purpose == "run" for asked in file.requirements)
     projects = (asked for project in evidence.python for asked in project.requirements)

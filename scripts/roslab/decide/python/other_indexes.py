@@ -69,7 +69,11 @@ def _declared(evidence: Evidence) -> Iterator[Requirement]:
     for file in evidence.requirements:
         yield from () if places.vendored(file.file) else file.requirements
     for project in evidence.python:
-        yield from () if places.vendored(project.file) else project.requirements
+        yield from (
+            ()
+            if places.vendored(project.file)
+            else [each for each in project.requirements if each.role in {"", "source"}]
+        )
     for environment in evidence.conda:
         yield from environment.requirements
 

@@ -81,7 +81,7 @@ def told(asked: Requirement, python: str | None) -> Warning_:
     needs = row.python_min if row else "a newer one"
     if row and Version(python or "0") > Version(row.python_max):
         message = f"{asked.written} has no wheel for a Python newer than {row.python_max}, and no source"
-        instead = f'`base.python: "{row.python_max}"` in roslab.yaml takes this one'
+        instead = f'`base.python: "{row.python_max}"` in roslab.yaml takes this one, but not in an image of ROS'
         return warn(f"{message}, and the image has {python}: pip takes a release that runs there; {instead}", asked)
     message = f"{asked.written} needs Python {needs}, and the image has {python}"
     return warn(f"{message}: pip takes a release of {asked.name} that runs there", asked)

@@ -50,7 +50,9 @@ def why_refused(data: Mapping[str, Any], wrong: tuple[str, int] | None) -> str:
     """
     if wrong:
         return f"pyproject.toml is no valid TOML ({wrong[0]}, line {wrong[1]}), and pip refuses it"
-    found: Any = data
+    system = data.get("build-system")
+    backend = system.get("build-backend") if isinstance(system, dict) else None
+    found: Any = data if str(backend).startswith("hatchling") else None
     for key in ("tool", "hatch", "build", "targets", "wheel", "packages"):
         found = found.get(key) if isinstance(found, dict) else None
     if isinstance(found, list) and any(not isinstance(each, str) for each in found):
@@ -75,7 +77,9 @@ def chosen(projects: Iterable[PythonProject], asked: Iterable[Requirement]) -> l
 def problems(stopped: Iterable[PythonProject]) -> Iterator[tuple[str, str, int]]:
     """Yield a warning for each such project: what it needs is installed, and it is not."""
     for project in stopped:
-        message = f"{project.stopped}: what it needs is installed, and its folder is on PYTHONPATH instead"
+        message = (
+            f"{project.stopped}: what can be read of its needs is installed, and its folder is on PYTHONPATH instead"
+        )
         yield message, project.file, project.line
 
 
