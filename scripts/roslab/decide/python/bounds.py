@@ -96,13 +96,5 @@ def needing_numpy(asked: Iterable[Requirement], below: str | None) -> Requiremen
     return None
 
 
-def needing_newer_numpy(asked: Requirement, numpy: str) -> tuple[str, str] | None:
-    """Return the NumPy that a release needs from a Python on, and that Python, where ``numpy`` is older."""
-    for row in rows("needs_numpy"):
-        if row["python"] and asked.key == row["pip"] and _reaches(asked.release, row["first"]):
-            return None if _reaches(numpy, row["numpy"]) else (row["numpy"], row["python"])
-    return None
-
-
 def _reaches(release: str | None, first: str) -> bool:
     return release is not None and Version(release) >= Version(first)

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import groupby
 
-from roslab.decide.python.bounds import needing_newer_numpy
 from roslab.decide.python.pins import Pin
-from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.ranges import Range
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because
 from roslab.knowledge.last_for_python import last_for_python
-from roslab.values.version import Version
 
 FEWEST = 3
 """Releases that show by more than chance that there was no newer one for the author's Python."""
@@ -23,12 +20,11 @@ _MOST = 4
 
 
 def ranges_of_lists(pins: Iterable[Pin]) -> Iterator[Range]:
-    """Yield the Python for which several of a list's releases are each the last, then those on which it fits itself."""
+    """Yield the Python for which several of a list's releases are each the last."""
     listed = [pin for pin in pins if pin.trust >= _LISTED and pin.release]
     for _, group in groupby(sorted(listed, key=lambda pin: pin.requirement.file), key=lambda pin: pin.requirement.file):
         releases = {pin.name: pin for pin in group}
         yield from _last(releases)
-        yield from _fitting_itself(releases)
 
 
 def _last(releases: Mapping[str, Pin]) -> Iterator[Range]:
@@ -45,15 +41,3 @@ def _last(releases: Mapping[str, Pin]) -> Iterator[Range]:
         first = last[0]
         reason = because("python", python, why, first.requirement, weight=Weight.PINS + first.trust)
         yield Range(frozenset({python}), reason)
-
-
-def _fitting_itself(releases: Mapping[str, Pin]) -> Iterator[Range]:
-    """Yield the Pythons below that from which on a package of the list needs a newer NumPy than the list has."""
-    numpy = releases.get("numpy")
-    for pin in releases.values() if numpy and numpy.release else ():
-        if numpy and numpy.release and (row := needing_newer_numpy(pin.requirement, numpy.release)):
-            needs, python = row
-            below = frozenset(each for each in PREFERRED if Version(each) < Version(python))
-            why = f"from {python} on {pin.requirement.written} needs numpy>={needs}, and {numpy.requirement.written}"
-            weight = Weight.PINS + pin.trust
-            yield Range(below, because("python", f"< {python}", f"{why} is listed", pin.requirement, weight=weight))
