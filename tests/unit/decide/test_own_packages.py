@@ -144,3 +144,29 @@ def test_a_fetched_one_for_another_ubuntu_is_told(tree: Tree) -> None:
     decision = tree({**FILES, "README.md": f"{PAGE}## Install\n```\n{page}\n```\n"})
     assert decision.own_packages == ()
     assert any(f"not installed: {url}, which is for Ubuntu focal" in w.message for w in decision.warnings)
+
+
+@pytest.mark.parametrize("login", ["me:s3cret@", "s3cret@", "me%40lab:s3cret@", "a.b:s3cret@lab@"])
+def test_an_address_with_a_login_goes_nowhere(tree: Tree, login: str) -> None:
+    url = URL.replace("https://", f"https://{login}")
+    page = f"sudo dpkg -i {FILE}\nwget {url}\nsudo dpkg -i libother-dev_1.4_amd64.deb"
+    decision = tree({**FILES, "README.md": f"{PAGE}## Install\n```\n{page}\n```\n"})
+    assert decision.own_packages == (FILE,)
+    assert "s3cret" not in dockerfile(make_plan(decision, Config(), folder_name="demo", ignore=()))
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        (f"sudo dpkg -i {FILE}", "the repository holds"),
+        (f"wget {URL}\nsudo dpkg -i libother-dev_1.4_amd64.deb", "a page has its readers fetch"),
+        (
+            f"sudo dpkg -i {FILE}\nwget {URL}\nsudo dpkg -i libother-dev_1.4_amd64.deb",
+            "the repository holds or a page has its readers fetch",
+        ),
+    ],
+)
+def test_the_image_says_where_they_come_from(tree: Tree, lines: str, said: str) -> None:
+    decision = tree({**FILES, "README.md": f"{PAGE}## Install\n```\n{lines}\n```\n"})
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo", ignore=()))
+    assert f"# Packages that {said}: none of them stops the build\n" in text

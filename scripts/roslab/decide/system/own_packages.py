@@ -14,8 +14,8 @@ from roslab.evidence.x86_only import X86Only
 from roslab.knowledge.distros import ubuntus
 from roslab.values.pattern import pattern
 
-_PLAIN = pattern(r"[\w./+~-]+|https?://[\w./+~%:@-]+")
-"""A path that a mount of a Dockerfile, whose options commas part, can name, or an address."""
+_PLAIN = pattern(r"[\w./+~-]+|https?://(?![^/\s]*@)[\w./+~%:@-]+")
+"""A path that a mount of a Dockerfile, whose options commas part, can name, or an address without a login."""
 _WORD = pattern(r"[A-Za-z]+")
 _NUMBER = pattern(r"ubuntu-?(\d\d)\.?(\d\d)(?!\d)")
 

@@ -19,8 +19,10 @@ NAME = pattern(r"([a-z0-9][a-z0-9+.-]+)_[^/_]+(?:_[^/]+)?\.deb")
 """``name_version_architecture.deb``: https://manpages.debian.org/bookworm/dpkg-dev/dpkg-name.1.en.html, 2026-11-26"""
 _APT = frozenset({"apt", "apt-get"})
 _DPKG = frozenset({"-i", "--install"})
-_FETCHED = pattern(r"(?:wget|curl) (https?://[\w./+~%:@-]+/([\w.+~%-]+\.deb))")
-"""The step of a page or script that fetches one, as it is told where nothing repeats it."""
+_FETCHED = pattern(r"(?:wget|curl) (https?://(?![^/\s]*@)[\w./+~%:@-]+/([\w.+~%-]+\.deb))")
+"""The step of a page or script that fetches one, as it is told where nothing repeats it.
+
+An address with a login is none: a Dockerfile keeps no password."""
 _SOURCE = pattern(
     r"(?:.*-)?(?:repo|keyring|apt-source|apt-config|release)(?:[-_].*)?|(?:lib)?(?:cuda|cudnn|nccl|nvinfer|nv-tensorrt).*"
 )

@@ -49,7 +49,8 @@ def own_packages(plan: Plan) -> str:
     files = own_files(plan.own_packages)
     mounts = (f"--mount=type=bind,source={quote.checked(path)},target={into}" for path, into in files)
     given, around = secrets.for_apt(plan), locks.apt(plan, "own")
-    holder = "the repository holds" if files else "a page has its readers fetch"
+    said = (bool(files), "the repository holds"), (len(files) < len(plan.own_packages), "a page has its readers fetch")
+    holder = " or ".join(text for holds, text in said if holds)
     return shell.call(
         "install-own-packages",
         shell.words(asked_files(plan.own_packages)),
