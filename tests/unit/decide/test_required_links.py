@@ -38,6 +38,11 @@ def _cloned(decision: Decision) -> dict[str, str | None]:
         (f"- [quad_x]({THIRD}/quad_x), branch `lab/new`.\n", "lab/new"),
         (f"- [quad_x]({THIRD}/quad_x) is a branch of our work\n", None),
         (f"- [quad_x]({THIRD}/quad_x) and [more]({THIRD}/more) (branch: old)\n", None),
+        (f"- [quad_x]({THIRD}/quad_x) (default branch)\n", None),
+        (f"- [quad_x]({THIRD}/quad_x), branch: please see their page.\n", None),
+        (f"- [quad_x]({THIRD}/quad_x), branch: default.\n", None),
+        (f"- [quad_x]({THIRD}/quad_x), branch: new-devel\n", "new-devel"),
+        (f"- [quad_x]({THIRD}/quad_x) (other branch), now branch: `ros2`\n", "ros2"),
     ],
 )
 @pytest.mark.parametrize("code", ["from quad_x.srv import Attach", "import quad_x.msg", "from quad_x.action import *"])

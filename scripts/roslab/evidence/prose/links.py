@@ -29,11 +29,16 @@ _NAMED_COMMIT = pattern(
     re.IGNORECASE,
 )
 """A commit in a sentence: ``(Tested commit: 7c5f5e2)``, or 40 digits alone."""
+_NO_NAME = (
+    r"(?!(?:default|this|that|the|an?|any|same|another|other|our|your|correct|right|new|specific|see|please|use|https?)"
+    r"(?![\w/-]|\.\w))"
+)
 _NAMED_BRANCH = pattern(
-    r"\bbranch\b(?:[ \t]{0,2}[:=]|[ \t]+(?=`))[ \t]{0,2}[`\"']?([\w][\w./-]{0,60})|\(([\w][\w./-]{0,60})[ \t]+branch\)",
+    rf"\bbranch\b(?:[ \t]{{0,2}}[:=]|[ \t]+(?=`))[ \t]{{0,2}}[`\"']?{_NO_NAME}([\w][\w./-]{{0,60}})|"
+    rf"\({_NO_NAME}([\w][\w./-]{{0,60}})[ \t]+branch\)",
     re.IGNORECASE,
 )
-"""The branch behind a link: ``, branch: humble-devel)``, ``(humble-devel branch)``."""
+"""The branch behind a link: ``, branch: humble-devel)``, ``(humble-devel branch)``, but not ``(default branch)``."""
 BEFORE = 240
 """Most characters of a sentence before a link."""
 _HOLDS = pattern(
