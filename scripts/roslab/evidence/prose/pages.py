@@ -57,7 +57,8 @@ _GUIDE = pattern(
 _NOTES = pattern(
     r"(?:^|[-_. ])(?:notes?|todo|to[-_ ]do|plans?|roadmap|logs?|commands?|cheat\w*|releases?|summary|reports?|paper|"
     r"design|architect\w*|style|singularity|apptainer|agents?|claude|copilot|gemini|prompts?|citation|credits?|thanks|"
-    r"status|progress|ideas?|meetings?|spec|specification|requirements?)(?:[-_. ]|$)",
+    r"status|progress|ideas?|meetings?|spec|specification|requirements?|"
+    r"migrat\w*|upgrad\w*|results?|legacy|deprecat\w*|old)(?:[-_. ]|$)",
     re.IGNORECASE,
 )
 """The name of a page that is for those who write the code, or that tells of it without starting it."""
