@@ -47,8 +47,14 @@ def _is_chore(argv: tuple[str, ...]) -> bool:
 
 
 def _subcommands(argv: tuple[str, ...]) -> set[str]:
-    """Return the words behind a program up to its first option, the first two of them."""
+    """Return the words behind a program up to its first option, the first two of them.
+
+    Behind a file of Python they may be data as well (``sim.py check engine``): there one alone is a sub-command.
+    """
     if argv[0] in _LAUNCHERS:
         return set()
-    words = itertools.takewhile(_WORD.fullmatch, argv[len(program_of(argv)) :])
-    return set(itertools.islice(words, MOST))
+    program = program_of(argv)
+    arguments = argv[len(program) :]
+    if program[-1].endswith(".py") and len(arguments) > 1:
+        return set()
+    return set(itertools.islice(itertools.takewhile(_WORD.fullmatch, arguments), MOST))

@@ -22,6 +22,8 @@ MAIN = "if __name__ == '__main__':\n    pass\n"
         (("-m lab assets install", "main.py"), "-m lab assets install", 0),  # nothing else of it is run
         (("-m lab show", "-m lab verify"), "-m lab show", 0),
         (("-m lab run --list", "-m lab show"), "-m lab run --list", 0),  # an option of its own
+        (("main.py check engine", "main.py"), "main.py check engine", 0),  # data of a file of Python
+        (("main.py setup", "main.py run fast"), "main.py run fast", 1),
     ],
 )
 def test_the_other_call_is_meant(tree: Tree, lines: tuple[str, ...], command: str, told: int) -> None:
