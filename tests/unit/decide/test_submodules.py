@@ -325,3 +325,16 @@ def test_an_entry_that_the_commit_has_no_more_is_cloned_where_it_is_needed(
     assert [each.name for each in plan.workspace.submodules] == ["training/brumby_net"] * cloned
     (said,) = [each.message for each in plan.warnings if "no submodule in this commit" in each.message]
     assert said.endswith("the image clones its newest state" if cloned else "nothing names it, and it is left out")
+
+
+def test_no_clone_is_promised_of_what_cannot_be_cloned(tmp_path: Path) -> None:
+    modules = '[submodule "a"]\n\tpath = libs/net\n\turl = /home/me/net\n'
+    modules += '[submodule "b"]\n\tpath = libs/arm\n\turl = https://github.com/lab/arm.git\n'
+    page = "```\npip install -e libs/net -e libs/arm\n```\n"
+    files = {"play.py": f"import numpy\n{MAIN}", "requirements.txt": "numpy\n", ".gitmodules": modules}
+    plan = plan_repository(linked(tmp_path, {**files, "README.md": page}, "other")).plan
+    assert [each.name for each in plan.workspace.submodules] == ["libs/arm"]
+    said = [each.message for each in plan.warnings if "no submodule in this commit" in each.message]
+    ends = ("libs/net; the image cannot clone it either", "libs/arm; the image clones its newest state")
+    assert [one.endswith(end) for one, end in zip(said, ends, strict=True)] == [True, True]
+    assert any(each.message.startswith("libs/net is empty in the image") for each in plan.warnings)

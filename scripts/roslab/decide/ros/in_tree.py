@@ -13,13 +13,10 @@ from roslab.decide.ros.workspace import Packages, packages_of
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.copies import below
+from roslab.evidence.ros.clonable import ADDRESS, PATH, can_be_cloned
 from roslab.evidence.ros.vcs import https
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
-from roslab.values.pattern import pattern
-
-_CLONED = pattern(r"https?://")
-_PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
 
 
 def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple[GitSource, Source]], list[Reason]]:
@@ -31,7 +28,7 @@ def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple
     empty: list[tuple[GitSource, Source]] = []
     reasons: list[Reason] = []
     for git in map(_by_https, evidence.sources):
-        clone = _can_be_cloned(git) and not config.compatible
+        clone = can_be_cloned(git) and not config.compatible
         if git.kind == "inside" and clone:
             taken = git if git.ref else _of_ci(git, evidence)
             empty.append((taken, _source(taken, before or evidence.pip_day or "")))
@@ -56,9 +53,9 @@ def not_cloned(evidence: Evidence, config: Config) -> Iterator[Warning_]:
     """
     for git in map(_by_https, evidence.sources):
         left = git.kind == "inside" or (git.kind == "submodule" and git.absent)
-        if left and not config.compatible and not _can_be_cloned(git):
-            why = "no address that an image can clone from" if not _CLONED.match(git.url) else "no path that is taken"
-            told = git.name if _CLONED.match(git.url) else git.url
+        if left and not config.compatible and not can_be_cloned(git):
+            why = "no address that an image can clone from" if not ADDRESS.match(git.url) else "no path that is taken"
+            told = git.name if ADDRESS.match(git.url) else git.url
             message = f"{git.name} is empty in the image, and what needs it stops: {told} is {why}"
             yield warn(f"{message}; check it out before the build, or give its address under `source`", git)
 
@@ -66,10 +63,6 @@ def not_cloned(evidence: Evidence, config: Config) -> Iterator[Warning_]:
 def _by_https(git: GitSource) -> GitSource:
     url = https(git.url)
     return git if url == git.url else replace(git, url=url)
-
-
-def _can_be_cloned(git: GitSource) -> bool:
-    return bool(_CLONED.match(git.url) and _PATH.fullmatch(git.name))
 
 
 def inside_packages(evidence: Evidence) -> frozenset[str]:
@@ -97,7 +90,7 @@ def apart(evidence: Evidence, packages: Packages) -> tuple[str, ...]:
     """
     modules = [git.name for git in evidence.sources if git.kind == "submodule"]
     copied = [folder for folder in evidence.repositories if not below(f"{folder}/", modules)]
-    folders = tuple(folder for folder in (*modules, *copied) if _PATH.fullmatch(folder))
+    folders = tuple(folder for folder in (*modules, *copied) if PATH.fullmatch(folder))
     inside = tuple(f"{folder}/" for folder in folders)
     return folders if any(not manifest.file.startswith(inside) for manifest in packages.built) else ()
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 
 from roslab.evidence import places
+from roslab.evidence.dependency import GitSource
+from roslab.evidence.ros.clonable import can_be_cloned
 from roslab.repository.checkout import Repository
 
 _FILES = ("CMakeLists.txt", "package.xml", "setup.py", "setup.cfg", "pyproject.toml", "Dockerfile", "Makefile")
@@ -34,3 +36,10 @@ def named(repository: Repository, path: str) -> bool:
         (step if file.name.lower().endswith(_PAGES) else word).search(repository.read(file))
         for file in files[:MAX_FILES]
     )
+
+
+def fate(repository: Repository, module: GitSource) -> str:
+    """Return what becomes of such an entry."""
+    if not named(repository, module.name):
+        return "nothing names it, and it is left out"
+    return "the image clones its newest state" if can_be_cloned(module) else "the image cannot clone it either"

@@ -15,7 +15,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.fixtures import of_tests
 from roslab.evidence.ros import gitman, handed_lists
-from roslab.evidence.ros.stale_modules import named
+from roslab.evidence.ros.stale_modules import fate, named
 from roslab.knowledge.compiled import public_hosts
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -79,17 +79,17 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
     lacking = [source for source in repository.once(_submodules) if not _checked_out(repository, source)]
     recorded = repository.recorded(tuple(source.name for source in lacking)) if repository.committed else None
     there = [source for source in lacking if recorded is None or source.name in recorded]
-    gone = [source for source in lacking if source not in there]
+    gone = {source: fate(repository, source) for source in lacking if source not in there}
     if there:
         names = ", ".join(source.name for source in there)
         what = "a submodule is" if len(there) == 1 else "submodules are"
         message = f"{what} not checked out and could not be read: {names}; {_fetched(repository, there)}"
         found.append((message, there[0].file, there[0].line))
     message = "no submodule in this commit, though .gitmodules names it, so that its content was not read"
-    for needed, then in ((True, "the image clones its newest state"), (False, "nothing names it, and it is left out")):
-        if some := [source for source in gone if named(repository, source.name) == needed]:
-            names = ", ".join(source.name for source in some)
-            found.append((f"{message}: {names}; {then}", some[0].file, some[0].line))
+    for then in dict.fromkeys(gone.values()):
+        some = [source for source in gone if gone[source] == then]
+        names = ", ".join(source.name for source in some)
+        found.append((f"{message}: {names}; {then}", some[0].file, some[0].line))
     return tuple(found)
 
 

@@ -1,0 +1,16 @@
+"""Which repositories of others an image can clone to their places in the tree."""
+
+from __future__ import annotations
+
+from roslab.evidence.dependency import GitSource
+from roslab.values.pattern import pattern
+
+ADDRESS = pattern(r"https?://")
+"""An image has no key for ssh, and no path of somebody's machine."""
+PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
+"""One that leads out of the tree is none."""
+
+
+def can_be_cloned(git: GitSource) -> bool:
+    """Tell whether its address, by https where a host serves it so, and its path are such."""
+    return bool(ADDRESS.match(git.url) and PATH.fullmatch(git.name))
