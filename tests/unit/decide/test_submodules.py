@@ -338,3 +338,12 @@ def test_no_clone_is_promised_of_what_cannot_be_cloned(tmp_path: Path) -> None:
     ends = ("libs/net; the image cannot clone it either", "libs/arm; the image clones its newest state")
     assert [one.endswith(end) for one, end in zip(said, ends, strict=True)] == [True, True]
     assert any(each.message.startswith("libs/net is empty in the image") for each in plan.warnings)
+
+
+def test_quotation_marks_around_a_path_and_an_address_are_none_of_them(tree: Tree) -> None:
+    modules = '[submodule "a"]\n\tpath = "libs/net"\n\turl = "https://github.com/lab/net.git"\n\tbranch = "devel"\n'
+    decision = tree({**PLAY, ".gitmodules": modules})
+    (module,) = decision.submodules
+    assert (module.name, module.repo, module.ref) == ("libs/net", "https://github.com/lab/net.git", "devel")
+    assert module.place is not None
+    assert module.place.line == 3

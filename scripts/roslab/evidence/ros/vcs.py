@@ -277,12 +277,13 @@ def _of_gitmodules(repository: Repository) -> Iterator[tuple[str, GitSource]]:
     except configparser.Error:
         return
     for section in parser.sections():
-        path, url = parser.get(section, "path", fallback=None), parser.get(section, "url", fallback=None)
+        said = (parser.get(section, key, fallback="") or "" for key in ("path", "url", "branch"))
+        path, url, branch = (value.replace('"', "") for value in said)  # git takes these marks away, too
         if section.startswith("submodule") and path and url:
             module = GitSource(
                 name=path.strip("/"),
                 url=https(url, repository.origin),
-                ref=parser.get(section, "branch", fallback=None),
+                ref=branch or None,
                 strength="declared",
                 file=".gitmodules",
                 line=_line(text, url),
