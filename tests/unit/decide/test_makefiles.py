@@ -7,8 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
+from roslab.plan.plan import make_plan
 from roslab.render.dockerfile import dockerfile
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -141,6 +143,15 @@ def test_scripts_of_a_submodule_run_before_make(tree: Tree, script: str, command
     assert [each.command for each in decision.scripts] == commands
     assert decision.scripts[-1].required
     assert decision.command == ("./slam",)
+
+
+def test_the_image_says_that_make_is_the_build_where_the_script_of_a_submodule_comes_first(tree: Tree) -> None:
+    page = "# Demo\nCompile the submodule<br />\n`cd crl ; ./install.sh ; cd ..`<br />\n\nRun<br />\n`./slam`\n"
+    decision = tree({**CODE, **MODULE, "Makefile": MADE, "README.md": page})
+    assert [script.required for script in decision.scripts] == [False, True]
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo", ignore=()))
+    assert "# What the script of the repository compiles\n" in text
+    assert "# What is compiled beside the program" not in text
 
 
 WINDOWS = "CXX = g++\nOBJECTS = $(patsubst %.cpp,%.o,$(wildcard *.cpp))\nsim.exe: $(OBJECTS)\n\t$(CXX) -o $@ $^\n"

@@ -14,7 +14,7 @@ def before_program(plan: Plan) -> str:
     """Run what compiles something; what fails beside the program is told and stops nothing."""
     scripts = [script for script in plan.workspace.scripts if not script.after]
     head = "# What is compiled beside the program: by scripts that the README runs, and in other folders"
-    if scripts and scripts[0].required:
+    if any(script.required for script in scripts):
         head = "# What the script of the repository compiles"
     return _run(plan, scripts, head)
 
