@@ -20,6 +20,10 @@ FILES = {"train.py": "import numpy\n", "cfg/a.yaml": "a: 1\n"}
             "--config=/data/me/code/cfg/a.yaml --out /data/me/code/exp --data /data/me/sets",
             ("--config=cfg/a.yaml", "--out", "exp", "--data", "/data/me/sets"),
         ),
+        (
+            "--config /data/me/code/cfg/a.yaml --root /data/me/code --out=/data/me/code/ --data /data/me/codes",
+            ("--config", "cfg/a.yaml", "--root", ".", "--out=.", "--data", "/data/me/codes"),
+        ),
         ("--config /data/me/code/a.yaml", ("--config", "/data/me/code/a.yaml")),
         ("--config /usr/share/cfg/a.yaml", ("--config", "/usr/share/cfg/a.yaml")),
     ],

@@ -38,4 +38,6 @@ def _prefix(path: str, repository: Repository) -> str:
 
 def _below(word: str, prefix: str) -> str:
     option, sign, path = word.rpartition("=")
-    return f"{option}{sign}{path.removeprefix(prefix)}" if path.startswith(prefix) and path != prefix else word
+    if path.rstrip("/") == prefix.rstrip("/"):
+        return f"{option}{sign}."
+    return f"{option}{sign}{path.removeprefix(prefix)}" if path.startswith(prefix) else word
