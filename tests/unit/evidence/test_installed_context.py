@@ -8,6 +8,7 @@ import pytest
 
 from roslab.evidence.facts import AuthorDockerfile
 from roslab.evidence.prose import author_dockerfile
+from roslab.evidence.prose.installed_context import context_of
 from roslab.repository.checkout import Repository
 
 FILE = "lab/docker/gpu/Dockerfile"
@@ -53,3 +54,12 @@ def test_it_is_the_folder_above_that_has_what_pip_is_given(tmp_path: Path, steps
 )
 def test_it_stays_the_root(tmp_path: Path, steps: str, more: tuple[str, ...]) -> None:
     assert read(tmp_path, steps, more).context == ""
+
+
+def test_a_folder_whose_name_begins_with_a_dot_keeps_it(tmp_path: Path) -> None:
+    for path in (".devcontainer/setup.py", "devcontainer/pyproject.toml"):
+        (tmp_path / path).parent.mkdir()
+        (tmp_path / path).write_text("")
+    repository = Repository.open(tmp_path)
+    assert context_of(repository, ".devcontainer", ["."]) == ".devcontainer"
+    assert context_of(repository, ".devcontainer", ["setup.py"]) == ".devcontainer"

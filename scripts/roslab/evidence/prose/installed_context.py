@@ -46,5 +46,6 @@ def context_of(repository: Repository, folder: str, asked: Iterable[str]) -> str
 
 
 def _there(repository: Repository, context: str, path: str) -> bool:
-    where = posixpath.normpath(posixpath.join(context, path)).removeprefix("./").strip(".")
+    where = posixpath.normpath(posixpath.join(context, path))
+    where = "" if where == "." else where
     return repository.has(where) or any(repository.has(f"{where}/{name}".lstrip("/")) for name in MANIFESTS)
