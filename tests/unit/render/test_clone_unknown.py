@@ -122,6 +122,18 @@ def test_a_listed_repository_may_hold_what_it_is_not_called_like(image: Path) ->
     assert (image / "ws/src/plusplus/more/CATKIN_IGNORE").exists()
 
 
+def test_what_an_interrupted_look_has_left_and_a_manifest_without_a_name_stop_none(image: Path) -> None:
+    (image / "tried.git").mkdir()
+    (image / "tried.git/HEAD").touch()
+    _manifest(image / "other/plusplus/numbers", "counting")
+    _manifest(image / "other/plusplus/empty", "")
+    _list(image, "plusplus/", _commit(image / "other/plusplus"))
+    _manifest(image / "ws/src/lib", "lib", "counting")
+    assert _run(image, "counting") == (0, ["docs", "empty", "lib", "numbers"])
+    url = (image / "other/plusplus").as_uri()
+    assert (image / "tried.held").read_text().splitlines() == [f"counting {url} main"]
+
+
 def test_what_the_repository_itself_asks_for_is_looked_for_in_the_lists_of_its_clones_alone(image: Path) -> None:
     _manifest(image / "manifests/mine", "mine", "lib", "counting", "unlisted")
     _manifest(image / "other/plusplus/counting", "counting")

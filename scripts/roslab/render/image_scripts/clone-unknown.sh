@@ -44,24 +44,27 @@ for path in sys.argv[1:]:
         rows = [(name, row) for name, row in data["repositories"].items() if isinstance(row, dict)]
     for name, row in rows:
         url = row.get("uri") or row.get("url")
+        name = str(name or "").rstrip("/").rpartition("/")[2]
         if name and url:
-            print("%s %s %s" % (str(name).rpartition("/")[2], url, row.get("version") or ""))
+            print("%s %s %s" % (name, url, row.get("version") or ""))
 '
 }
 
 # Prints NAME URL REF of what the listed repositories hold. Looks once into each, with no more of it than its manifests
 # where the host and git can
 held() {
-  local url ref name bare=/tmp/clone-unknown.git manifest="${tried}.xml" path
+  local url ref name bare="${tried}.git" manifest="${tried}.xml" path package
   while read -r name url ref; do
     if grep --quiet --line-regexp --fixed-strings "${url} ${ref}" "${tried}.looked"; then continue; fi
     echo "${url} ${ref}" >>"${tried}.looked"
     if [ -e "${workspace}/$(basename "${url}" .git)" ]; then continue; fi
+    rm -rf "${bare}" # of a look that was interrupted: git clones into no folder that is there
     git clone --quiet --bare --depth 1 --filter=blob:none ${ref:+--branch "${ref}"} "${url}" "${bare}" 2>/dev/null ||
       git clone --quiet --bare --depth 1 "${url}" "${bare}" 2>/dev/null || continue # a commit is no branch, old gits filter nothing
     while read -r path; do
       git -C "${bare}" show "HEAD:${path}" >"${manifest}"
-      echo "$(read-manifest name "${manifest}") ${url} ${ref}" >>"${tried}.held"
+      package="$(read-manifest name "${manifest}")"
+      if [ -n "${package}" ]; then echo "${package} ${url} ${ref}" >>"${tried}.held"; fi
     done < <(git -C "${bare}" -c core.quotePath=false ls-tree -r --name-only HEAD | grep --extended-regexp '(^|/)package\.xml$')
     rm -rf "${bare}" "${manifest}"
   done < <(listed)
