@@ -200,3 +200,9 @@ def test_a_makefile_is_something_to_build_whatever_the_code_includes(tmp_path: P
     for name, text in {"main.c": "#include <stdio.h>\nint main(void) {}\n", "Makefile": MADE}.items():
         (tmp_path / name).write_text(text)
     assert plan_repository(tmp_path).decision.kind == "cpp"
+
+
+def test_files_that_include_each_other_without_end_are_read_so_far(tree: Tree) -> None:
+    chain = {f"a{number}.mk": f"include a{number + 1}.mk\n" for number in range(400)}
+    decision = tree({**CODE, **PAGE, **chain, "Makefile": f"include a0.mk\n{MADE}"})
+    assert [(script.folder, script.command) for script in decision.scripts] == [("", "make")]

@@ -46,6 +46,8 @@ _OF_ANY = pattern(r"^[^\s#][^\n:=]{0,100}%[^\n:=]{0,100}:(?!=)|\$[({]wildcard\s"
 _PROGRAM = pattern(r"(?:[\w.-]+/){0,4}[\w.-]+")
 _NO_PROGRAMS = (".a", ".so", ".o", ".dll", ".cpp", ".cc", ".c")
 _INCLUDE = pattern(r"^-?s?include[ \t]+([\w./ -]{1,200})$", re.MULTILINE)
+DEEPEST = 20
+"""Most files that include each other."""
 _MAIN = pattern(r"^[ \t]*(?:int|auto)\s+main\s*\(", re.MULTILINE)
 _SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu")
 MOST_SOURCES = 200
@@ -133,13 +135,16 @@ def with_included(text: str, folder: str, repository: Repository) -> str:
     """
     taken: set[str] = set()
 
-    def put(match: re.Match[str]) -> str:
+    def inside(text: str, depth: int) -> str:
+        return _INCLUDE.sub(lambda match: put(match, depth), text) if depth < DEEPEST and "include" in text else text
+
+    def put(match: re.Match[str], depth: int) -> str:
         paths = [posixpath.normpath(posixpath.join(folder, word)) for word in match[1].split()]
         new = [path for path in paths if path not in taken and repository.has(path)]
         taken.update(new)
-        return "".join(f"\n{_INCLUDE.sub(put, repository.read(path, limit=MAX_SIZE))}\n" for path in new) or match[0]
+        return "".join(f"\n{inside(repository.read(path, limit=MAX_SIZE), depth + 1)}\n" for path in new) or match[0]
 
-    return _INCLUDE.sub(put, text) if "include" in text else text
+    return inside(text, 0)
 
 
 def _only(text: str) -> str | None:
