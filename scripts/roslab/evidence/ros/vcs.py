@@ -135,9 +135,10 @@ def https(url: str, origin: str | None = None) -> str:
         return f"https://{behind[2]}/{behind[3]}"
     if url.startswith(("./", "../")) and origin:
         base = https(origin).rstrip("/").split("/")
+        least = 3 if base[1:2] == [""] else 1  # the host stays, however many folders an address goes up
         for part in url.rstrip("/").split("/"):
             if part == "..":
-                base.pop()
+                del base[max(least, len(base) - 1) :]
             elif part != ".":
                 base.append(part)
         return "/".join(base)
