@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 import pytest
@@ -42,3 +43,11 @@ def test_one_blank_has_one_value(tree: Tree) -> None:
     files = {"run/a_fly_b.py": "import numpy\n", "run/a_fly_a.py": "import numpy\n"}
     found = tree({**files, "README.md": "# Demo\n```\npython3 run/<x>_fly_<x>.py\n```\n"})
     assert found.command == ("python3", "run/a_fly_a.py")
+
+
+def test_many_blanks_take_no_time(tree: Tree) -> None:
+    files = {f"run/{'a_' * 40}{number}.py": "import numpy\n" for number in range(30)}
+    said = "".join(f"python3 run/{'_'.join(f'<{each}>' for each in 'abcdefgh')}x{n}.py\n" for n in range(3))
+    before = time.process_time()
+    assert tree({**files, "README.md": f"# Demo\n```\n{said}```\n"}).command == ("bash",)
+    assert time.process_time() - before < 5

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -159,3 +160,11 @@ def test_a_folder_that_compose_mounts_is_told_as_that(tree: Tree) -> None:
     decision = of(tree, 'cd /home/atlas_ws/x\nexec "$@"\n', **more)
     (told,) = [warning for warning in decision.warnings if "changes to" in warning.message]
     assert "only as the volume of Docker Compose, which docker_run.sh mounts" in told.message
+
+
+def test_many_folders_take_no_time(tree: Tree) -> None:
+    script = "".join(f"cd /home/ann/f{number}\n" for number in range(3_000))
+    before = time.process_time()
+    decision = of(tree, f'{script}exec "$@"\n')
+    assert any("changes to" in warning.message for warning in decision.warnings)
+    assert time.process_time() - before < 5

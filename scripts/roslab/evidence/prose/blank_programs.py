@@ -17,6 +17,11 @@ _VALUE = pattern(r"[\"'`\u201c]([\w-]{2,40})[\"'`\u201d]")
 SHORTEST = 3
 """Fewest letters beside the blanks by which a file is known; with fewer, the page has to name the values."""
 
+MOST = 20
+"""Most names of a page that are looked for."""
+MOST_BLANKS = 4
+"""Most blanks of a name."""
+
 
 def with_programs(text: str, repository: Repository, page: File) -> str:
     """Return a page with a file of the tree in the place of each that it names with a blank, if there is such a file.
@@ -27,7 +32,10 @@ def with_programs(text: str, repository: Repository, page: File) -> str:
     if ".py" not in text or "<" not in text:
         return text
     found = [match for start in lines_with(text, ".py") if (match := _SAID.match(text, start))]
-    filled = [(match, _file(match["file"], text, repository, page)) for match in found if _BLANK.search(match["file"])]
+    found = [match for match in found if 0 < len(_BLANK.findall(match["file"])) <= MOST_BLANKS]
+    said = tuple(dict.fromkeys(match["file"] for match in found))[:MOST]
+    files = {each: _file(each, text, repository, page) for each in said}
+    filled = [(match, files.get(match["file"], "")) for match in found]
     for match, file in reversed(filled):
         if file:
             text = f"{text[: match.start('file')]}{file}{text[match.end('file') :]}"
@@ -60,8 +68,12 @@ def _fitting(said: str, repository: Repository, page: File) -> Iterator[tuple[st
         parts.append(f"(?P={group})" if group in "".join(parts) else f"(?P<{group}>[A-Za-z0-9][\\w-]*?)")
         end = match.end()
     whole = re.compile(rf"(?:[\w./-]+/)?{''.join(parts)}{re.escape(said[end:])}")
-    for file in repository.suffixed(".py"):
-        below = posixpath.relpath(file.path, page.folder or ".")
-        fits = whole.fullmatch(below) if not places.vendored(file.path) else None
+    for file in repository.once(_programs):
+        below = posixpath.relpath(file, page.folder) if page.folder else file
+        fits = whole.fullmatch(below)
         if fits and not below.startswith(".."):
             yield below, fits.groups()
+
+
+def _programs(repository: Repository) -> tuple[str, ...]:
+    return tuple(file.path for file in repository.suffixed(".py") if not places.vendored(file.path))

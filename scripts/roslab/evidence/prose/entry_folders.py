@@ -31,17 +31,16 @@ def absent(
     ``lines`` are those of the script with their numbers; what another line of it names it may make itself.
     """
     lines = tuple(lines)
-    steps = [each.text for each in written]
+    others = (text for _, text in lines if not _CHANGES.search(text))
+    said = "\n".join((*(each.text for each in written), *others))
     names = {part for folder in repository.folders for part in folder.split("/")}
     told: set[str] = set()
     for number, line in lines:
         for match in _CHANGES.finditer(line) if "cd" in line or "pushd" in line else ():
             if match[1] in told or _GUARDED.search(line) or match[1].startswith(_OF_BASES):
                 continue
-            others = [text for at, text in lines if at != number and not _CHANGES.search(text)]
-            said = (*steps, *others)
             parts = [part for part in match[1].split("/")[1:] if part.strip(".") and part not in _USUAL | names]
-            lost = next((part for part in parts if not any(part in text for text in said)), None)
+            lost = next((part for part in parts if part not in said), None)
             if lost:
                 told.add(match[1])
                 yield match[1], lost, number
