@@ -16,6 +16,8 @@ class CMakeProject:
     name: str | None
     top_level: bool
     """It calls ``project()`` and no CMakeLists.txt above it adds its folder."""
+    ignored: bool = False
+    """It lies in or below a folder with a marker that hides it from the build tools of ROS."""
     added: bool = False
     """A CMakeLists.txt above it, which is not about tests alone, adds its folder."""
     adds: tuple[str, ...] = ()

@@ -43,10 +43,17 @@ def test_it_is_hidden_and_told(tree: Tree) -> None:
         NODE | {"src/node/demo/CMakeLists.txt": DEMO, "src/node/demo/a.cpp": CODE["docker/demo/a.cpp"]},
         NODE | {".docker/CMakeLists.txt": DEMO, ".docker/a.cpp": CODE["docker/demo/a.cpp"]},
         STRAY | {"src/node/CMakeLists.txt": NODE["src/node/CMakeLists.txt"] + "find_package(sdk_demo REQUIRED)\n"},
+        STRAY | {"src/node/CMakeLists.txt": NODE["src/node/CMakeLists.txt"] + "find_package(SDK_Demo REQUIRED)\n"},
+        STRAY | {"docker/COLCON_IGNORE": ""},
     ],
 )
 def test_others_are_not_hidden(tree: Tree, files: dict[str, str]) -> None:
     assert tree(files).ignored == ()
+
+
+def test_a_folder_is_hidden_once(tree: Tree) -> None:
+    lacks = DEMO.replace("a.cpp", "lost.cpp")
+    assert tree(STRAY | {"docker/demo/CMakeLists.txt": lacks}).ignored == ("docker/demo",)
 
 
 def test_nothing_is_hidden_where_a_command_of_the_author_may_bring_it(tmp_path: Path, tree: Tree) -> None:

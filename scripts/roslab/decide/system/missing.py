@@ -283,7 +283,8 @@ def marked(build_tool: BuildTool, missing: Missing, packages: Packages, evidence
     if build_tool not in {*WORKSPACE_TOOLS, "rosmake"}:
         return ()
     folders = folders_of(packages, missing.packages) if SKIP.get(build_tool) == "" else ()
-    return (*packages.doubles, *folders, *nothing_to_build(evidence, packages, build_tool), *missing.strays)
+    empty = nothing_to_build(evidence, packages, build_tool)
+    return tuple(dict.fromkeys((*packages.doubles, *folders, *empty, *missing.strays)))
 
 
 def skipping(build_tool: BuildTool, packages: tuple[str, ...]) -> tuple[str, ...]:

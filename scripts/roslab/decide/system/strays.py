@@ -8,6 +8,7 @@ from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.nothing_to_build import outside_packages
+from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import SOURCE
 from roslab.decide.system.names import Target, resolve
@@ -41,12 +42,14 @@ def strays(
 
 
 def _taken(project: CMakeProject, folder: str) -> bool:
-    """Tell whether colcon takes a folder for a package: one that calls ``project()``, in no hidden folder."""
-    return project.top_level and bool(project.name) and not any(part.startswith(".") for part in folder.split("/"))
+    """Tell whether colcon takes a folder for a package: one that calls ``project()``, in no hidden or marked folder."""
+    seen = not project.ignored and not any(part.startswith(".") for part in folder.split("/"))
+    return seen and project.top_level and bool(project.name)
 
 
 def _needed(project: CMakeProject, evidence: Evidence) -> bool:
-    made = {project.name, *project.configs, *project.targets}
+    """Tell whether another project or a manifest asks for it; CMake finds ``mylib-config.cmake`` as ``MyLib``, too."""
+    made = {plain(name) for name in (project.name, *project.configs, *project.targets) if name}
     by_cmake = (asked for each in evidence.cmake if each is not project for asked in each.dependencies)
     by_manifest = (asked for manifest in evidence.manifests for asked in manifest.dependencies)
-    return any(asked.name in made for asked in (*by_cmake, *by_manifest))
+    return any(plain(asked.name) in made for asked in (*by_cmake, *by_manifest))

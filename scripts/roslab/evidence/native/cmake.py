@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.hidden import hidden
 from roslab.evidence.lex.cmake import NOTHING, PROJECT, WHOLE, Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, own_project
 from roslab.evidence.native.bare_links import with_bare
@@ -184,6 +185,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             minimum=reading.minimum is not None,
             rosbuild="rosbuild" in reading.macros,
         ),
+        ignored=hidden(repository, file.folder),
         added=above.within,
         adds=tuple(adds),
         top=file.folder if above.top is None else above.top,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslab.evidence.facts import PackageManifest
-from roslab.evidence.ros.package_xml import IGNORE_MARKERS
+from roslab.evidence.hidden import IGNORE_MARKERS
 from roslab.repository.checkout import Repository
 
 

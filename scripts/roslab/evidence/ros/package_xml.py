@@ -7,13 +7,12 @@ from itertools import product
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import PackageManifest
+from roslab.evidence.hidden import hidden
 from roslab.evidence.lex import xml
 from roslab.evidence.lex.xml import Element
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
-IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
-"""Markers that keep a folder from being a package: catkin_pkg and colcon-ros obey all three."""
 MAX_SIZE = 256 * 1024
 """Most bytes read; the longest package.xml of 73 real repositories has 20 kB."""
 _VERSIONS = {"version_eq": "=", "version_gte": ">=", "version_gt": ">", "version_lte": "<=", "version_lt": "<"}
@@ -36,17 +35,16 @@ def read(repository: Repository) -> tuple[PackageManifest, ...]:
     files = [file for file in repository.named("package.xml") if file.size <= MAX_SIZE]
     if not files:
         return ()
-    ignored = frozenset(file.folder for file in repository.named(*IGNORE_MARKERS))
-    found = (_manifest(repository, file, ignored) for file in files)
+    found = (_manifest(repository, file) for file in files)
     return tuple(sorted((manifest for manifest in found if manifest), key=lambda manifest: manifest.file))
 
 
-def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> PackageManifest | None:
+def _manifest(repository: Repository, file: File) -> PackageManifest | None:
     text = repository.read(file)
     root, problem = xml.parse(text)
     if root is None:
         malformed = problem or ("it is empty" if not text.strip() else "no XML element")
-        return _empty(file, _below(file, ignored), malformed)
+        return _empty(file, hidden(repository, file.folder), malformed)
     if root.tag != "package":
         return None  # another program's package.xml: Node, Symfony, Joomla
     return PackageManifest(
@@ -58,7 +56,7 @@ def _manifest(repository: Repository, file: File, ignored: frozenset[str]) -> Pa
         dependencies=tuple(_dependencies(root, file.path)),
         sources=tuple(_sources(root, file.path)),
         metapackage=any(root.below("export", "metapackage")),
-        ignored=_below(file, ignored),
+        ignored=hidden(repository, file.folder),
         malformed=problem,
         together=next(_together(root), None),
     )
@@ -79,17 +77,6 @@ def _empty(file: File, ignored: bool, malformed: str) -> PackageManifest:
         ignored=ignored,
         malformed=malformed,
     )
-
-
-def _below(file: File, ignored: frozenset[str]) -> bool:
-    folder = file.folder
-    while ignored:
-        if folder in ignored:
-            return True
-        if not folder:
-            break
-        folder = folder.rpartition("/")[0]
-    return False
 
 
 def _text(element: Element) -> str | None:
