@@ -119,6 +119,10 @@ def test_a_test_takes_the_place_of_an_entry_point_that_would_not_start_it(tmp_pa
             "cd /home/ann/atlas_ws && ls\ncd /home/ann/atlas_ws\nexec bash\n",
             ("/home/ann/atlas_ws", "ann", "goes on in another folder", 2),
         ),
+        (
+            'if a; then b; fi\nf() { echo "${A}"; }\ncase a in\nb) ;;\nesac\ncd /atlas_ws/src\nexec bash\n',
+            ("/atlas_ws/src", "atlas_ws", "goes on in another folder", 7),
+        ),
     ],
 )
 def test_a_folder_that_nothing_makes_is_told(tree: Tree, script: str, found: tuple[str, str, str, int]) -> None:
@@ -140,6 +144,13 @@ def test_a_folder_that_nothing_makes_is_told(tree: Tree, script: str, found: tup
         "cd /home/atlas_ws || true\n",
         "[ -d /home/atlas_ws ] && cd /home/atlas_ws\n",
         "# cd /home/atlas_ws\n",
+        '[ -n "$A" ] && cd /home/atlas_ws\n',
+        '[ -n "$A" ] && \\\n  cd /home/atlas_ws\n',
+        'if [ "$A" = dev ]; then\n  cd /home/atlas_ws\nfi\n',
+        "if false\nthen\n  for a in b; do echo; done\n  cd /home/atlas_ws\nfi\n",
+        'case "$1" in\n  dev)\n    cd /home/atlas_ws\n    ;;\nesac\n',
+        "work() {\n  cd /home/atlas_ws\n}\n",
+        "function work\n{\n  cd /home/atlas_ws\n}\n",
     ],
 )
 def test_a_folder_that_may_be_there_is_not_told(tree: Tree, script: str) -> None:
