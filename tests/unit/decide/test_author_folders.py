@@ -183,12 +183,18 @@ PROGRAM = "import numpy\nimport argparse\nCFG = {path!r}\nif __name__ == '__main
         ("/home/bob/work/thesis/data/a.yaml", []),
         ("/home/bob/work/thesis/a.yaml", []),
         ("/home/jovyan/thesis/cfg/a.yaml", []),
+        ("/scratch/bob/thesis/cfg/a.yaml", [("/scratch/bob/thesis", "source")]),
+        ("/thesis/cfg/a.yaml", []),
+        ("/data/cfg/a.yaml", []),
+        ("/datasets/bob/cfg/a.yaml", []),
+        ("/workspace/cfg/a.yaml", []),
+        ("/content/drive/cfg/a.yaml", []),
     ],
 )
 def test_a_program_of_no_package_finds_the_tree_where_its_author_had_it(
     tree: Tree, path: str, found: list[tuple[str, str]]
 ) -> None:
-    given = tree({"run.py": PROGRAM.format(path=path), "cfg/a.yaml": "a: 1\n"})
+    given = tree({"run.py": f"{PROGRAM.format(path=path)}# /src/\n", "cfg/a.yaml": "a: 1\n"})
     assert list(given.author_folders) == found
 
 

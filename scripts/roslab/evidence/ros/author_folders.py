@@ -29,6 +29,8 @@ _SYSTEM = frozenset(
     ("bin", "boot", "dev", "etc", "lib", "lib32", "lib64", "proc", "root", "run", "sbin", "snap", "sys", "tmp", "usr"),
 ) | {"var", "Users"}
 """Folders at the top of the image that are its own, into which its user cannot look, or that no Linux has."""
+_MOUNTED = frozenset(("content", "data", "dataset", "datasets", "workspace"))
+"""Folders at the top that users mount, or that a service has, rather than of one author."""
 _KEPT = ("/home/jovyan/", "/opt/ros/", "/opt/conda/")
 """Folders of the image, which are never the author's."""
 
@@ -92,9 +94,14 @@ class _Tree:
             known = built[3] in self.packages and len(_short(built[1])) == 0
             return (f"{built[1]}/{built[2]}", built[2], True, True) if known else None
         if found := self._found(parts):
-            return (*found, False, True)
+            return (*found, False, True) if self._of_author(found[0]) else None
         found = self._found(parts[:-1])
-        return (*found, False, False) if found else None
+        return (*found, False, False) if found and self._of_author(found[0]) else None
+
+    def _of_author(self, folder: str) -> bool:
+        """Tell whether a folder may be one author's: where the tree has no packages, none at the top of a machine."""
+        first, *below = folder.strip("/").split("/")
+        return bool(self.packages or self.inside) or (bool(below) and first not in _MOUNTED)
 
     def _found(self, parts: list[str]) -> tuple[str, str] | None:
         """Return the author's folder and the tree's for what only one file or folder of the tree ends like."""
