@@ -42,6 +42,12 @@ def test_tests_that_lack_a_package_are_not_compiled(tree: Tree, files: dict[str,
     assert decision.ctest is ("tests/CMakeLists.txt" in files and not left_out)
 
 
+def test_tests_are_compiled_where_their_library_is_there_by_another_name(tree: Tree) -> None:
+    asks = ASKS.replace("GTest", "YamlCpp")
+    decision = tree({**CODE, "CMakeLists.txt": BELOW, "tests/CMakeLists.txt": asks, "apt.txt": "libyaml-cpp-dev\n"})
+    assert "-DBUILD_TESTING=OFF" not in decision.cmake_options
+
+
 OPTION = 'option(DEMO_TESTS "Build tests" ON)\n'
 GUARDED = f"{TOP}{OPTION}if(DEMO_TESTS)\nadd_subdirectory(tests)\nendif()\n"
 

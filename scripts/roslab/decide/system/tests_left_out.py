@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 
-from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import folders_of
 from roslab.decide.system.names import Target, resolve
-from roslab.decide.system.required import own_names, similar
+from roslab.decide.system.required import own_names, provided_as
 from roslab.decide.system.tests import BUILD_TESTING, left_to_a_switch
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -21,7 +20,7 @@ def of_tests(evidence: Evidence, target: Target, packages: Packages, names: Coll
     for asked, switch in left_to_a_switch(evidence):
         found = resolve(asked, target)
         of_cmake = found.known and not found.apt
-        if asked.name not in inside and not of_cmake and not similar(plain(asked.name), names):
+        if asked.name not in inside and not of_cmake and not provided_as(asked.name, names):
             switches.setdefault(switch, asked)
     return switches
 
@@ -34,7 +33,7 @@ def of_package_tests(
     said = any(m.topic == "build_tool" and BUILD_TESTING in m.text for m in evidence.mentions)
     for asked, switch in () if said else left_to_a_switch(evidence):
         within = any(not folder or asked.file.startswith(f"{folder}/") for folder in folders)
-        known = asked.name in inside or resolve(asked, target).known or similar(plain(asked.name), names)
+        known = asked.name in inside or resolve(asked, target).known or provided_as(asked.name, names)
         if switch == BUILD_TESTING and within and not known and not may_hold(asked.name):
             return {switch: asked}
     return {}
