@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 from roslab.evidence.python.parsed import parsed
 from roslab.values.pattern import pattern
@@ -15,6 +16,7 @@ _OF_RELEASES = pattern(r"(?:\w+_)?(?:MAJOR|MINOR)|(?i:(?:parse|loose|strict|digi
 _VERSION = pattern(r"_?(?:ver(?:sion)?(?:_\w+)?|major|minor)", re.IGNORECASE)
 """What follows the name of a library there: ``TORCH_VERSION``, ``np_major``."""
 _MISSED = frozenset({"AttributeError", "ImportError", "ModuleNotFoundError"})
+_BODIES = ("body", "orelse", "finalbody")
 _TELLS = pattern(r"print|exit|quit|sys\.exit|os\._exit|warnings\.warn|rospy\.log\w*|(?:traceback|log\w*)\.\w+")
 
 
@@ -24,20 +26,45 @@ def of_some_versions(text: str, position: int) -> bool:
     An ``except`` that only stops or is silent is no other way. Code that Python 3 cannot read has no branches.
     """
     line = text.count("\n", 0, position) + 1
-    return any(first <= line <= last for first, last in _branches(text))
+    read = _read(text)
+    if any(first <= line <= last for first, last in read.branches):
+        return True
+    around = [each for each in read.statements if each.lineno <= line <= (each.end_lineno or each.lineno)]
+    within = min(around, key=lambda each: (each.end_lineno or each.lineno) - each.lineno, default=None)
+    chosen = (node for node in ast.walk(within) if isinstance(node, ast.IfExp)) if within else ()
+    return any(_tests(each.test, read.libraries) for each in chosen if _span([each])[0] <= line <= _span([each])[1])
+
+
+class _Read(NamedTuple):
+    """What of a file tells its branches: its statements alone are walked, expressions are ten times as many."""
+
+    statements: tuple[ast.stmt, ...] = ()
+    libraries: frozenset[str] = frozenset()
+    branches: tuple[tuple[int, int], ...] = ()
+    """The first and the last line of each."""
 
 
 @lru_cache(maxsize=1)
-def _branches(text: str) -> tuple[tuple[int, int], ...]:
-    """Return the first and the last line of each branch."""
+def _read(text: str) -> _Read:
     tree = parsed(text)
     if tree is None:
-        return ()
-    libraries = {name.lower() for node in ast.walk(tree) for name in _imported(node)}
-    return tuple(span for node in ast.walk(tree) for span in _of(node, libraries))
+        return _Read()
+    statements = tuple(_statements(tree.body))
+    libraries = frozenset(name.lower() for each in statements for name in _imported(each))
+    return _Read(statements, libraries, tuple(span for each in statements for span in _of(each, libraries)))
 
 
-def _imported(node: ast.AST) -> Iterator[str]:
+def _statements(body: Sequence[ast.stmt]) -> Iterator[ast.stmt]:
+    """Yield statements with those inside of them."""
+    open_ = [body]
+    while open_:
+        for each in open_.pop():
+            yield each
+            parts = (each, *getattr(each, "handlers", ()), *getattr(each, "cases", ()))
+            open_ += [inside for part in parts for name in _BODIES if (inside := getattr(part, name, None))]
+
+
+def _imported(node: ast.stmt) -> Iterator[str]:
     """Yield the names that code has for the modules of a statement: ``np``, ``torch``."""
     if isinstance(node, ast.Import):
         yield from (name.asname or name.name.partition(".")[0] for name in node.names)
@@ -45,10 +72,8 @@ def _imported(node: ast.AST) -> Iterator[str]:
         yield node.module.partition(".")[0]
 
 
-def _of(node: ast.AST, libraries: set[str]) -> Iterator[tuple[int, int]]:
-    if isinstance(node, ast.IfExp) and _tests(node.test, libraries):
-        yield _span([node])
-    elif isinstance(node, ast.If) and _tests(node.test, libraries):
+def _of(node: ast.stmt, libraries: Collection[str]) -> Iterator[tuple[int, int]]:
+    if isinstance(node, ast.If) and _tests(node.test, libraries):
         yield from (_span(part) for part in (node.body, node.orelse) if part)
     elif isinstance(node, ast.Try):
         ways = [handler.body for handler in node.handlers if _missing(handler, node)]
@@ -61,7 +86,7 @@ def _span(nodes: Sequence[ast.stmt | ast.expr]) -> tuple[int, int]:
     return nodes[0].lineno, nodes[-1].end_lineno or nodes[-1].lineno
 
 
-def _tests(test: ast.expr, libraries: set[str]) -> bool:
+def _tests(test: ast.expr, libraries: Collection[str]) -> bool:
     """Tell whether a condition is about the version of a library, or about what some versions of it have."""
     for node in ast.walk(test):
         name = node.id if isinstance(node, ast.Name) else node.attr if isinstance(node, ast.Attribute) else ""
@@ -75,7 +100,7 @@ def _tests(test: ast.expr, libraries: set[str]) -> bool:
     return False
 
 
-def _of_library(name: str, libraries: set[str]) -> bool:
+def _of_library(name: str, libraries: Collection[str]) -> bool:
     return any(name.lower().startswith(each) and _VERSION.fullmatch(name, len(each)) for each in libraries)
 
 
