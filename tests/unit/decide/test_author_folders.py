@@ -179,9 +179,9 @@ PROGRAM = "import numpy\nimport argparse\nCFG = {path!r}\nif __name__ == '__main
 @pytest.mark.parametrize(
     ("path", "found"),
     [
-        ("/home/bob/work/thesis/cfg/a.yaml", [("/home/bob/work/thesis", "source")]),
-        ("/home/bob/work/thesis/data/a.yaml", []),
-        ("/home/bob/work/thesis/a.yaml", []),
+        ("/home/bob/phd/thesis/cfg/a.yaml", [("/home/bob/phd/thesis", "source")]),
+        ("/home/bob/phd/thesis/data/a.yaml", []),
+        ("/home/bob/phd/thesis/a.yaml", []),
         ("/home/jovyan/thesis/cfg/a.yaml", []),
         ("/scratch/bob/thesis/cfg/a.yaml", [("/scratch/bob/thesis", "source")]),
         ("/thesis/cfg/a.yaml", []),
