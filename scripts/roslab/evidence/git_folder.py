@@ -24,8 +24,12 @@ _ASKS = pattern(
 _WORDS = ("rev-parse", "search_parent_directories")
 
 
-def read(repository: Repository) -> Iterator[Mention]:
-    """Yield the first line of Python that does, also in a launch file, which a program of the image may run."""
+def read(repository: Repository) -> tuple[Mention, ...]:
+    """Return the first line of Python that does, also in a launch file, which a program of the image may run."""
+    return repository.once(_read)
+
+
+def _read(repository: Repository) -> tuple[Mention, ...]:
     for file in repository.suffixed(".py"):
         if file.size > MAX_SIZE or places.aside(file.path) or places.documentation(file.path):
             continue
@@ -33,8 +37,8 @@ def read(repository: Repository) -> Iterator[Mention]:
         for match in matching_lines(_ASKS, text, *_WORDS) if any(word in text for word in _WORDS) else ():
             line = text.count("\n", 0, match.start()) + 1
             said = match[0].strip()
-            yield Mention(topic="git_folder", value="git", source="code", file=file.path, line=line, text=said)
-            return
+            return (Mention(topic="git_folder", value="git", source="code", file=file.path, line=line, text=said),)
+    return ()
 
 
 def needed(repository: Repository) -> Iterator[Dependency]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from roslab.evidence.archives import archives
 from roslab.evidence.facts import PackageManifest
+from roslab.evidence.packed import packed
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -29,7 +29,7 @@ def repositories(repository: Repository, manifests: Sequence[PackageManifest]) -
     own = {manifest.file.rpartition("/")[0] for manifest in manifests}
     licensed = {file.folder for file in repository.named(*_LICENCES)} - {"", *own}
     found = licensed & {file.folder for file in repository.named(*_PAGES)} if licensed else set[str]()
-    found |= {*archives(repository)} - own
+    found |= {*packed(repository)} - own
     return tuple(folder for folder in sorted(found) if any(below(manifest.file, [folder]) for manifest in manifests))
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from roslab.evidence import places
-from roslab.evidence.archives import archives
+from roslab.evidence.packed import packed
 from roslab.evidence.prose.blank_programs import with_programs
 from roslab.evidence.prose.blanks import chosen
 from roslab.evidence.prose.block_values import with_values
@@ -96,12 +96,12 @@ def pages(repository: Repository) -> tuple[File, ...]:
 
 def _pages(repository: Repository) -> tuple[File, ...]:
     found = []
-    packed = tuple(f"{folder}/" for folder in archives(repository))
+    others = tuple(f"{folder}/" for folder in packed(repository))
     for file in repository.suffixed(*_TEXTS):
         name = file.name.lower()
         if file.size > MAX_SIZE or places.vendored(file.path) or places.test(file.path) or name.endswith("lists.txt"):
             continue
-        if file.path.startswith(packed):
+        if file.path.startswith(others):
             continue  # another repository's
         if (name.endswith(".txt") or "." not in name) and not _ABOUT.match(name):
             continue

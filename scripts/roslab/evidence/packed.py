@@ -18,20 +18,20 @@ FEWEST = 2
 """Fewest packages of a repository without a licence."""
 
 
-def archives(repository: Repository) -> tuple[str, ...]:
+def packed(repository: Repository) -> tuple[str, ...]:
     """Return these folders, with a page, and a licence or several packages, beside a package of the tree's own."""
-    return repository.once(_archives)
+    return repository.once(_packed)
 
 
-def _archives(repository: Repository) -> tuple[str, ...]:
+def _packed(repository: Repository) -> tuple[str, ...]:
     packages = [file.folder for file in repository.named("package.xml")]
     if not packages:
         return ()
     own = repository.name.lower()
     licensed, paged = set[str](), set[str]()
     for file in repository.files:
-        packed = _PACKED.fullmatch(posixpath.basename(file.folder))
-        if packed and packed[1].lower() != own and file.folder.count("/") < _DEEPEST:
+        match = _PACKED.fullmatch(posixpath.basename(file.folder))
+        if match and match[1].lower() != own and file.folder.count("/") < _DEEPEST:
             stem = file.name.lower().partition(".")[0]
             licensed |= {file.folder} if stem in {"license", "licence", "copying"} else set()
             paged |= {file.folder} if stem == "readme" else set()
