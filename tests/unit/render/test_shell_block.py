@@ -74,6 +74,8 @@ def test_a_block_without_a_language_that_is_something_else(content: str) -> None
         "[me@pc ws]$ ",
         "(base)[ws]$ ",
         "~/ws$ ",
+        "$ ../src> ",
+        "C:\\ws\\src> ",
     ],
 )
 @pytest.mark.parametrize("info", ["", "bash", "console"])
