@@ -6,7 +6,8 @@ from roslab.decide.decision import Warning_
 from roslab.decide.programs import compiled, top_of
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.reasons import warn
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import framework_on_cuda
 from roslab.knowledge.guesses import tooling
 

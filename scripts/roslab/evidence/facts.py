@@ -8,6 +8,7 @@ from roslab.evidence.apt_source import AptSource
 from roslab.evidence.author_path import AuthorPath
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.code_limit import CodeLimit
+from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.entry_script import EntryScript
 from roslab.evidence.launch_file import LaunchFile
@@ -20,7 +21,6 @@ from roslab.evidence.program import Program
 from roslab.evidence.removed_name import Removed
 from roslab.evidence.service import Service
 from roslab.evidence.x86_only import X86Only
-from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 
@@ -103,26 +103,6 @@ class RequirementFile:
     options: tuple[str, ...]
     """Lines such as ``--extra-index-url …`` and ``-f …``."""
     purpose: Literal["run", "docs", "test", "dev", "vendored"]
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class CondaEnvironment:
-    """A conda environment file."""
-
-    file: str
-    line: int
-    name: str | None
-    python: str | None
-    packages: tuple[CondaPackage, ...]
-    requirements: tuple[Requirement, ...]
-    """The ``pip:`` part."""
-    channels: tuple[str, ...] = ()
-    specs: tuple[str, ...] = ()
-    """Of a manifest of pixi's, which no other manager reads: conda's packages in conda's notation."""
-    exported: bool = False
-    """A list that says that conda wrote it, on a Linux."""
-    tasks: tuple[tuple[str, str, int], ...] = ()
-    """Of pixi: name, command, line."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -41,6 +41,8 @@ class PythonPlan:
     conda_defaults: bool = False
     conda_local: tuple[str, ...] = ()
     conda_pip: bool = True
+    conda_instead: tuple[str, ...] = ()
+    conda_flow: bool = False
     conda_no_channels: tuple[str, ...] = ()
     conda_old_pip: str = ""
     conda_pip_below: str = ""
@@ -94,6 +96,8 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         conda_defaults=python.conda_defaults,
         conda_local=python.conda_local,
         conda_pip=python.conda_pip,
+        conda_instead=_lines(python.conda_instead),
+        conda_flow=python.conda_flow,
         conda_no_channels=python.conda_no_channels,
         conda_old_pip=python.conda_old_pip,
         conda_pip_below=python.conda_pip_below,

@@ -16,8 +16,9 @@ from roslab.decide.python.image_python import Python
 from roslab.decide.python.installed import installed
 from roslab.evidence import facts
 from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, RequirementFile
+from roslab.evidence.facts import Evidence, Mention, RequirementFile
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.program import Program
 from roslab.values.conda import conda_package

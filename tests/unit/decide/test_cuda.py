@@ -16,7 +16,8 @@ from roslab.decide.python.base import base_for
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.pins import pins
 from roslab.decide.python.torch_build import torch_build
-from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, RequirementFile
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence, Mention, RequirementFile
 from roslab.knowledge.frameworks import cuda_images, nearest_cuda_image
 from roslab.values.conda import conda_package
 from roslab.values.dataclass import replace

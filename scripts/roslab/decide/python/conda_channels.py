@@ -8,7 +8,8 @@ from roslab.decide.decision import Warning_
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.reasons import warn
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -53,6 +54,12 @@ def no_channels(evidence: Evidence, conda: str | None) -> tuple[str, ...]:
     """Return the addresses of packages among the channels of a file: the build stops where no channel answers."""
     listed = (each for environment in evidence.conda if environment.file == conda for each in environment.channels)
     return tuple(dict.fromkeys(each for each in listed if _NO_CHANNEL.fullmatch(each)))
+
+
+def in_brackets(evidence: Evidence, conda: str | None) -> bool:
+    """Tell whether a list of a file, of which lines may have to be changed, stands in brackets: ``pip: [a, b]``."""
+    changed = {"dependencies", "pip", *(["channels"] if no_channels(evidence, conda) else [])}
+    return any(each.flow & changed for each in evidence.conda if each.file == conda)
 
 
 def told(answer: Python) -> Iterator[Warning_]:

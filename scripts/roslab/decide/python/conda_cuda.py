@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.cuda.version import OF_CONDA
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import framework, newest_on_cuda
 from roslab.values.conda import CondaPackage
 from roslab.values.version import Version, minor_of, version_of

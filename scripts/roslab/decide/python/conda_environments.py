@@ -9,7 +9,8 @@ from roslab.config.model import Config, Kind
 from roslab.decide.python.manifests import VARIANT, for_reference, resolve
 from roslab.decide.python.parts import of_parts
 from roslab.evidence import places
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.tools import PIXI
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement

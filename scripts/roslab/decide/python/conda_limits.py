@@ -11,7 +11,8 @@ from roslab.decide.python.conda_channels import further_channels
 from roslab.decide.python.conda_cuda import builds_for_cuda
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.values.conda import CondaPackage, conda_package
 from roslab.values.dataclass import replace
 from roslab.values.version import Version, version_of

@@ -9,7 +9,8 @@ from roslab.decide.python.image_python import Python
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import build_needs
 from roslab.knowledge.tools import ALWAYS_ISOLATED
 from roslab.values.origin import Place

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
@@ -12,11 +12,11 @@ from roslab.decide.python.beside_nodes import Loose, beside_nodes
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.chosen_reasons import reasons_of
 from roslab.decide.python.conda_alone import conda_alone
-from roslab.decide.python.conda_channels import default_channels, further_channels, no_channels, told
+from roslab.decide.python.conda_channels import default_channels, further_channels, in_brackets, no_channels, told
 from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
+from roslab.decide.python.conda_part import conda_part
 from roslab.decide.python.conda_pip import of_conda_pip, old_pip, pip_below
-from roslab.decide.python.conda_refused import conda_refused, instead_of, told_of
 from roslab.decide.python.contradicted import contradicted
 from roslab.decide.python.contradicting import contradicting
 from roslab.decide.python.extension_code import decide_defines
@@ -35,10 +35,11 @@ from roslab.decide.python.left_frameworks import left_frameworks
 from roslab.decide.python.locked import locked_releases, of_what_is_installed
 from roslab.decide.python.lost import lost, with_told_links, without_history
 from roslab.decide.python.machine_lists import machine_lists
-from roslab.decide.python.manifests import beside, left_to_parts, with_includes
+from roslab.decide.python.manifests import beside, left_to_parts
 from roslab.decide.python.named_frameworks import named_frameworks
 from roslab.decide.python.native_parts import decide_native_parts
 from roslab.decide.python.numpy_limit import numpy_limit
+from roslab.decide.python.of_manifests import of_manifests, own_names
 from roslab.decide.python.old_setuptools import setuptools_of
 from roslab.decide.python.older_torch import older_torch, without_release
 from roslab.decide.python.other_environments import left_to_others
@@ -48,7 +49,7 @@ from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
-from roslab.decide.python.refused import Repaired, elsewhere, in_full, of_pages, repair, right, told_in_full, untold
+from roslab.decide.python.refused import Repaired, elsewhere, of_pages, repair, right, untold
 from roslab.decide.python.too_new import in_python, loosened
 from roslab.decide.python.torch_build import decide_build
 from roslab.decide.python.undeclared import decide_undeclared
@@ -88,16 +89,10 @@ def decide_python(
     lists, conda = pip_lists(config, ubuntu, number), chosen.conda if manager == "conda" else None
     loose = beside_nodes(evidence, kind, ubuntu, chosen.files) if manager == "system" else {}
     repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
-    manifests = [*loosened(_of_manifests(evidence, chosen), runs, loose)]
+    manifests = [*loosened(of_manifests(evidence, chosen), runs, loose)]
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
-    listed = [asked for each in evidence.conda if each.file == conda for asked in each.requirements]
-    off = conda_refused(listed, number)
-    of_file = [
-        asked
-        for asked in _of_environment(evidence, chosen)
-        if asked not in off and not asked.role and (manager != "conda" or pixi)
-    ]
-    declared = [*lists.requirements, *repaired.requirements, *map(in_full, of_file)]
+    part = conda_part(evidence, chosen, number, by_file=conda is not None and not pixi)
+    declared = [*lists.requirements, *repaired.requirements, *part.declared]
     kept = dict(kept_by_build_types(evidence, [*declared, *chosen.guessed, *manifests]))
     declared += kept
     extended = kind == "cuda" and manager != "system" and (extends_torch(evidence, chosen) or bool(by_script(evidence)))
@@ -183,7 +178,7 @@ def decide_python(
         interpreter=interpreter,
         pip=tuple(dict.fromkeys(declared)),
         pip_tried=repaired.tried,
-        pip_guessed=tuple(dict.fromkeys((*one_build(right(guessed), cuda), *instead_of(off, number)))),
+        pip_guessed=tuple(dict.fromkeys((*one_build(right(guessed), cuda), *part.tried))),
         requirements=tuple(file.file for file in whole),
         beside_files=beside_lists(right(chosen.guessed), whole),
         cloned_files=cloned_files(evidence, chosen.files),
@@ -196,8 +191,10 @@ def decide_python(
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,
         conda_channels=(*(pixi or alone).channels, *further_channels(evidence, conda)),
-        conda_local=(*(each.written for each in listed if each.role == "project"), *(each.name for each in off)),
-        conda_pip=any(each.role != "project" and each not in off for each in listed),
+        conda_local=part.local,
+        conda_pip=part.others,
+        conda_flow=in_brackets(evidence, conda),
+        conda_instead=part.instead,
         conda_no_channels=no_channels(evidence, conda),
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
@@ -237,21 +234,20 @@ def decide_python(
             *told(answer),
             *outvoted(own, ubuntu, ros_distro),
             *repaired.warnings,
-            *told_in_full(of_file),
             *defines.warnings,
             *lists.warnings,
             *native.warnings,
             *bounds.warnings,
             *numpy.warnings,
             *options.warnings,
-            *untold(chosen.guessed, {each.key for each in alone.asked} | _own_names(evidence)),
+            *untold(chosen.guessed, {each.key for each in alone.asked} | own_names(evidence)),
             *left_to_gpus(evidence, kind),
             *left_frameworks(evidence, kind, everything),
             *lost(evidence, kind, chosen, ubuntu if manager == "system" else None),
             *unread(chosen.projects),
             *without_history(evidence),
             *consents(chosen.guessed, evidence),
-            *told_of(off, number),
+            *part.warnings,
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
             *(gone_lists(evidence) if kind in {"python", "cuda"} else ()),
@@ -276,24 +272,5 @@ def _interpreter(version: str | None) -> Interpreter:
 def _repaired(evidence: Evidence, chosen: Chosen, python: str | None, brought: set[str], loose: Loose) -> Repaired:
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
     repaired = repair(evidence, chosen.files, chosen.projects, names | brought, python, loose=loose)
-    more = right(loosened(chosen.declared, python), of_pages(evidence, _own_names(evidence)))
+    more = right(loosened(chosen.declared, python), of_pages(evidence, own_names(evidence)))
     return replace(repaired, requirements=(*repaired.requirements, *more))
-
-
-def _own_names(evidence: Evidence) -> set[str]:
-    """Return the names of the tree's own projects and of what is cloned."""
-    names = {project.name for project in evidence.python} | {git.name.rpartition("/")[2] for git in evidence.sources}
-    return {canonicalize_name(name) for name in names if name}
-
-
-def _of_manifests(evidence: Evidence, chosen: Chosen) -> list[Requirement]:
-    """Return what the chosen files, projects and environment ask for."""
-    found = [asked for file in with_includes(evidence, chosen.files) for asked in file.requirements]
-    found += [asked for project in chosen.projects for asked in project.requirements if asked.role in {"", "source"}]
-    return [*found, *chosen.declared, *_of_environment(evidence, chosen)]
-
-
-def _of_environment(evidence: Evidence, chosen: Chosen) -> Iterator[Requirement]:
-    for environment in evidence.conda:
-        if environment.file == chosen.conda:
-            yield from environment.requirements

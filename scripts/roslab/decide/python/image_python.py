@@ -60,6 +60,10 @@ class Python:
     """Lines for pip that are taken out of the conda file: folders of the tree, and what pip cannot install."""
     conda_pip: bool = True
     """The conda file has pip install something else."""
+    conda_instead: tuple[Requirement, ...] = ()
+    """Those of ``pip`` that stand for lines which are taken out: one call of pip chooses them and the others."""
+    conda_flow: bool = False
+    """A list of the conda file stands in brackets, which are unfolded before lines of it are changed."""
     conda_no_channels: tuple[str, ...] = ()
     """What the conda file lists as channels and is none: the page or the file of a package."""
     conda_old_pip: str = ""

@@ -8,7 +8,8 @@ from roslab.decide.python.mistaken import mistaken
 from roslab.decide.python.native_parts import brought
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.refused import refused
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 
@@ -29,7 +30,7 @@ def installed(evidence: Evidence, python: Python) -> tuple[Requirement, ...]:
     asked = [each for each in asked if each not in wrong]
     for environment in evidence.conda:
         if environment.file == python.conda_file:
-            asked += _of_conda(evidence, environment)
+            asked += (each for each in _of_conda(evidence, environment) if each.name not in python.conda_local)
     beside = [each for each in python.python2 if Interpreter(pythons=("2.7",)).may(each)]
     held = [each for each in (*asked, *python.pip_guessed) if python.interpreter.may(each)]
     first = [each for each in python.pip if python.interpreter.may(each)]

@@ -17,7 +17,8 @@ from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.ros.workspace import nothing_builds, types
 from roslab.evidence import places
-from roslab.evidence.facts import CondaEnvironment, Evidence, Mention, PythonProject, RequirementFile
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence, Mention, PythonProject, RequirementFile
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
-from roslab.evidence.facts import AuthorDockerfile, CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.frameworks import conda_names, framework_on_cuda, imports, released_together, tabled, unstated
 from roslab.knowledge.guesses import same_module
 from roslab.values.conda import CondaPackage

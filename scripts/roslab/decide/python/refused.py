@@ -89,7 +89,7 @@ def right(requirements: Iterable[Requirement], of_pages: Mapping[str, Requiremen
     """Yield what pip can install, with wrong names corrected and with what pages take from git, by name."""
     for asked in map(in_full, requirements):
         row = refused(asked)
-        if _from_page(asked, of_pages):
+        if from_page(asked, of_pages):
             page = of_pages[asked.key]
             extras = f"[{','.join(asked.extras)}]" if asked.extras else ""
             written = f"{asked.name}{extras} @ {page.url}"
@@ -140,6 +140,11 @@ def of_pages(evidence: Evidence, own: Collection[str]) -> dict[str, Requirement]
     return found
 
 
+def further_index(option: str) -> bool:
+    """Tell whether an option names a place for packages beside, or in place of, pip's index."""
+    return bool(_FURTHER.match(option))
+
+
 def _of_manifests(evidence: Evidence) -> Iterator[Requirement]:
     """Yield what the tree's own manifests ask for, the projects first."""
     yield from (asked for each in evidence.python if not places.vendored(each.file) for asked in each.requirements)
@@ -147,7 +152,7 @@ def _of_manifests(evidence: Evidence) -> Iterator[Requirement]:
     yield from (asked for each in evidence.conda for asked in each.requirements)
 
 
-def _from_page(asked: Requirement, of_pages: Mapping[str, Requirement]) -> bool:
+def from_page(asked: Requirement, of_pages: Mapping[str, Requirement]) -> bool:
     """Tell whether a page's address stands for a declared name: one without a version, or that pip cannot find.
 
     That of another manifest stands for one with a version, too, as a list that pip wrote from what was installed from
@@ -191,9 +196,9 @@ def repair(
     for file in files:
         found = [asked for each in with_includes(evidence, [file]) for asked in each.requirements]
         spelled = [asked for asked in found if asked.role == "repaired"]
-        taken = [asked for asked in found if _from_page(asked, pages)]
-        missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
-        if any(_FURTHER.match(option) for option in file.options):  # one of ROS's packages for pip, perhaps
+        taken = [asked for asked in found if from_page(asked, pages)]
+        missing = [asked for asked in found if refused(asked) and not from_page(asked, pages)]
+        if any(map(further_index, file.options)):  # one of ROS's packages for pip, perhaps
             missing = [asked for asked in missing if not of_ros(asked.key)]
         short = [asked for asked in found if in_full(asked) is not asked]
         gone = [path for _, path in lacking(evidence, [file])]
@@ -216,8 +221,8 @@ def repair(
         warnings += [*(loose.get(asked) or told(asked, python) for asked in newer), *wrong.values()]
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
-        taken = [asked for asked in found if _from_page(asked, pages)]
-        missing = [asked for asked in found if refused(asked) and not _from_page(asked, pages)]
+        taken = [asked for asked in found if from_page(asked, pages)]
+        missing = [asked for asked in found if refused(asked) and not from_page(asked, pages)]
         missing = [asked for asked in missing if asked.key not in names]
         newer = [each for each in found if unmet(each, python) or in_python(each, python)]
         short = [asked for asked in found if in_full(asked) is not asked]

@@ -12,7 +12,7 @@ from roslab.decide.python.bounds import Constraints, excluded
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
-from roslab.evidence.facts import CondaEnvironment
+from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.knowledge.frameworks import conda_names
 from roslab.knowledge.undeclared_limits import UndeclaredLimit, undeclared_limits
 from roslab.values.dataclass import dataclass

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from roslab.decide.ros.distro_dates import dated, supported
 from roslab.evidence import places
-from roslab.evidence.facts import CondaEnvironment, Evidence
+from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distros_of
 from roslab.knowledge.table import row
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
-from roslab.evidence.facts import CondaEnvironment
+from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
 from roslab.values.pattern import pattern
@@ -18,7 +18,9 @@ _NAME = pattern(
 )
 _LIST = pattern(r"require|depend|conda|env|spec|package|pip|freeze")
 """A word in the name of a list that conda may have written."""
-_SHAPE = pattern(r"^dependencies:", re.MULTILINE)
+_SHAPE = pattern(r"^dependencies\s*:", re.MULTILINE)
+_FLOW = pattern(r"^(?:(channels|dependencies) *:|[ ]*- *\{? *(pip) *:)(?:[ \t]*(?:#.*)?\r?\n)*[ \t]*\[", re.MULTILINE)
+"""A list in brackets, as the image's script unfolds it."""
 _OPTIONS = ("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")
 _FOLDER = pattern(r"(?:(?:-e|--editable)\s+)?((?:\.{1,2}|[\w.-]+/)(?:[\w.-]+/?)*|\./?[\w./-]*)(?:\[[\w,-]+\])?")
 """A folder of the tree: ``-e .``, ``submodules/simple-knn``."""
@@ -68,11 +70,7 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     entries = data.get("dependencies") if isinstance(data, dict) else None
     if not isinstance(entries, list):
         return None
-    lines = text.split("\n")
-
-    def line_of(entry: str) -> int:
-        return next((number for number, line in enumerate(lines, 1) if entry in line), 1)
-
+    line_of = _lines_of(text)
     named = (conda_package(entry) for entry in entries if isinstance(entry, str))
     packages = tuple(package for package in named if package)
     inner = [entry["pip"] for entry in entries if isinstance(entry, dict) and isinstance(entry.get("pip"), list)]
@@ -87,8 +85,23 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
         python=minor_of(python) if python else None,
         packages=packages,
         requirements=tuple(pip),
+        flow=frozenset(first or second for first, second in _FLOW.findall(text)),
         channels=tuple(each for each in channels if isinstance(each, str)) if isinstance(channels, list) else (),
     )
+
+
+def _lines_of(text: str) -> Callable[[str], int]:
+    """Return what tells the line of an entry: that where it stands alone, else the first that holds it."""
+    lines = text.split("\n")
+    alone: dict[str, int] = {}
+    for number, line in enumerate(lines, 1):
+        alone.setdefault(line.strip().removeprefix("- ").partition(" #")[0].strip(" \"'"), number)
+
+    def line_of(entry: str) -> int:
+        holding = (number for number, line in enumerate(lines, 1) if entry in line)
+        return alone.get(entry) or next(holding, 1)
+
+    return line_of
 
 
 def _item(item: str, path: str, line: int) -> Requirement | None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from roslab.evidence.facts import CondaEnvironment
+from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.values.conda import CondaPackage, conda_package
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from roslab.evidence.facts import CondaEnvironment
+from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
 from roslab.values.requirement import Requirement

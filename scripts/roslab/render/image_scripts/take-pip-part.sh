@@ -2,7 +2,7 @@
 # usage: take-pip-part FILE
 # Moves the list that a conda environment's file has for pip to FILE.pip, which pip reads once the environment is there:
 # with the environment's own Python, and so from the index of a day. What it includes is found from the same folder.
-# A list on one line is left to conda.
+# Lists in brackets were unfolded before.
 set -euo pipefail
 
 awk -v list="$1.pip" -v quotes="[\"']" '

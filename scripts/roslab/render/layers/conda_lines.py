@@ -11,6 +11,8 @@ from roslab.plan.python import PythonPlan
 from roslab.render import quote
 from roslab.render.layers import building, caches, manifests, shell
 
+UNFOLD = "unfold-lists"
+"""The script that they need where ``conda_flow`` is set."""
 _PIP = "^ *- *pip:[[:space:]]*(#.*)?$"
 """The line above what a conda file has for pip, as sed finds it."""
 
@@ -18,11 +20,12 @@ _PIP = "^ *- *pip:[[:space:]]*(#.*)?$"
 def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
     """Return the commands that take out of a conda file what it cannot install, and correct its pip.
 
-    None where the image has no such file: its packages are given by name.
+    Lists in brackets are unfolded before. None where the image has no such file: its packages are given by name.
     """
     if python.conda_specs:
         return ()
-    commands = [*_without(python.conda_local, file, others=python.conda_pip)]
+    commands = [f"{UNFOLD} {quote.shell(file)}"] if python.conda_flow else []
+    commands += _without(python.conda_local, file, others=python.conda_pip)
     if python.conda_no_channels:
         commands.append(_fewer_channels(python.conda_no_channels, file))
     if python.conda_old_pip:
@@ -41,7 +44,7 @@ def specs(python: PythonPlan) -> tuple[str, ...]:
 def pip_part(plan: Plan, python: str, options: str) -> tuple[str, ...]:
     """Return the commands that install what take-pip-part left beside a conda file, as conda would; none without it.
 
-    Before it comes what its packages are compiled with.
+    Before it comes what its packages are compiled with, and with it what stands for lines that were taken out.
 
     ``python`` is the environment's own, ``options`` are pip's: the file may pin a torch of which another index has the
     build for the image's CUDA.
@@ -51,7 +54,8 @@ def pip_part(plan: Plan, python: str, options: str) -> tuple[str, ...]:
         return ()
     folder, name = posixpath.split(posixpath.join(manifests.FOLDER, file))
     pip = f"{python} -m pip install {caches.pip_option(plan)}{options}"
-    install = building.also_with_what_is_there(plan, pip, f" --upgrade --requirement {quote.shell(f'{name}.pip')}")
+    words = f" --upgrade --requirement {quote.shell(f'{name}.pip')}{shell.words(plan.python.conda_instead)}"
+    install = building.also_with_what_is_there(plan, pip, words)
     before = (f"{pip}{shell.words(plan.python.first)}",) if plan.python.first else ()
     return (*before, f"(cd {quote.shell(folder)} && {install})")
 
@@ -70,7 +74,7 @@ def _without(entries: Sequence[str], file: str, *, others: bool) -> tuple[str, .
     if not entries:
         return ()
     names = "|".join(re.escape(entry) for entry in entries)
-    version = "( *[<>=!~;@][^#]*)?"
+    version = "( *[(<>=!~;@][^#]*)?"
     entry = f"^ *- *[\"']?(-e +|--editable +)?([.]/)?({names})/?( *\\[[^]]*\\])?{version}[\"']?[[:space:]]*(#.*)?$"
     entry += "" if others else f"|{_PIP}"
     script = f"\\%{_PIP}%,${{\\%{entry}%d}}"

@@ -127,6 +127,8 @@ def _conda(plan: Plan) -> str:
         more += f"CONDA_OVERRIDE_CUDA={quote.shell(python.conda_cuda)} "
     lists, file = locks.conda(plan)
     pip_part = _conda_pip(plan)
+    if without and python.conda_flow:
+        copy = shell.copy_script(conda_lines.UNFOLD) + copy
     if file:
         copy, source, without = lists, f"--file {file}", ()
     elif pip_part:
@@ -173,7 +175,8 @@ def packages(plan: Plan) -> str:
     there = python.manager == "conda" and bool(_conda_pip(plan))
     commands = [f"{pip}{shell.words(python.first)}"] if python.first and not there else []
     commands += [building.with_option(pip, option, line) for line, option in python.cuda_options]
-    required = [line for line in python.pip if line not in python.pip_tried]
+    by_then = (*python.pip_tried, *(python.conda_instead if there else ()))
+    required = [line for line in python.pip if line not in by_then]
     if isolated := [line for line in required if line not in python.beside]:
         words = f"{pip_options(python.pip_options)}{shell.words(_arguments(isolated))}"
         commands.append(building.also_with_what_is_there(plan, pip, words))
