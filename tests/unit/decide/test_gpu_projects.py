@@ -73,6 +73,23 @@ def test_what_only_asks_for_a_gpu_is_told_that_there_is_one(
     assert not any("no GPU" in each.message for each in plan.warnings)
 
 
+@pytest.mark.parametrize(
+    ("page", "config"),
+    [
+        ("# Build in docker\n```\ncd ops\nsh make.sh\n```\n```\npip install -e ops\n```\n", ""),
+        ("# Run\n```\ncd ops\nsh make.sh\n```\n", "format: 3\ncustom: |\n  echo more\n"),
+    ],
+)
+def test_a_project_whose_script_the_image_does_not_run_is_installed(tmp_path: Path, page: str, config: str) -> None:
+    files = {**OPS, "ops/setup.py": EXTENSION + SETUP.format(check=RAISES), "README.md": page}
+    for path, text in {**files, **({"roslab.yaml": config} if config else {})}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    plan = plan_repository(tmp_path).plan
+    assert plan.workspace.python_projects == ("ops",)
+    assert "make.sh" not in dockerfile(plan)
+
+
 def test_what_asks_for_more_is_left_out(tree: Tree) -> None:
     decided = tree(
         {**OPS, "ops/setup.py": EXTENSION + SETUP.format(check=ASKS_MORE), "README.md": "pip install ./ops\n"}

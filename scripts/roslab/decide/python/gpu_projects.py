@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.config.model import Kind
+from roslab.config.model import Config, Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
+from roslab.decide.system.run_by_pages import MOST, run_by_pages
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PythonProject
 
@@ -29,10 +30,12 @@ def asking(evidence: Evidence, kind: Kind) -> tuple[str, ...]:
     return tuple(dict.fromkeys(project.folder or "." for project in found))
 
 
-def by_scripts(evidence: Evidence) -> frozenset[str]:
-    """Return the folders of those that ask and that a script of the page compiles, beside the program."""
-    scripted = {said.value.partition(" ")[0] for said in evidence.mentions if said.topic == "build_script"}
-    return frozenset(p.folder for p in evidence.python if p.folder in scripted and _ASKED in p.extensions)
+def by_scripts(evidence: Evidence, config: Config, kind: Kind) -> frozenset[str]:
+    """Return the folders of those that ask and that a script of the page compiles in the image, beside the program."""
+    asking_too = {p.folder for p in evidence.python if p.folder and _ASKED in p.extensions}
+    if not asking_too:
+        return frozenset()
+    return frozenset(script.folder for script, _ in run_by_pages(evidence, config, kind)[:MOST]) & asking_too
 
 
 def left_to_gpus(evidence: Evidence, kind: Kind) -> Iterator[Warning_]:

@@ -10,7 +10,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.python.beside_lock import beside_lock, left_to_lock
 from roslab.decide.python.compiling import COMPILED_ON_IMPORT
-from roslab.decide.python.gpu_projects import by_scripts, only_on_gpu
+from roslab.decide.python.gpu_projects import only_on_gpu
 from roslab.decide.python.imported_submodules import imported
 from roslab.decide.python.machine_lists import not_installed, of_machines
 from roslab.decide.python.parts import of_parts
@@ -157,11 +157,16 @@ def resolve(asked: Requirement, known: Iterable[str]) -> str | None:
 
 
 def projects(
-    evidence: Evidence, kind: Kind, conda: str | None, files: Iterable[RequirementFile] = ()
+    evidence: Evidence,
+    kind: Kind,
+    conda: str | None,
+    files: Iterable[RequirementFile] = (),
+    compiled: Collection[str] = frozenset(),
 ) -> tuple[PythonProject, ...]:
     """Return the folders to install: the root, what a README or the given files install, else the nearest.
 
-    A README that installs its own folder says nothing of the folders beside it.
+    A README that installs its own folder says nothing of the folders beside it. Those that are ``compiled`` otherwise
+    are left out.
     """
     ros = kind in {"ros1", "ros2"}
     by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
@@ -170,7 +175,6 @@ def projects(
     by_cmake_alone = {
         manifest.file.rpartition("/")[0] for manifest in evidence.manifests if types(manifest) == {"cmake"}
     }
-    compiled = by_scripts(evidence)
     installable = (p for p in evidence.python if p.installable and not only_on_gpu(p, kind))
     usable = {p.folder: p for p in installable if p.folder not in compiled}
     chosen: dict[str, PythonProject] = {}

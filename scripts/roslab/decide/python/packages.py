@@ -10,6 +10,7 @@ from roslab.decide.python.conda_environments import conda_file
 from roslab.decide.python.contradicting import afterwards, of_one_call
 from roslab.decide.python.environment_extras import for_environments
 from roslab.decide.python.extras import extras, of_pages
+from roslab.decide.python.gpu_projects import by_scripts
 from roslab.decide.python.guesses import guesses, known_names, known_requirements, loose_names, to_show
 from roslab.decide.python.manifests import projects, requirement_files
 from roslab.decide.python.of_nodes import of_nodes
@@ -49,7 +50,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     files = requirement_files(evidence, config, kind, conda)
     whole = conda is None and config.requirements is None
     kept, left = of_one_call(evidence, files) if whole else (files, ())
-    folders = projects(evidence, kind, conda, files)
+    folders = projects(evidence, kind, conda, files, by_scripts(evidence, config, kind))
     ros = kind in {"ros1", "ros2"}
     declared = () if ros or files or conda or folders else tuple(_of_refused(evidence))
     manifests = bool(files or conda or declared or any(project.requirements for project in folders))

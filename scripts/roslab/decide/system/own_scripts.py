@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
-import shlex
 from collections.abc import Collection, Iterator
 
 from roslab.config.model import Config, Kind
@@ -19,23 +17,17 @@ from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.inside import meant
 from roslab.decide.system.names import Target
-from roslab.evidence import places
+from roslab.decide.system.run_by_pages import ASIDE, MOST, by_author, by_make_alone, run_by_pages, script_of
 from roslab.evidence.cmake_project import CMakeProject
-from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 WEIGHT = 300
 """Sources do not compete, so it only orders the report."""
-MOST = 6
-_UNREAD = pattern(r"(?:^|/)(?:build|make|compile)(?:[_-]\w+)*\.(?:sh|py)$")
-"""What is run though nobody has read it, because it lies in a submodule that the image clones."""
 _INSTALLS = pattern(r"(?:^|/)(?:build|make|compile|install)(?:[_-]\w+)*\.sh$")
 """Such scripts of a submodule as a page calls before make: without what they compile, make has nothing to link."""
-_ASIDE = pattern(
-    r"\b(?:docker|docs?|documentation|tests?|wheels?|release|optional|windows?|mac\w*|jetson|real)\b", re.IGNORECASE
-)
 _ANEW = "make --always-make"
 _QMAKE = "QT_SELECT=5 qmake"
 """qtchooser, which is ``qmake`` on Ubuntu, starts that of Qt 4 without it where no package says otherwise."""
@@ -45,7 +37,6 @@ _LEFT = (
     "the page has CMake compile {folder}, which the image does not: it asks for {lacks}, which the image lacks; "
     "compile it under `custom` in roslab.yaml"
 )
-_PLAIN = pattern(r"[\w./=+-]+")
 _PLAIN_OPTION = pattern(r"-D\w+(?::\w+)?=[\w.+-]+")
 
 
@@ -69,28 +60,20 @@ def decide_scripts(
     Of a C++ project only those of copied libraries and submodules: CMake compiles the project itself, and the folders
     ``inside`` too. ``projects``: folders that pip installs editable, which compiles what their setup.py does.
     """
-    if config.compatible or config.custom or config.build:
+    if by_author(config):
         return Choice(answer=())
     if kind not in {"python", "cuda", "cpp"}:
         return _of_packages(evidence, target) if kind == "ros1" else Choice(answer=())
     listed = evidence.python or evidence.requirements or evidence.conda
-    if evidence.makefiles and (kind == "cpp" or (kind == "cuda" and not listed)):
+    if by_make_alone(evidence, kind):
         return _made(evidence, kind)
     compiled = {folder for folder, _ in inside.answer} | {reason.file for reason in inside.reasons}
-    modules = tuple(f"{git.name}/" for git in evidence.sources if git.kind == "submodule")
-    absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
-    said = [m for m in evidence.mentions if m.topic == "build_script" and m.source == "readme"]
-    said = [m for m in said if not places.vendored(m.file) and not _ASIDE.search(m.heading)]
-    nearest = min((mention.file.count("/") for mention in said), default=0)
-    found: dict[str, tuple[OwnScript, Mention]] = {}
-    for mention in said:
-        script = _script(mention, absent) if mention.file.count("/") == nearest else None
-        library = script and (places.vendored(script.path) or script.path.startswith(modules))
-        if script and posixpath.basename(script.path) == "setup.py" and (script.folder or ".") in projects:
-            continue
-        if script and (kind != "cpp" or (library and not {script.folder, script.path} & compiled)):
-            found.setdefault(script.path, (script, mention))
-    chosen = list(found.values())[:MOST]
+    chosen = [
+        (script, mention)
+        for script, mention in run_by_pages(evidence, config, kind)
+        if not (_is_setup(script) and (script.folder or ".") in projects)
+        and (kind != "cpp" or not {script.folder, script.path} & compiled)
+    ][:MOST]
     wanted = frozenset[str]().union(*map(found_by, evidence.cmake))
     needing = linking(evidence, top_of(evidence)) if kind == "cpp" else ()
     later = [(replace(_part(project, found=False), after=True), asked) for project, asked in needing]
@@ -103,7 +86,7 @@ def decide_scripts(
     of_pages = compiled_beside(evidence, target) if kind == "python" or (kind == "cuda" and listed) else ()
     itself = kind == "cuda" and of_cpp(evidence)  # CMake compiles the one at the root
     said_so = [
-        each for each in of_pages if not _ASIDE.search(each[1].heading) and not (itself and "/" not in each[0].file)
+        each for each in of_pages if not ASIDE.search(each[1].heading) and not (itself and "/" not in each[0].file)
     ]
     beside = [(_part(project, found=False, options=m.text), m) for project, m, lacks in said_so if not lacks]
     built = list(_by_install(evidence, projects))
@@ -134,6 +117,10 @@ def decide_scripts(
             if lacks
         ),
     )
+
+
+def _is_setup(script: OwnScript) -> bool:
+    return posixpath.basename(script.path) == "setup.py"
 
 
 def _first(script: OwnScript) -> OwnScript:
@@ -199,7 +186,7 @@ def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
     why = "its Makefile compiles the project"
     absent = tuple(git.name for git in evidence.sources if git.kind == "submodule" and git.absent)
     said = (m for m in evidence.mentions if m.topic == "build_script" and m.source == "readme" and not m.files)
-    first = {s.path: (s, m) for m in said if not _ASIDE.search(m.heading) and (s := _script(m, absent, _INSTALLS))}
+    first = {s.path: (s, m) for m in said if not ASIDE.search(m.heading) and (s := script_of(m, absent, _INSTALLS))}
     return Choice(
         answer=(
             *(script for script, _ in first.values()),
@@ -221,31 +208,3 @@ def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
             ),
         ),
     )
-
-
-def _script(mention: Mention, absent: tuple[str, ...], unread: re.Pattern[str] = _UNREAD) -> OwnScript | None:
-    """Return how a script is run from the root; ``None`` for one that is neither in the tree nor in a submodule.
-
-    Of one in a submodule, only if its name is among the ``unread`` that may be run.
-    """
-    folder, script, *words = mention.value.split()
-    folder = "" if folder == "." else folder
-    if not all(map(_PLAIN.fullmatch, (script, *words))):
-        return None
-    if mention.files:
-        path = mention.files[0]
-    else:
-        path = posixpath.normpath(posixpath.join(folder, script))
-        inside = next((name for name in absent if f"/{name}/" in f"/{path}"), None)
-        if not unread.search(path):
-            return None
-        if inside is not None:
-            above = f"/{path}".index(f"/{inside}/")  # a page may begin above the root
-            path, folder = path[above:], folder[above:] if inside in folder else ""
-        elif folder and (ends := [name for name in absent if name.endswith(f"/{folder}")]) and len(ends) == 1:
-            path, folder = posixpath.normpath(posixpath.join(ends[0], script)), ends[0]  # or below it
-        else:
-            return None
-    program = "bash" if script.endswith(".sh") else "python3"
-    command = shlex.join((program, posixpath.relpath(path, folder or "."), *words))
-    return OwnScript(folder=folder, path=path, command=command)
