@@ -61,3 +61,30 @@ def test_a_folder_that_is_put_on_the_path_is_a_root(more: dict[str, str], tmp_pa
     files = {"deep/outer/robomimic/algo.py": "", "run/train.py": "from robomimic.algo import algo_factory\n"}
     assert outside(tmp_path, files) == ["robomimic"]
     assert outside(tmp_path, more) == []
+
+
+SERIAL = "import {}\nport = {}('/dev/ttyUSB0')\n"
+
+
+@pytest.mark.parametrize(
+    ("code", "found"),
+    [
+        (SERIAL.format("serial", "serial.Serial"), ["serial"]),
+        (SERIAL.format("serial as pyserial", "pyserial.Serial"), ["serial"]),
+        (SERIAL.format("time, serial", "serial.Serial"), ["serial"]),
+        ("from serial import Serial\n", ["serial"]),
+        ("from serial import (\n    Serial,\n    SerialException,\n)\n", ["serial"]),
+        ("from serial import driver\n", []),
+        ("from serial import *\n", []),
+        ("import serial\nimport serial.driver\nserial.driver.start()\n", []),
+    ],
+)
+def test_a_folder_that_is_no_package_hides_none(code: str, found: list[str], tmp_path: Path) -> None:
+    page = "export PYTHONPATH=$PYTHONPATH:$(pwd):$(pwd)/serial\n"
+    assert outside(tmp_path, {"serial/driver.py": "", "scripts/run.py": code, "setup.sh": page}) == found
+
+
+@pytest.mark.parametrize("module", ["serial/__init__.py", "serial.py"])
+def test_a_package_of_the_tree_is_what_is_imported(module: str, tmp_path: Path) -> None:
+    files = {"serial/driver.py": "", module: "", "run.py": SERIAL.format("serial", "serial.Serial")}
+    assert outside(tmp_path, files) == []

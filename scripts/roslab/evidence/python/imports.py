@@ -11,6 +11,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.python import notebooks
 from roslab.evidence.python.compiled_modules import compiled_modules
+from roslab.evidence.python.foreign import foreign
 from roslab.evidence.python.modules import MAX_READ, Module, modules
 from roslab.evidence.python.namesakes import Namesakes, namesakes
 from roslab.evidence.python.of_python3 import of_python3
@@ -80,7 +81,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         node = bool(frameworks[file.path]) and _of_node(module)
         for match, tops in found_in:
             for top in tops:
-                inside = top in local and not _foreign(match, top, like, file)
+                inside = top in local and not foreign(match, _whole(match), top, like, file)
                 if _standard(top) or inside or top.startswith("_"):
                     continue
                 known = found.get(top)
@@ -243,13 +244,6 @@ def _standard(module: str) -> bool:
     return own and module not in known_imports()
 
 
-def _foreign(match: re.Match[str], top: str, like: Namesakes, file: File) -> bool:
-    """Tell whether a statement imports a known package and not the tree's folder of that name."""
-    return top in like.found and any(
-        name.partition(".")[0] == top and like.foreign(name, file) for name in _whole(match)
-    )
-
-
 def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str], Namesakes]:
     """Return every name that could be a module of the tree: its Python files, their folders and what it compiles.
 
@@ -274,10 +268,11 @@ def _local(repository: Repository) -> tuple[frozenset[str], frozenset[str], Name
     names |= above - known_imports().keys()
     names -= _imported_beside(repository, names - {file.name.partition(".")[0] for file in repository.suffixed(".py")})
     of_ros = {file.folder.rpartition("/")[2] for file in repository.named("package.xml")}
-    like = names & known_imports().keys() - of_ros
+    compiled = compiled_modules(repository)
+    like = names & known_imports().keys() - of_ros - compiled
     started = (program.file for program in programs(repository))
     return (
-        frozenset(names | of_ros | compiled_modules(repository)),
+        frozenset(names | of_ros | compiled),
         frozenset(sorted_in),
         namesakes(repository, like, started),
     )

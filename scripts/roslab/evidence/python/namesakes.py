@@ -37,8 +37,25 @@ class Namesakes:
         top, _, inner = module.partition(".")
         if top not in self.found:
             return False
-        seen = [folder for folder in self.found[top] if self._on_path(folder, file)]
-        return not any(self._has(f"{folder}/{top}".lstrip("/"), inner) for folder in seen)
+        return not any(self._has(path, inner) for path in self._seen(top, file))
+
+    def without(self, top: str, names: AbstractSet[str], file: File) -> bool:
+        """Tell whether a file takes ``names`` of a module, and the tree has nothing of that name but folders without.
+
+        Python prefers an installed package to a folder that is none, whichever comes first on its path
+        (https://peps.python.org/pep-0420/#specification, read 2026-11-27).
+        """
+        seen = self._seen(top, file)
+        plain = all(path in self.repository.folders and not self._module(path) for path in seen)
+        return bool(names) and plain and not any(self._has(path, name) for path in seen for name in names)
+
+    def _seen(self, top: str, file: File) -> list[str]:
+        folders = (folder for folder in self.found[top] if self._on_path(folder, file))
+        return [f"{folder}/{top}".lstrip("/") for folder in folders]
+
+    def _module(self, path: str) -> bool:
+        """Tell whether a path is that of a module or of a package."""
+        return any(self.repository.has(f"{each}{suffix}") for each in (path, f"{path}/__init__") for suffix in _CODE)
 
     def _on_path(self, folder: str, file: File) -> bool:
         above = not folder or file.folder == folder or file.folder.startswith(f"{folder}/")
