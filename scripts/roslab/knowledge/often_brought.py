@@ -24,3 +24,9 @@ def brought_modules() -> dict[str, frozenset[str]]:
 def all_brought() -> dict[str, frozenset[str]]:
     """Return the packages of which all is known that they bring in any release, and what those bring, normalised."""
     return {row["pip"]: frozenset(row["brings"].split()) for row in rows("all_brought")}
+
+
+@cache
+def framework_users() -> dict[str, str]:
+    """Return packages of which every release of today brings a framework, with that."""
+    return {row["pip"]: row["framework"] for row in rows("framework_users")}

@@ -11,8 +11,9 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import imports
+from roslab.knowledge.frameworks import build_needs, imports
 from roslab.knowledge.guesses import same_module
+from roslab.knowledge.often_brought import all_brought, framework_users
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 
@@ -20,9 +21,10 @@ from roslab.values.requirement import Requirement
 def left_frameworks(evidence: Evidence, kind: Kind, asked: Iterable[Requirement]) -> Iterator[Warning_]:
     """Yield a warning for each framework that code of the tree imports and nothing installs; ``asked``: of pip.
 
-    Where one of them is installed, another is another way to do the same.
+    Where one of them is installed, by another package too, another is another way to do the same.
     """
     names = {each.key for each in asked}
+    names |= {name for key in names for name in _brought(key)}
     if kind not in {"ros1", "ros2"} or names & FRAMEWORKS:
         return
     keys = {key.name for manifest in packages_of(evidence).built for key in manifest.dependencies}
@@ -39,3 +41,9 @@ def left_frameworks(evidence: Evidence, kind: Kind, asked: Iterable[Requirement]
             continue
         message = f"nothing asks for {name} by its name: no node of the tree imports it, only code beside them"
         yield warn(f"{message}; if that is to run in the image, give {name} under `pip` in roslab.yaml", each)
+
+
+def _brought(key: str) -> Iterator[str]:
+    """Yield the frameworks that come with a package, or that are there before it is built."""
+    found = {framework_users().get(key, ""), *all_brought().get(key, ()), *build_needs().get(key, ())}
+    yield from sorted(found & FRAMEWORKS)
