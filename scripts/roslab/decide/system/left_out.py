@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from types import MappingProxyType
 
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
@@ -20,6 +21,7 @@ SKIP: dict[BuildTool, str] = {
 """How a build tool leaves packages out: by an argument, or by a marker in their folders, which all
 releases of catkin_tools and of catkin_make_isolated know. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
 https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
+_LETTERS = "CMake requires {name}, and the tree has {other}: CMake tells letters apart, and {then}; write {other} there"
 SOURCE = "give its repository under `source` in roslab.yaml"
 
 
@@ -45,12 +47,14 @@ def leave_out(
     left: Collection[str],
     tried: Mapping[str, str],
     linked: Collection[str],
+    alike: Mapping[str, str] = MappingProxyType({}),
 ) -> LeftOut:
     """Return what is left out, as far as something else is built and nothing of it is started.
 
     ``lacking``: packages, each with a name that CMake requires and nothing brings; ``left``: packages that are left out
     already. ``tried``: where the build looks for such names; ``linked``: those of them for which a page names a
-    repository. What needs these is left out only in the image, where none holds them.
+    repository. What needs these is left out only in the image, where none holds them. ``alike``: the names of
+    the tree, by these in small letters.
     """
     out: dict[str, None] = dict.fromkeys(left)
     perhaps: dict[str, list[str]] = {}
@@ -73,9 +77,11 @@ def leave_out(
         unless = f"; the build looks for it in {where}, and where it is not there," if where else ":"
         others = f", and with it {', '.join(with_it[1:])}" if with_it[1:] else ", which no other package needs"
         then = f"{package} is left out of the build{others}" if skipped else f"{build_tool} will stop at {package}"
-        warnings.append(
-            warn(f"nothing is known that brings {name}, which CMake requires{unless} {then}; {SOURCE}", asked)
-        )
+        if (other := alike.get(name.lower(), name)) != name:
+            warnings.append(warn(_LETTERS.format(name=name, other=other, then=then), asked))
+        else:
+            text = f"nothing is known that brings {name}, which CMake requires{unless} {then}; {SOURCE}"
+            warnings.append(warn(text, asked))
     return LeftOut(
         packages=tuple(sorted(out)),
         lacking=tuple((name, folders_of(packages, names)) for name, names in perhaps.items()),

@@ -34,6 +34,7 @@ from roslab.decide.system.required import (
     by_pip,
     of_program,
     of_program_and_below,
+    other_letters,
     provided_as,
     required,
     similar,
@@ -170,7 +171,10 @@ def decide_missing(
         started=started,
         left=skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {},
     )
-    found = leave_out(lacking, packages, build_tool, started=started, left=left, tried=tried or {}, linked=linked)
+    alike, tried = other_letters(evidence, packages), tried or {}
+    found = leave_out(
+        lacking, packages, build_tool, started=started, left=left, tried=tried, linked=linked, alike=alike
+    )
     warnings = [*codeless, *told_configs(found.warnings, unmet, kind)]
     first = {asked.name: asked for asked in reversed(unsure_of)}
     warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
@@ -179,7 +183,7 @@ def decide_missing(
     if kind != "cpp":
         told = {asked.name for _, asked in unmet}
         there = names | known | told
-        warnings += without_headers(evidence, packages, there, tried or {}, build_tool=build_tool, cloned=cloned)
+        warnings += without_headers(evidence, packages, there, tried, build_tool=build_tool, cloned=cloned)
         warnings += without_own(evidence, packages, lambda name: plain(name) in names, build_tool)
     warnings += without_library(evidence, packages, names, build_tool, unread=cloned or custom)
     warnings += other_than_carried(evidence, packages, target, made)
@@ -189,7 +193,7 @@ def decide_missing(
     of_build = Built(target=target, names=names, build_tool=build_tool, kind=kind, out=found.packages)
     unfound = (
         *not_found(evidence, packages, target, names, build_tool, built=made),
-        *(() if custom else _lost(evidence, packages, of_build, may_hold, tried or {})),
+        *(() if custom else _lost(evidence, packages, of_build, may_hold, tried)),
     )
     warnings += [warning for _, warning in unfound]
     hidden = {

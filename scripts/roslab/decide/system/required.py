@@ -99,12 +99,37 @@ def own_names(evidence: Evidence, packages: Packages) -> AbstractSet[str | None]
     return packages.names | {each.name for each in evidence.cmake} | evidence.cmake_modules
 
 
+def in_any_letters(evidence: Evidence) -> AbstractSet[str]:
+    """Return the names, in small letters, of projects of CMake that others may find by that name in any letters.
+
+    CMake looks for ``FOOConfig.cmake`` and for ``foo-config.cmake``
+    (https://cmake.org/cmake/help/latest/command/find_package.html#config-mode-search-procedure, read 2026-11-27); where
+    a project installs neither, what makes it known is not seen here. Packages of ROS are found by their letters.
+    """
+    of_ros = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
+    plainly = [project for project in evidence.cmake if project.file.rpartition("/")[0] not in of_ros]
+    installed = {name for project in evidence.cmake for name in project.configs}
+    capital = {name.lower() for name in installed if not name.islower()}
+    names = {project.name.lower() for project in plainly if project.name} - capital
+    return names | {name for name in installed if name.islower()}
+
+
+def other_letters(evidence: Evidence, packages: Packages) -> dict[str, str]:
+    """Return, by their names in small letters, the packages of the tree and what its projects install for CMake."""
+    names = (*packages.names, *(each for project in evidence.cmake for each in project.configs))
+    return {name.lower(): name for name in names if name}
+
+
 def outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     """Yield what a project requires and the tree does not have, but for tests."""
-    own = own_names(evidence, packages)
+    own, others = own_names(evidence, packages), in_any_letters(evidence)
     for asked in project.dependencies:
-        if _to_build(asked) and asked.name not in own:
+        if _to_build(asked) and asked.name not in own and not (_by_cmake(asked) and asked.name.lower() in others):
             yield asked
+
+
+def _by_cmake(asked: Dependency) -> bool:
+    return asked.namespace == "cmake"
 
 
 def _to_build(asked: Dependency) -> bool:
