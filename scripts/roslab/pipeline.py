@@ -24,6 +24,7 @@ from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
+from roslab.values.redacted import redacted
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -89,6 +90,7 @@ def plan_repository(
         said = tuple(replace(p, message=f"{p.message}; {found}") for p in error.problems)
         raise NothingToBuildError(*nothing.with_branches(said, named_branches.others(repository))) from None
     decision, version = _with_version(decision, evidence, repository)
+    decision = _without_secrets(decision)
     plan = make_plan(
         decision,
         config,
@@ -156,6 +158,15 @@ def _with_version(
         warning = Warning_(message=message, file=first.file, line=first.line)
         decision = replace(decision, warnings=(*decision.warnings, warning))
     return decision, version
+
+
+def _without_secrets(decision: Decision) -> Decision:
+    """Return the decision without the logins and tokens that its messages would quote."""
+    return replace(
+        decision,
+        warnings=tuple(replace(each, message=redacted(each.message)) for each in decision.warnings),
+        reasons=tuple(replace(r, reason=redacted(r.reason), answer=redacted(r.answer)) for r in decision.reasons),
+    )
 
 
 def _without_own_files(repository: Repository) -> Repository:

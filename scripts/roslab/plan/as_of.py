@@ -8,6 +8,7 @@ from roslab.knowledge import days
 from roslab.knowledge.distros import distro
 from roslab.knowledge.os_releases import release_of, system_of
 from roslab.values.dataclass import dataclass, replace
+from roslab.values.redacted import redacted
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -64,6 +65,6 @@ def _lacking(decision: Decision, day: str) -> list[str]:
             found.append(f"rosdep's tables are of {tables}, the first that today's rosdep reads")
     if decision.python.manager == "conda":
         found.append("conda's packages have no day: they are today's, as far as nothing pins them")
-    found += [f"{option} names packages without a day" for option in decision.python.options]
+    found += [f"{redacted(option)} names packages without a day" for option in decision.python.options]
     found += [f"{source.name} is an archive, which has no history" for source in decision.source if source.zip]
     return found

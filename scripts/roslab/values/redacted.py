@@ -1,0 +1,37 @@
+"""Texts without the logins and tokens that an author has left in an address or a command.
+
+The messages of a plan are printed in logs and pages that anybody may read.
+"""
+
+from __future__ import annotations
+
+import re
+
+from roslab.values.pattern import pattern
+
+HIDDEN = "***"
+_LOGIN = pattern(
+    r"(\b(?:[a-z]+\+)?(?:https?|ftps?|wss?)://)[^/\s@'\"]+@|(\b(?:[a-z]+\+)?\w+://)[^/\s@:'\"]*:[^/\s@'\"]+@"
+)
+"""Before a host; of ``ssh://git@host`` the name is no secret, a password is."""
+_QUERY = pattern(
+    r"([?&](?:[\w-]*(?:token|secret|passw(?:or)?d|signature|credential)|api[-_]?key|key|auth|sig)=)[^&\s'\"]+",
+    re.IGNORECASE,
+)
+_OPTION = pattern(
+    r"(--(?:\w+-)?passw(?:or)?d[= ]\s*|(?:^|\s)(?:-u|--user)[= ]\s*(?![\d$])(?=[^\s:/]+:[^\s/])|"
+    r"\bauthorization:\s*(?:\w+\s+)?(?=[^\s'\"]{8}))[^\s'\"]+",
+    re.IGNORECASE,
+)
+"""Of wget and curl; ``--user 1000:1000`` is docker's, and ``pip install --user`` names nobody."""
+_TOKEN = pattern(r"\b(?:gh[pousr]_\w{20,}|github_pat_\w{20,}|glpat-[\w-]{20,}|hf_[A-Za-z0-9]{20,})")
+"""https://github.blog/engineering/platform-security/behind-githubs-new-authentication-token-formats/,
+https://docs.gitlab.com/security/tokens/ and https://huggingface.co/docs/hub/security-tokens, read 2026-11-27."""
+
+
+def redacted(text: str) -> str:
+    """Return a text with ``***`` in place of each login, password and token."""
+    if "://" in text:
+        text = _LOGIN.sub(lambda match: f"{match[1] or match[2]}{HIDDEN}@", text)
+        text = _QUERY.sub(rf"\1{HIDDEN}", text)
+    return _TOKEN.sub(HIDDEN, _OPTION.sub(rf"\1{HIDDEN}", text))

@@ -1,0 +1,49 @@
+"""What a plan tells holds no login, password or token of its author."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.values.redacted import redacted
+
+TOKEN = "ghp_" + "a1B2" * 9
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("wget https://me:abc@host.test/a.zip is left out", "wget https://***@host.test/a.zip is left out"),
+        (f"git+https://{TOKEN}@github.com/lab/a.git", "git+https://***@github.com/lab/a.git"),
+        ("ssh://git@host.test/a and git@host.test:a/b", "ssh://git@host.test/a and git@host.test:a/b"),
+        ("ssh://git:abc@host.test/a", "ssh://***@host.test/a"),
+        ("--index-url=https://me:a@b.test/simple", "--index-url=https://***@b.test/simple"),
+        ("https://host.test/a?x=1&access_token=abc&y=2", "https://host.test/a?x=1&access_token=***&y=2"),
+        ("https://host.test/a?X-Amz-Signature=abc", "https://host.test/a?X-Amz-Signature=***"),
+        ("curl -u me:abc https://host.test/a", "curl -u *** https://host.test/a"),
+        ("curl -H 'Authorization: token abcdefgh' x", "curl -H 'Authorization: token ***' x"),
+        ("wget --user=me --http-password=abc x", "wget --user=me --http-password=*** x"),
+        ("docker run --user 1000:1000 a", "docker run --user 1000:1000 a"),
+        ("docker run -u $(id -u):$(id -g) a", "docker run -u $(id -u):$(id -g) a"),
+        ("pip install --user git+https://host.test/a", "pip install --user git+https://host.test/a"),
+        ("https://host.test/a@v1 and me@host.test", "https://host.test/a@v1 and me@host.test"),
+        (f"export TOKEN={TOKEN}", "export TOKEN=***"),
+        ("the password of roslab.yaml: see user:group", "the password of roslab.yaml: see user:group"),
+    ],
+)
+def test_a_text_is_shown_without_secrets(text: str, shown: str) -> None:
+    assert redacted(text) == shown
+
+
+def test_a_plan_quotes_none(tmp_path: Path) -> None:
+    page = "# Installation\n```\nwget https://me:s3cr3t@host.test/tool.deb\nsudo dpkg -i tool.deb\n```\n"
+    files = {"README.md": page, "run.py": "import json\n", "requirements.txt": "numpy\n"}
+    for path, text in files.items():
+        (tmp_path / path).write_text(text)
+    planned = plan_repository(tmp_path)
+    told = [each.message for each in (*planned.plan.warnings, *planned.decision.warnings)]
+    told += [f"{each.answer} {each.reason}" for each in planned.plan.reasons]
+    assert any("https://***@host.test/tool.deb" in message for message in told)
+    assert not any("s3cr3t" in message for message in told)
