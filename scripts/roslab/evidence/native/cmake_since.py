@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 from functools import cache
 
+from roslab.evidence import git_modules
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.cmake import Call
@@ -20,7 +21,6 @@ from roslab.values.version import Version
 _DEFINED = pattern(r"^[ \t]*(?:function|macro|add_library)[ \t]*\([ \t\n]*([\w:.+-]+)", re.IGNORECASE | re.MULTILINE)
 _VERSION = pattern(r"(\d+(?:\.\d+){1,3})(?:\.\.\.|$)")
 _BY_CONFIG = pattern(r"\bfind_package[ \t]*\(\s*(\w+)\b[^()#]{0,200}\s(?:CONFIG|NO_MODULE)\b", re.IGNORECASE)
-_SUBMODULE = pattern(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 _DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRARY")
 _MODULE = ("include", "find_package")
 _BEGINS = frozenset({*_MODULE, "list", "string", "file", "set"})
@@ -100,7 +100,7 @@ def without_own(
         *defined(repository),
     }
     itself = {name.lower() for project in found for name in project.brought}
-    submodules = _SUBMODULE.findall(repository.read(".gitmodules")) if repository.has(".gitmodules") else ()
+    submodules = [each.path for each in git_modules.entries(repository.read(git_modules.FILE))]
     itself |= {path.rpartition("/")[2].lower() for path in (*repository.listing.empty, *submodules)}
     itself |= {"gtest"} if "googletest" in itself else set()
     brought = itself | set(_by_config(repository))

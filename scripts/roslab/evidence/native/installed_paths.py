@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import takewhile
 
+from roslab.evidence import git_modules
 from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.lex.cmake import Call
 from roslab.repository.checkout import Repository
@@ -20,7 +21,6 @@ _SHARED = "INSTALL_TO_SHARE"
 https://github.com/ament/ament_cmake (ament_cmake_auto/cmake/ament_auto_package.cmake), 2026-11-26"""
 _HERE = pattern(r"^\$\{(?:CMAKE_CURRENT|PROJECT)_SOURCE_DIR\}/")
 _PATH = pattern(r"[\w.+@-]+(?:/[\w.+@-]+)*/?")
-_MODULE = pattern(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 MAX_PATHS = 60
 _WRITES = pattern(
     r"\bfile\s*\(\s*(?:DOWNLOAD|MAKE_DIRECTORY|WRITE|APPEND|COPY|GENERATE|CONFIGURE|ARCHIVE_EXTRACT)\b"
@@ -83,8 +83,8 @@ def code_not_there(
 
 def _submodules(repository: Repository) -> tuple[str, ...]:
     """Return the folders of submodules, each with a ``/`` behind it."""
-    files = repository.named(".gitmodules")
-    found = ((file, match[1]) for file in files for match in _MODULE.finditer(repository.read(file)))
+    files = repository.named(git_modules.FILE)
+    found = ((file, each.path) for file in files for each in git_modules.entries(repository.read(file)))
     return tuple(posixpath.normpath(posixpath.join(file.folder, path)) + "/" for file, path in found)
 
 

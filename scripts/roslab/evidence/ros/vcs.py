@@ -11,7 +11,7 @@ import shlex
 from collections.abc import Iterator, Sequence
 from functools import cache
 
-from roslab.evidence import places
+from roslab.evidence import git_modules, places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.fixtures import of_tests
 from roslab.evidence.ros import gitman, handed_lists
@@ -250,7 +250,7 @@ def _submodules(repository: Repository) -> tuple[GitSource, ...]:
     That is the only path of its name at which the commit records a commit, where it records none at that of the entry.
     An entry of a folder in which others lie is left over from before they were added: git keeps none inside another.
     """
-    entries = {module: name for name, module in _of_gitmodules(repository)} if repository.has(".gitmodules") else {}
+    entries = {module: name for name, module in _of_gitmodules(repository)} if repository.has(git_modules.FILE) else {}
     above = {module.name[:at] for module in entries for at, sign in enumerate(module.name) if sign == "/"}
     modules = tuple(module for module in entries if module.name not in above)
     named = {module.name for module in modules}
@@ -269,25 +269,15 @@ def _submodules(repository: Repository) -> tuple[GitSource, ...]:
 
 def _of_gitmodules(repository: Repository) -> Iterator[tuple[str, GitSource]]:
     """Yield each after its entry's name; only the .gitmodules at the root counts: nested ones are of copied trees."""
-    text = repository.read(".gitmodules")
-    import configparser  # noqa: PLC0415 - few repositories have submodules
-
-    parser = configparser.ConfigParser(strict=False, interpolation=None, allow_no_value=True)
-    try:
-        parser.read_string("\n".join(line.strip() for line in text.split("\n")))
-    except configparser.Error:
-        return
-    for section in parser.sections():
-        said = (parser.get(section, key, fallback="") or "" for key in ("path", "url", "branch"))
-        path, url, branch = (value.replace('"', "") for value in said)  # git takes these marks away, too
-        if section.startswith("submodule") and path and url:
+    for each in git_modules.entries(repository.read(git_modules.FILE)):
+        if each.url:
             module = GitSource(
-                name=path.strip("/"),
-                url=https(url, repository.origin),
-                ref=branch or None,
+                name=each.path,
+                url=https(each.url, repository.origin),
+                ref=each.branch or None,
                 strength="declared",
-                file=".gitmodules",
-                line=_line(text, url),
+                file=git_modules.FILE,
+                line=each.line,
                 kind="submodule",
             )
-            yield section.partition('"')[2].rstrip('"'), module
+            yield each.name, module
