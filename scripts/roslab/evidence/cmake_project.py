@@ -26,6 +26,8 @@ class CMakeProject:
     """The folder of the first CMakeLists.txt of those that add it, its own where none does."""
     always: bool = False
     """Those above it add its folder under no condition, from the one that is called first."""
+    usual: bool = True
+    """So they do in a usual build: under no condition, or where options are on that are on by default."""
     languages: tuple[str, ...]
     macros: tuple[str, ...]
     """Macro families that it calls: ``catkin``, ``ament``, ``rosbuild``, ``cuda``."""
@@ -44,7 +46,10 @@ class CMakeProject:
     minimum: Dependency | None = None
     """The CMake version that ``cmake_minimum_required`` asks for, as ``version``."""
     newer: tuple[Dependency, ...] = ()
-    """What it always calls and only later releases of CMake have, each with the first of them as ``version``."""
+    """What it always calls and only later releases of CMake have, each with the first of them as ``version``.
+
+    ``CMake`` is the highest ``cmake_minimum_required`` after the first one, and of what it includes.
+    """
     tests: bool = False
     """It has tests for ctest."""
     programs_in: str | None = None

@@ -193,3 +193,46 @@ MATRIX = "jobs:\n  build:\n    strategy:\n      matrix:\n        os: [ubuntu-18.
 def test_of_equal_ubuntus_the_one_that_fits_the_pages(tmp_path: Path, demand: str, page: str, base: str) -> None:
     files = {"CMakeLists.txt": TOP.format(demand), "README.md": page, ".github/workflows/build.yml": MATRIX}
     assert decided(tmp_path, files).base_image == base
+
+
+HIGHER = "cmake_minimum_required(VERSION 3.24)\n"
+TREE = {"lib/CMakeLists.txt": "project(lib)\nadd_library(lib lib.cpp)\n", "README.md": "Tested on Ubuntu 22.04.\n"}
+
+
+@pytest.mark.parametrize(
+    ("body", "lib", "asked"),
+    [
+        (f"option(GPU x ON)\nif(GPU)\n{HIGHER}endif()", "", "cmake>=3.24,<4"),
+        (f"option(GPU x OFF)\nif(GPU)\n{HIGHER}endif()", "", None),
+        (f"if(WIN32)\n{HIGHER}endif()", "", None),
+        ("add_subdirectory(lib)", HIGHER, "cmake>=3.24,<4"),
+        ("add_subdirectory(lib)", f"option(GPU x ON)\nif(GPU)\n{HIGHER}endif()\n", "cmake>=3.24,<4"),
+        ("option(LIB x ON)\nif(LIB)\nadd_subdirectory(lib)\nendif()", HIGHER, "cmake>=3.24,<4"),
+        ("option(LIB x OFF)\nif(LIB)\nadd_subdirectory(lib)\nendif()", HIGHER, None),
+        ("if(EXISTS lib/x)\nadd_subdirectory(lib)\nendif()", HIGHER, None),
+        ("include(cmake/newer.cmake)", "", "cmake>=3.24,<4"),
+        ("option(NEWER x OFF)\nif(NEWER)\ninclude(cmake/newer.cmake)\nendif()", "", None),
+    ],
+)
+def test_the_highest_version_of_all_that_is_read_counts(tmp_path: Path, body: str, lib: str, asked: str | None) -> None:
+    files = {**TREE, "CMakeLists.txt": PLAIN.format(body), "cmake/newer.cmake": HIGHER}
+    files["lib/CMakeLists.txt"] = lib + files["lib/CMakeLists.txt"]
+    found = decided(tmp_path, files)
+    assert [each.text for each in found.python.pip_guessed] == ([asked] if asked else [])
+    reasons = [reason for reason in found.reasons if reason.answer == asked and asked]
+    assert [reason.file for reason in reasons if "lib" in (reason.file or "")] == (
+        ["lib/CMakeLists.txt"] if lib and asked else []
+    )
+
+
+def test_a_python_project_that_cmake_compiles_gets_the_newer_cmake_before_it(tmp_path: Path) -> None:
+    cmake = f"cmake_minimum_required(VERSION 3.16)\nproject(x CXX)\noption(GPU x ON)\nif(GPU)\n{HIGHER}"
+    files = {
+        "CMakeLists.txt": f"{cmake}enable_language(CUDA)\nendif()\nadd_library(x SHARED x.cu)\n",
+        "x.cu": "#include <cuda_runtime.h>\n",
+        "pyproject.toml": BACKEND.format("scikit-build-core") + 'dependencies = ["torch"]\n',
+        "README.md": "Tested on Ubuntu 22.04 with CUDA 12.4.\n\n    pip install .\n",
+    }
+    found = decided(tmp_path, files)
+    assert (found.kind, found.python.projects) == ("cuda", (".",))
+    assert "cmake>=3.24,<4" in [each.text for each in found.python.pip_guessed]

@@ -269,3 +269,11 @@ def test_a_package_compiled_as_cpp11_tells_nothing_of_another(tree: Tree) -> Non
     moved = {f"{folder}/{path}": text for folder, each in (("a", files), ("b", other)) for path, text in each.items()}
     moved["b/package.xml"] = PACKAGE.replace("demo", "other")
     assert tree(moved | {"README.md": "Tested with ROS Noetic"}).ros_distro == "noetic"
+
+
+def test_a_newer_cmake_that_a_folder_asks_for_counts_where_pip_has_none(tree: Tree) -> None:
+    files = ros1(page="Tested with ROS Indigo")
+    assert tree(files).ros_distro == "indigo"
+    files["CMakeLists.txt"] += "add_subdirectory(part)\n"
+    files["part/CMakeLists.txt"] = "cmake_minimum_required(VERSION 3.1.3)\nadd_library(part part.cpp)\n"
+    assert tree(files).ros_distro == "kinetic"

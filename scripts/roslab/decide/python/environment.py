@@ -81,7 +81,7 @@ def decide_python(
     """
     own = of_ubuntu(own, kind, ubuntu)
     chosen, number = with_told_links(evidence, kind, own.answer.chosen), own.answer.version
-    if (newer := from_pip(evidence, kind, ubuntu)) and not (kind == "cuda" and chosen.projects):
+    if newer := from_pip(evidence, kind, ubuntu, chosen.projects):
         chosen = with_guess(chosen, newer)
     alone = conda_alone(evidence, own.answer)
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)

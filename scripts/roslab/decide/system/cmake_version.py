@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable
 
 from roslab.config.model import Kind
@@ -9,7 +10,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.facts import Evidence, Mention, PythonProject
 from roslab.knowledge.distros import cmake_of_ubuntu
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -27,14 +28,35 @@ BRINGS_CMAKE = frozenset({"cmake", "scikit-build-core"})
 def needed_cmake(evidence: Evidence) -> Dependency | None:
     """Return the highest version that any CMakeLists.txt of the build requires, with the line that requires it.
 
-    One that calls what only later releases have requires those, whatever it says.
+    One that calls what only later releases have requires those, whatever it says. So does each file that these add.
     """
     folders = {manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built}
     projects = [project for project in evidence.cmake if not places.aside(project.file)]
     built = [p for p in projects if (p.file.rpartition("/")[0] in folders or (not folders and p.top_level))]
+    built.sort(key=lambda project: project.file.count("/"))
+    parts = {p.file: p for p in (*built, *_below(built, projects), *reached(built, evidence.cmake))}
+    return highest(built, parts.values())
+
+
+def highest(built: Iterable[CMakeProject], parts: Iterable[CMakeProject]) -> Dependency | None:
+    """Return the highest version that projects require, with the files that they add."""
     demands = [project.minimum for project in built if project.minimum]
-    demands += [each for project in (*built, *_below(built, projects)) for each in project.newer]
+    demands += [each for project in parts for each in project.newer]
     return max(demands, key=lambda demand: Version(demand.version or "0"), default=None)
+
+
+def reached(built: Iterable[CMakeProject], projects: Iterable[CMakeProject]) -> list[CMakeProject]:
+    """Return the files that a usual build of these projects reads, over as many files that add others as there are."""
+    by_folder = {project.file.rpartition("/")[0]: project for project in projects}
+    found: dict[str, CMakeProject] = {}
+    left = list(built)
+    while left:
+        for folder in left.pop().adds:
+            part = by_folder.get(posixpath.normpath(folder))
+            if part is not None and part.usual and part.file not in found:
+                found[part.file] = part
+                left.append(part)
+    return list(found.values())
 
 
 def _below(built: Iterable[CMakeProject], projects: Iterable[CMakeProject]) -> list[CMakeProject]:
@@ -48,12 +70,17 @@ def has_it(ubuntu: str, demand: Dependency | None) -> bool:
     return demand is None or Version(cmake_of_ubuntu()[ubuntu]) >= Version(demand.version or "0")
 
 
-def from_pip(evidence: Evidence, kind: Kind, ubuntu: str | None) -> Requirement | None:
+def from_pip(
+    evidence: Evidence, kind: Kind, ubuntu: str | None, projects: Iterable[PythonProject] = ()
+) -> Requirement | None:
     """Return CMake as a pip requirement if the Ubuntu's is too old, below the next major version.
 
     CMake 4 refuses projects that ask for a version before 3.5, and a dependency of the repository may be one of them.
+    Beside ``projects``, those that pip installs, CMake compiles code of CUDA only where one of them is its too.
     """
-    demand = needed_cmake(evidence) if kind != "python" else None
+    tops = {project.file.rpartition("/")[0] for project in evidence.cmake if project.top_level}
+    aside = kind == "cuda" and bool(own := {each.folder for each in projects}) and own.isdisjoint(tops)
+    demand = None if kind == "python" or aside else needed_cmake(evidence)
     if demand is None or ubuntu is None or has_it(ubuntu, demand):
         return None
     bound = f",<{Version(demand.version or '0').major + 1}"

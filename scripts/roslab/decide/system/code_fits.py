@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of, ros_versions
+from roslab.decide.system.cmake_version import highest, reached
 from roslab.decide.system.page_releases import built_older
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -185,6 +186,7 @@ def needs_newer_cmake(evidence: Evidence, ubuntu: str, cmake: str) -> str | None
     """Return the CMake that a project asks for, if neither the Ubuntu nor pip on it has one."""
     if ubuntu not in TOO_OLD_FOR_PIP:
         return None
-    asked = [p.minimum.version for p in _built(evidence) if p.minimum and p.minimum.version]
-    newest = max(asked, key=Version, default=None)
+    built = tuple(_built(evidence))
+    asked = highest(built, (*built, *reached(built, evidence.cmake)))
+    newest = asked.version if asked else None
     return newest if newest and Version(newest) > Version(cmake) else None

@@ -128,6 +128,8 @@ class _Added:
     """The folder of the first file of those that add it."""
     always: bool = False
     """No condition stands before it, nor before the one that adds it."""
+    usual: bool = True
+    """So is it in a usual build: where a condition stands before one of them, it is an option that is on."""
 
 
 def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CMakeProject:
@@ -144,6 +146,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             switches = tuple(filter(cmake_needs.of_an_option, (*above.switches, *call.conditions)))
             within = above.within or not places.test(file.path)
             always = (above.always or file.folder not in added) and not (call.conditions or call.in_function)
+            usual = above.usual and not call.in_function and cmake_needs.made_here(call.conditions)
             by_tool = (*above.by_tool, *filter(of_workspace, call.conditions))
             top = file.folder if above.top is None else above.top
             there = _Added(
@@ -155,6 +158,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
                 within=within,
                 top=top,
                 always=always,
+                usual=usual,
             )
             added |= dict.fromkeys(here, there) | added
         elif call.name == "include":
@@ -163,6 +167,9 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
                 reading.name = by_macro[0]
                 reading.dependencies.append(by_macro[1])
             for needing, path in included.needing(call, repository, file, reading.included, options):
+                if needing.name == "cmake_minimum_required":
+                    cmake_since.raised(needing, path, reading.newer)
+                    continue
                 if needing.in_function:
                     reading.brought |= dict.fromkeys(cmake_needs.brought(needing))
                     continue
@@ -190,6 +197,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         adds=tuple(adds),
         top=file.folder if above.top is None else above.top,
         always=above.always,
+        usual=above.usual,
         languages=tuple(dict.fromkeys(reading.languages)),
         macros=tuple(name for name in reading.macros if name != "cuda" or brings(reading.cuda, options, repository)),
         cuda=any(not call.conditions for call in reading.cuda),
@@ -258,6 +266,7 @@ def _note(call: Call, path: str, reading: Reading) -> None:
         reading.dependencies += cmake_needs.files(told, path)
     elif name == "cmake_minimum_required":
         reading.minimum = reading.minimum or cmake_since.minimum(call, path)
+        cmake_since.raised(call, path, reading.newer)
     elif name == "enable_language":
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and TARGET.match(words[0]):

@@ -11,6 +11,7 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.cmake import Call
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.native.cmake_needs import made_here
 from roslab.evidence.native.imported_targets import of_others
 from roslab.knowledge.cmake_since import since
 from roslab.repository.checkout import Repository
@@ -25,6 +26,7 @@ _DEFINING = ("function", "FUNCTION", "macro", "MACRO", "add_library", "ADD_LIBRA
 _MODULE = ("include", "find_package")
 _BEGINS = frozenset({*_MODULE, "list", "string", "file", "set"})
 """Calls whose first words tell what they do, or which module they are about."""
+_CMAKE = "CMake"
 MAX_SIZE = 256 * 1024
 MAX_FILES = 400
 
@@ -70,8 +72,25 @@ def minimum(call: Call, path: str) -> Dependency | None:
     version = next((m[1] for word in call.words if (m := _VERSION.match(word))), None)
     if version is None or call.conditions:
         return None
+    return _required(call, path, version)
+
+
+def raised(call: Call, path: str, into: dict[str, Dependency]) -> None:
+    """Keep the highest release that a usual build is asked for, wherever ``cmake_minimum_required`` stands.
+
+    A later one, below an option that is on, stops the older CMakes that the first one lets pass.
+    """
+    version = next((m[1] for word in call.words if (m := _VERSION.match(word))), None)
+    if version is None or call.in_function or not made_here(call.conditions):
+        return
+    before = into.get(_CMAKE)
+    if before is None or Version(version) > Version(before.version or "0"):
+        into[_CMAKE] = _required(call, path, version)
+
+
+def _required(call: Call, path: str, version: str) -> Dependency:
     return Dependency(
-        namespace="cmake", name="CMake", strength="declared", file=path, line=call.line, role="build", version=version
+        namespace="cmake", name=_CMAKE, strength="declared", file=path, line=call.line, role="build", version=version
     )
 
 

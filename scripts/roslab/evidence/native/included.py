@@ -19,6 +19,7 @@ MAX_DEPTH = 3
 MAX_FILES = 40
 _FINDS = frozenset({"find_package", "find_dependency", "pkg_check_modules", "pkg_search_module", "include"})
 _MAKES = frozenset({"add_library", "add_executable", "target_link_libraries", "link_libraries"})
+_ASKS = frozenset({"cmake_minimum_required"})
 _BY_FUNCTIONS = BRINGING | {"add_library"}
 _SOURCE = pattern(r"^\$\{(?:CMAKE(?:_CURRENT)?|PROJECT)_(?:SOURCE|LIST)_DIR\}/|^\./")
 _NAME = pattern(r"[A-Za-z][\w.+-]*$")
@@ -39,7 +40,7 @@ def needing(
     if module is None or module.path in seen or len(seen) >= MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
         return
     seen.add(module.path)
-    for inner in calls(repository.read(module), _FINDS | BRINGING | _MAKES | of_included(), options):
+    for inner in calls(repository.read(module), _FINDS | BRINGING | _MAKES | _ASKS | of_included(), options):
         told = replace(inner, conditions=(*call.conditions, *inner.conditions))
         if inner.name == "include":
             yield from needing(told, repository, module, seen, options)
