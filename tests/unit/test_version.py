@@ -78,6 +78,35 @@ def tree(folder: Path, backend: str) -> Path:
     return folder
 
 
+TABLES = {
+    "scikit-build": (
+        '[tool.scikit-build]\nmetadata.version.provider = "scikit_build_core.metadata.setuptools_scm"\n',
+        "ARG SOURCE_VERSION=1.2.3",
+    ),
+    "setuptools_scm": ("[tool.setuptools_scm]\n", "ARG SOURCE_VERSION=1.2.3"),
+    "hatch": ('[tool.hatch.version]\nsource = "vcs"\n', "ARG SOURCE_VERSION=1.2.3"),
+    "pdm": ('[tool.pdm.version]\nsource = "scm"\n', "ARG PDM_BUILD_SCM_VERSION=1.2.3"),
+    "poetry": ("[tool.poetry-dynamic-versioning]\nenable = true\n", "ARG POETRY_DYNAMIC_VERSIONING_BYPASS=1.2.3"),
+    "pdm's own": ('[tool.pdm.version]\nsource = "file"\n', None),
+    "switched off": ("[tool.poetry-dynamic-versioning]\nenable = false\n", None),
+}
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_tables_that_take_the_version_from_git(tmp_path: Path, name: str) -> None:
+    table, line = TABLES[name]
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/__init__.py").write_text("")
+    (tmp_path / "pyproject.toml").write_text(table + PROJECT)
+    commit(tmp_path, "v1.2.3")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert ("# These take their version from git" in text) is (line is not None)
+    assert line is None or f"\n{line}\n" in text
+    assert line is None or text.index(line) < text.index("pip install", text.index(line))
+    (tmp_path / "pyproject.toml").write_text(table + PROJECT.replace('dynamic = ["version"]', 'version = "1"'))
+    assert plan_repository(tmp_path).plan.source_version is None
+
+
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_the_dockerfile_says_the_tags_version(tmp_path: Path, backend: str) -> None:
     commit(tree(tmp_path, backend), "v1.2.3")

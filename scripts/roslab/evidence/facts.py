@@ -18,6 +18,7 @@ from roslab.evidence.old_code import OldCode
 from roslab.evidence.own_key import OwnKey
 from roslab.evidence.patch import Patch
 from roslab.evidence.program import Program
+from roslab.evidence.python_project import PythonProject
 from roslab.evidence.removed_name import Removed
 from roslab.evidence.service import Service
 from roslab.evidence.x86_only import X86Only
@@ -47,47 +48,6 @@ class PackageManifest:
     """The parser's message if the XML is not well-formed; the other fields hold what could be read."""
     together: tuple[str, int] | None = None
     """The first element that names several packages, which tools take for one name, with its line."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class PythonProject:
-    """A folder that Python's tools can install: setup.py, setup.cfg or pyproject.toml."""
-
-    file: str
-    line: int
-    folder: str
-    name: str | None
-    installable: bool
-    """False for a pyproject.toml that only configures tools, and for a setup.py of catkin or ament."""
-    requires_python: str | None
-    build_requires: tuple[Requirement, ...]
-    requirements: tuple[Requirement, ...]
-    scripts: tuple[tuple[str, int], ...] = ()
-    """Console scripts, with their lines."""
-    version: str | None = None
-    script_files: tuple[str, ...] = ()
-    """Files of the tree that are installed as programs, each under its own name."""
-    extensions: tuple[str, ...] = ()
-    """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``; ``not editable``, ``by install``: by its own command of
-    that name alone, and ``gpu``: it stops without one."""
-    classifiers: tuple[str, ...] = ()
-    setup_imports: tuple[str, ...] = ()
-    """Modules that its setup.py imports; ``.`` for the package that it installs."""
-    groups: tuple[Requirement, ...] = ()
-    """What uv installs with it by default, which pip does not."""
-    stopped: str = ""
-    """Why its setup.py cannot be installed."""
-
-    @property
-    def meant(self) -> bool:
-        """It was made to be installed, whether it still can be or not."""
-        return self.installable or bool(self.stopped)
-
-    @property
-    def refused(self) -> bool:
-        """Its backend finds no module to install, or its setup.py stops."""
-        refused = bool(self.name) and not self.installable and self.file.endswith("pyproject.toml")
-        return refused or bool(self.stopped)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -9,5 +9,8 @@ from roslab.knowledge.table import rows
 
 @cache
 def version_tools() -> dict[str, str]:
-    """Return, by canonical package name, ``PKG-INFO`` (a source distribution's) or ``git_refnames`` (an archive's)."""
+    """Return, by canonical package name, ``PKG-INFO`` (a source distribution's) or ``git_refnames`` (an archive's).
+
+    Or the variable that it reads the version from; ``tool.pdm.version`` stands for that table of a pyproject.toml.
+    """
     return {row["package"]: row["reads"] for row in rows("version_tools")}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from roslab.evidence.facts import PythonProject
+from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -13,6 +13,7 @@ from roslab.values.version import InvalidVersion, Version
 
 UNKNOWN = "0.1.dev0"
 """If no tag has a version: the first version of setuptools_scm."""
+_FILES = frozenset({"PKG-INFO", "git_refnames"})
 PLAIN = pattern(r"[A-Za-z0-9_./+-]+")
 
 
@@ -28,6 +29,8 @@ class SourceVersion:
     """Folder and name of each project that reads a source distribution's PKG-INFO."""
     archives: tuple[str, ...] = ()
     """Folders of projects that read the keywords which ``git archive`` fills in."""
+    variables: tuple[str, ...] = ()
+    """Variables that tools read the version from where there is no git."""
 
 
 def of_projects(projects: Iterable[PythonProject], folders: Iterable[str]) -> dict[PythonProject, str]:
@@ -44,8 +47,9 @@ def of_projects(projects: Iterable[PythonProject], folders: Iterable[str]) -> di
 
 
 def _tools(project: PythonProject) -> list[str]:
-    """Return the canonical names of the packages that its build needs."""
-    return [asked.key for asked in project.build_requires] + [canonicalize_name(n) for n in project.setup_imports]
+    """Return what its tables take a version by, and the canonical names of the packages that its build needs."""
+    needed = [asked.key for asked in project.build_requires] + [canonicalize_name(n) for n in project.setup_imports]
+    return [*project.version_by, *needed]
 
 
 def source_version(asking: dict[PythonProject, str], description: tuple[str, int] | None) -> SourceVersion | None:
@@ -66,6 +70,7 @@ def source_version(asking: dict[PythonProject, str], description: tuple[str, int
             if reads == "PKG-INFO"
         ),
         archives=tuple(project.folder for project, reads in asking.items() if reads == "git_refnames"),
+        variables=tuple(dict.fromkeys(reads for reads in asking.values() if reads not in _FILES)),
     )
 
 

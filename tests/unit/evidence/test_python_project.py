@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import project as python_project
+from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
 
 

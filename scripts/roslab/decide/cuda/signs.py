@@ -9,7 +9,8 @@ from roslab.decide.decision import Warning_
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.facts import Evidence, RequirementFile
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.accelerated import accelerated, by_extra
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.compiled import (
     architectures,
     gpu_options,

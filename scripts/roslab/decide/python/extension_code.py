@@ -10,8 +10,9 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.python.manifests import projects
 from roslab.decide.reasons import warn
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence
 from roslab.evidence.old_code import OldCode
+from roslab.evidence.python_project import PythonProject
 from roslab.evidence.removed_name import Removed
 from roslab.knowledge.frameworks import newest_framework
 from roslab.values.dataclass import replace

@@ -6,8 +6,9 @@ import posixpath
 from collections.abc import Iterable, Sequence, Set
 
 from roslab.decide.python.pins import DEVELOPMENT
-from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.evidence.python.manager_lines import EVERY, GROUP
+from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern

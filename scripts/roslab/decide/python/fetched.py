@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from roslab.decide.cuda.signs import sign_of_cuda
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.pins import DEVELOPMENT
-from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.facts import Evidence, RequirementFile
+from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from roslab.decide.python.bounds import excluded
 from roslab.decide.python.packages import Chosen
 from roslab.decide.system.cmake_version import BRINGS_CMAKE, NEW
-from roslab.evidence.facts import PythonProject
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.compiled import prebuilt
 from roslab.knowledge.frameworks import build_needs, imports
 from roslab.values.interpreter import Interpreter

@@ -9,7 +9,8 @@ from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.system.run_by_pages import MOST, run_by_pages
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence
+from roslab.evidence.python_project import PythonProject
 
 _ASKED = "gpu asked"
 

@@ -15,8 +15,9 @@ from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.evidence.python.manager_lines import GROUP
+from roslab.evidence.python_project import PythonProject
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports, released_together, tabled
 from roslab.knowledge.guesses import ros_modules, same_module, tooling

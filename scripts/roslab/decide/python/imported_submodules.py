@@ -14,7 +14,8 @@ from roslab.decide.python.on_index import on_index
 from roslab.decide.reasons import warn
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.frameworks import imports
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name

@@ -18,7 +18,8 @@ from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.ros.workspace import nothing_builds, types
 from roslab.evidence import places
 from roslab.evidence.conda_environment import CondaEnvironment
-from roslab.evidence.facts import Evidence, Mention, PythonProject, RequirementFile
+from roslab.evidence.facts import Evidence, Mention, RequirementFile
+from roslab.evidence.python_project import PythonProject
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement

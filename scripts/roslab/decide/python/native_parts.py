@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because, warn
-from roslab.evidence.facts import PythonProject
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.native_parts import Native, bringing, natives, series_of
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.native_part import NativePart

@@ -15,7 +15,8 @@ from roslab.decide.python.guesses import guesses, known_names, known_requirement
 from roslab.decide.python.manifests import projects, requirement_files
 from roslab.decide.python.of_nodes import of_nodes
 from roslab.decide.python.pins import DEVELOPMENT, Pin
-from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.facts import Evidence, RequirementFile
+from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
 

@@ -21,7 +21,8 @@ from roslab.decide.python.too_new import in_python, loosened, told, unmet
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence, PythonProject, RequirementFile
+from roslab.evidence.facts import Evidence, RequirementFile
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index, of_ros

@@ -10,7 +10,8 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, Mention, PythonProject
+from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.distros import cmake_of_ubuntu
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from roslab.evidence import places
-from roslab.evidence.facts import PythonProject
 from roslab.evidence.native.cpp import MAX_READ, MAX_SIZE
 from roslab.evidence.old_code import OldCode
+from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 

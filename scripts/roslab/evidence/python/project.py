@@ -7,10 +7,10 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from roslab.evidence.facts import PythonProject
 from roslab.evidence.python import requirements
 from roslab.evidence.python.console_scripts import startable
 from roslab.evidence.python.manager_lines import GROUP
+from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -74,6 +74,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
         setup_imports=next((part.setup_imports for part in parts if part.setup_imports), ()),
         groups=tuple(each for part in parts for each in part.groups),
+        version_by=tuple(name for part in parts for name in part.version_by),
         stopped=stopped,
     )
 
@@ -236,6 +237,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     from roslab.evidence.python.extensions import extensions  # noqa: PLC0415 - as above
     from roslab.evidence.python.lenient import tables  # noqa: PLC0415 - as above
     from roslab.evidence.python.stopped_setup import why_refused  # noqa: PLC0415 - as above
+    from roslab.evidence.python.version_by import version_by  # noqa: PLC0415 - as above
     from roslab.evidence.python.without_module import without_module  # noqa: PLC0415 - as above
 
     data, wrong = tables(text)
@@ -279,6 +281,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         script_files=_in(folder, map(str, _list(_table(data, "tool", "setuptools"), "script-files"))),
         extensions=extensions(str(backend) + " ".join(each.written for each in build)),
         classifiers=tuple(line for line in _list(project, "classifiers") if isinstance(line, str)),
+        version_by=tuple(dict.fromkeys(version_by(data))),
         groups=tuple(_listed([*uv.default_groups(data), *poetry.default_groups(of_poetry)], path, line_of)),
     )
 

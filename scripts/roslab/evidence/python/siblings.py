@@ -6,9 +6,10 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
-from roslab.evidence.facts import Mention, PythonProject
+from roslab.evidence.facts import Mention
 from roslab.evidence.python.imports import modules_of, statements
 from roslab.evidence.python.modules import modules
+from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
 
 

@@ -6,7 +6,8 @@ import posixpath
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
 
-from roslab.evidence.facts import Mention, PythonProject
+from roslab.evidence.facts import Mention
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.frameworks import released_on
 from roslab.repository.checkout import Repository
 from roslab.values.requirement import Requirement

@@ -33,7 +33,10 @@ def versions(plan: Plan) -> str:
                 f"find {place} -name _version.py -exec sed --in-place --regexp-extended "
                 f"\"s|^( *git_refnames = ).[$]Format:%d[$].\\$|\\1'(tag: ${{SOURCE_TAG}})'|\" {{}} +"
             )
-    return "\n".join([*lines, shell.run(*commands)]) if commands else ""
+    lines += [f"ARG {name}={quote.docker(source.version)}" for name in source.variables]  # later steps see it, no image
+    if not (commands or source.variables):
+        return ""
+    return "\n".join([*lines, *([shell.run(*commands)] if commands else [])])
 
 
 def projects(plan: Plan) -> str:
