@@ -72,6 +72,8 @@ class Source:
     """Branch, tag or commit (also from ``checkout`` and ``-b BRANCH`` of the old formats)."""
     depends: tuple[str, ...] = ()
     """apt packages needed to build it."""
+    offered: tuple[str, ...] = ()
+    """apt packages that a page installs before it builds it: what is not known to apt is left out."""
     build: SourceBuild = "cmake"
     cmake_options: str = ""
     """Text as written; it is split by the rules of a shell when it is used."""

@@ -845,3 +845,34 @@ def test_a_library_is_asked_for_by_the_name_of_its_sdk(tree: Tree, asked: str, b
     page = f"```\ngit clone https://github.com/lab/acme_sdk\ncd acme_sdk\n{BY_CMAKE}```\n"
     decision = tree(ros1(f"find_package({asked} REQUIRED)\nadd_library(demo a.cpp)\n", f"## Optional\n{page}"))
     assert [source.name for source in decision.source] == built
+
+
+STEPS = """\
+on: push
+jobs:
+  build:
+    runs-on: ubuntu-20.04
+    steps:
+    - run: sudo apt-get install build-essential libacme-dev libother-dev ros-noetic-desktop
+    - run: |
+        git clone https://github.com/{name}
+        cd {folder}
+        mkdir build && cd build
+        cmake ..
+        make install
+    - run: sudo apt-get install liblater-dev
+"""
+
+
+@pytest.mark.parametrize(("name", "asked"), [("lab/acme_lidar", "acme_lidar"), ("robotology/idyntree", "iDynTree")])
+def test_what_ci_installs_before_a_library_is_offered_where_it_is_built(tmp_path: Path, name: str, asked: str) -> None:
+    (tmp_path / ".github/workflows").mkdir(parents=True)
+    (tmp_path / ".github/workflows/ci.yml").write_text(STEPS.format(name=name, folder=name.partition("/")[2]))
+    cmake = f"cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package({asked} REQUIRED)\n"
+    (tmp_path / "CMakeLists.txt").write_text(f"{cmake}add_executable(demo main.cpp)\n")
+    (tmp_path / "main.cpp").write_text("int main() {}\n")
+    plan = plan_repository(tmp_path).plan
+    assert [each.offered for each in plan.libraries] == [("build-essential", "libacme-dev", "libother-dev")]
+    stage = dockerfile(plan).partition("AS library-1-")[2].partition("\nFROM ")[0]
+    assert "    install-optional-apt \\\n      libacme-dev \\\n      libother-dev\n" in stage
+    assert stage.index("install-optional-apt") < stage.index("git clone")

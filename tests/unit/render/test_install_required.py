@@ -143,6 +143,27 @@ def test_what_no_package_brings_is_told(tmp_path: Path) -> None:
     assert "roslab: acme requires VISP, and this image's sources do not have libvisp-dev, which brings it\n" in said
 
 
+@pytest.mark.parametrize(
+    ("wanted", "known", "taken"),
+    [
+        ("find_package(FooBar REQUIRED)", ("libfoobar-dev", "foobar-dev"), ["libfoobar-dev"]),
+        ("find_package(FooBar REQUIRED)", ("foobar-dev",), ["foobar-dev"]),
+        ("find_package(libfoo_bar REQUIRED)", ("libfoo-bar-dev",), ["libfoo-bar-dev"]),
+        ("pkg_check_modules(F REQUIRED foobar)", ("libfoobar-dev",), ["libfoobar-dev"]),
+        ("find_package(FooBar REQUIRED)", ("libfoobar2-dev",), []),
+        ("find_package(FB REQUIRED)", ("libfb-dev",), []),
+        ("find_library(F foobar REQUIRED)", ("libfoobar-dev",), []),
+        ("find_package(VISP REQUIRED)", ("visp-dev",), []),  # a table knows what brings it
+    ],
+)
+def test_what_no_table_knows_is_taken_by_debians_custom(
+    tmp_path: Path, wanted: str, known: tuple[str, ...], taken: list[str]
+) -> None:
+    calls, said = Stage(tmp_path, *known).library(f"{wanted}\n")
+    assert calls == ([taken] if taken else [])
+    assert (f"which no table knows: {' '.join(taken)} is taken" in said) is bool(taken)
+
+
 def test_names_of_pkg_config_links_and_headers(tmp_path: Path) -> None:
     cmake = (
         "pkg_check_modules(A REQUIRED eigen3)\nfind_library(B glog REQUIRED)\nfind_path(C assimp/scene.h REQUIRED)\n"

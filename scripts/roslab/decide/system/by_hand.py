@@ -41,7 +41,7 @@ def as_written(
 ) -> tuple[tuple[Source, Dependency], ...]:
     """Give the libraries of the table the ref of a list, or the ref and the options with which a page builds them."""
     by_url = {address(git.url): git for git in evidence.sources if git.kind == "vcs"}
-    by_url |= {address(git.url): git for git in _installed(evidence)}
+    by_url |= {address(git.url): git for git in built_by_hand(evidence)}
     date = dated(evidence)
     day = date.value if date else ""
     found: list[tuple[Source, Dependency]] = []
@@ -51,7 +51,7 @@ def as_written(
     return tuple(found)
 
 
-def _installed(evidence: Evidence) -> Iterator[GitSource]:
+def built_by_hand(evidence: Evidence) -> Iterator[GitSource]:
     """Yield what Dockerfiles for CI or an editor build, then scripts, the project's own, and pages, whose refs win."""
     for git in (git for group in reversed(_written(evidence)) for git in group):
         if git.installed and not places.vendored(git.file):

@@ -7,10 +7,11 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.by_page import by_own_source
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.by_hand import as_written, by_hand
+from roslab.decide.system.by_hand import as_written, built_by_hand, by_hand
 from roslab.decide.system.libtorch import libtorch
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import TOOLKIT, needs
+from roslab.decide.system.offered import with_offered
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.recipes import (
     of_another_release,
@@ -69,5 +70,5 @@ def decide_libraries(
     needing = (
         (replace(each, depends=tuple(dict.fromkeys((*depends, *each.depends)))), asked) for each, asked in linked
     )
-    built = (*tabled, *torch, *needing)
+    built = with_offered((*tabled, *torch, *needing), built_by_hand(evidence), evidence, system.installed)
     return built if cuda or TOOLKIT in system.apt else without_cuda(built)

@@ -1,9 +1,10 @@
 #!/bin/bash
 # usage: install-required [NAME FOLDER [OPTION...]]
 # Installs what the CMakeLists.txt in FOLDER of a library requires with these options of CMake: packages that the tables of
-# the image's Ubuntu name, else those of ROS that are called so. A list of them goes along with the library to where it is
-# installed, for what is linked with it needs them too: without arguments, all lists that came with libraries are installed,
-# as they are before those of a further library. What no package brings is told.
+# the image's Ubuntu name, else those of ROS that are called so, else those that Debian's custom would call so: libNAME-dev
+# or NAME-dev. A list of them goes along with the library to where it is installed, for what is linked with it needs them
+# too: without arguments, all lists that came with libraries are installed, as they are before those of a further library.
+# What no package brings is told.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 tables=/usr/local/share/roslab
@@ -21,6 +22,14 @@ if [ ! -f "${folder}/CMakeLists.txt" ]; then exit 0; fi
 apt-get update --quiet=2
 known() { apt-cache show "$1" >/dev/null 2>&1; }
 of_ros() { if [ -n "${ROS_DISTRO:-}" ]; then echo "ros-${ROS_DISTRO}-${1//_/-}"; else echo -; fi; }
+# Prints the package that is called after a name as Debian calls those to compile with, where there is one
+# https://www.debian.org/doc/debian-policy/ch-sharedlibs.html#development-files
+of_debian() {
+  local name="${1#pkg:}" package
+  name="${name,,}" name="${name//_/-}" name="${name#lib}"
+  if [[ ! "${name}" =~ ^[a-z0-9][a-z0-9.+-]{2,}$ ]]; then return; fi # of one or two letters there is always another one
+  for package in "lib${name}-dev" "${name}-dev"; do if known "${package}"; then echo "${package}" && return; fi; done
+}
 # Prints what the tables say of a name; of a header also what they say of its folder
 told() {
   awk -F' = ' -v name=" ${1,,} " 'index(" " $1 " ", name) { print $2; exit }' "${tables}"/{libraries,cmake}-*.txt
@@ -45,6 +54,12 @@ packages() {
       recipe:* | '')
         if known "${ros}"; then echo "${ros}" && continue; fi
         if [[ "${wanted}" = link:* || "${wanted}" = header:* ]]; then continue; fi
+        package="$(if [ -z "${said}" ]; then of_debian "${wanted}"; fi)"
+        if [ -n "${package}" ]; then
+          echo "roslab: ${name} requires ${wanted#pkg:}, which no table knows: ${package} is taken, which is called so" >&2
+          echo "${package}"
+          continue
+        fi
         echo "roslab: ${name} requires ${wanted#pkg:}, and no package of this image's sources is known to bring it" >&2
         if [ -n "${said}" ]; then
           echo "roslab: it can be built before ${name}; write into roslab.yaml:" >&2

@@ -139,6 +139,7 @@ def library_stages(plan: Plan) -> str:
         unpacks = ("curl", "unzip") if library.zip else ()  # as `fetch` does
         depends = ("build-essential", "ca-certificates", "cmake", "git", *ssh, *unpacks, *library.depends)
         lines.append(shell.apt_install(tuple(dict.fromkeys(depends)), secrets.for_apt(plan)))
+        lines += _offered(plan, library, depends)
         lines += [
             f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])
         ]
@@ -160,6 +161,15 @@ def library_stages(plan: Plan) -> str:
         )
         stages.append("\n".join(lines))
     return "\n\n".join(stages)
+
+
+def _offered(plan: Plan, library: Source, there: tuple[str, ...]) -> list[str]:
+    """Return the instruction that installs what a page installs before it builds a library, as far as apt knows it."""
+    names = [name for name in library.offered if name not in there]
+    if not names:
+        return []
+    comment = f"What is installed before {library.name} where its author's page or CI builds it"
+    return [shell.call("install-optional-apt", shell.words(names), comment=comment, secrets=secrets.for_apt(plan))]
 
 
 def _told(library: Source, commands: list[str], step: str) -> list[str]:
