@@ -876,3 +876,73 @@ def test_what_ci_installs_before_a_library_is_offered_where_it_is_built(tmp_path
     stage = dockerfile(plan).partition("AS library-1-")[2].partition("\nFROM ")[0]
     assert "    install-optional-apt \\\n      libacme-dev \\\n      libother-dev\n" in stage
     assert stage.index("install-optional-apt") < stage.index("git clone")
+
+
+SET = """\
+on: push
+env:
+  IDYN_TAG: ce1334ca4a3ef139f6fab72f767292b19c601e07
+  VIEW: "OFF"
+jobs:
+  build:
+    runs-on: ubuntu-20.04
+    env:
+      VIEW: "ON"
+    steps:
+    - run: {before}
+    - env:
+        {step}
+      run: |
+        git clone https://github.com/robotology/idyntree
+        cd idyntree
+        {checkout}
+        mkdir build && cd build
+        cmake -DIDYNTREE_USES_IRRLICHT:BOOL=$VIEW -DIDYNTREE_USES_ASSIMP:BOOL=OFF ..
+        make install
+"""
+
+
+@pytest.mark.parametrize(
+    ("checkout", "step", "ref"),
+    [
+        ("git checkout ${IDYN_TAG}", "A: b", "ce1334ca4a3ef139f6fab72f767292b19c601e07"),
+        ("git checkout $IDYN_TAG", "IDYN_TAG: v1.0.0", "v1.0.0"),
+        ("git checkout ${{ env.IDYN_TAG }}", "A: b", "ce1334ca4a3ef139f6fab72f767292b19c601e07"),
+        ("git checkout ${{ env.IDYN_TAG }}", "IDYN_TAG: ${{ matrix.tag }}", "v12.3.3"),
+        ("ls", "A: b", "v12.3.3"),
+    ],
+)
+def test_ci_gives_a_library_of_the_table_its_ref_and_options(
+    tmp_path: Path, checkout: str, step: str, ref: str
+) -> None:
+    (tmp_path / ".github/workflows").mkdir(parents=True)
+    said = SET.format(checkout=checkout, step=step, before="./coinbrew fetch Ipopt@3.13.4 --no-prompt")
+    (tmp_path / ".github/workflows/ci.yml").write_text(said)
+    cmake = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(iDynTree REQUIRED)\n"
+    (tmp_path / "CMakeLists.txt").write_text(f"{cmake}add_executable(demo main.cpp)\n")
+    (tmp_path / "main.cpp").write_text("int main() {}\n")
+    (library,) = plan_repository(tmp_path).plan.libraries
+    options = library.cmake_options.split()
+    assert library.ref == ref
+    assert "-DBUILD_TESTING=OFF" in options
+    assert options[-2:] == ["-DIDYNTREE_USES_IRRLICHT:BOOL=ON", "-DIDYNTREE_USES_ASSIMP:BOOL=OFF"]
+    assert "-DIDYNTREE_USES_ASSIMP=ON" not in options
+    assert "coinor-libipopt-dev" in library.offered
+
+
+@pytest.mark.parametrize(
+    ("call", "offered"),
+    [
+        ("coinbrew/coinbrew build Ipopt --prefix=install/", ("coinor-libipopt-dev",)),
+        ("bash coinbrew fetch Cbc Clp:stable/1.17", ("coinor-libcbc-dev", "coinor-libclp-dev")),
+        ("coinbrew --help Ipopt", ()),
+        ("coinbrew fetch Other", ()),
+    ],
+)
+def test_what_coinbrew_builds_comes_from_apt(tmp_path: Path, call: str, offered: tuple[str, ...]) -> None:
+    (tmp_path / ".github/workflows").mkdir(parents=True)
+    (tmp_path / ".github/workflows/ci.yml").write_text(SET.format(checkout="ls", step="A: b", before=call))
+    cmake = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(iDynTree REQUIRED)\n"
+    (tmp_path / "CMakeLists.txt").write_text(f"{cmake}add_executable(demo main.cpp)\n")
+    (library,) = plan_repository(tmp_path).plan.libraries
+    assert library.offered == offered

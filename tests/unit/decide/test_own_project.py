@@ -24,6 +24,7 @@ CODE = {"CMakeLists.txt": MADE, "a.cpp": "#include <vector>\nint main() {}\n"}
     [
         ("mkdir build\ncd build\ncmake -DDEMO_GUI=ON ..\nmake", ("-DDEMO_GUI=ON",)),
         ("cd demo\nmkdir build && cd build\ncmake .. -DDEMO_GUI:BOOL=ON\nmake", ("-DDEMO_GUI:BOOL=ON",)),
+        ("mkdir build\ncd build\ncmake -DDEMO_GUI:=ON ..\nmake", ("-DDEMO_GUI=ON",)),
         ("mkdir release\ncd release\ncmake -DDEMO_GUI=ON ..\nmake", ("-DDEMO_GUI=ON",)),
         ("```\nBuild it by `cd lib/a; ./make.sh 3`.\n```\ncd target\ncmake -DDEMO_GUI=ON ..", ("-DDEMO_GUI=ON",)),
         ("cd lib/release\ncmake -DDEMO_GUI=ON ..", ()),
@@ -143,6 +144,7 @@ ROBOT = "<package format='3'><name>a</name><buildtool_depend>{0}</buildtool_depe
         ("ament_cmake", "colcon build --cmake-args -DA_CUDA=ON -DB_DIR=/opt/b -DC=<yours>", ()),
         ("ament_cmake", "colcon build --cmake-args -DA_CUDA=OFF", ("-DA_CUDA=OFF",)),
         ("catkin", "catkin_make -DA_VIEW=OFF", ("-DA_VIEW=OFF",)),
+        ("catkin", "catkin_make -DA_VIEW:=OFF", ("-DA_VIEW=OFF",)),
         ("catkin", f"catkin_make {ONLY}=a_msgs\ncatkin_make {ONLY}=", ()),
         (
             "catkin",

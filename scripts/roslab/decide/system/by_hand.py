@@ -70,14 +70,20 @@ def _authored(evidence: Evidence, purpose: Literal["project", "ci"]) -> Iterator
 
 
 def _like(source: Source, git: GitSource, day: str) -> Source:
-    if not (ref := fixed(git.ref)):
-        return source
-    said = {word.partition("=")[0] for word in git.options.split()}
-    ours = (word for word in source.cmake_options.split() if word.partition("=")[0] not in said)
+    said = {_named(word) for word in git.options.split()}
+    ours = (word for word in source.cmake_options.split() if _named(word) not in said)
+    options = " ".join((*ours, git.options)).strip()
     place = Place(file=git.file, line=git.line)
+    if not (ref := fixed(git.ref)):
+        return replace(source, cmake_options=options, place=place) if git.options else source
     ref = source.ref if moves(ref) and source.ref else ref
     before = day if drifts(ref) else source.before
-    return replace(source, ref=ref, before=before, cmake_options=" ".join((*ours, git.options)).strip(), place=place)
+    return replace(source, ref=ref, before=before, cmake_options=options, place=place)
+
+
+def _named(option: str) -> str:
+    """Return what an option of CMake sets, without its type and value."""
+    return option.partition("=")[0].partition(":")[0]
 
 
 def _bare(name: str) -> str:

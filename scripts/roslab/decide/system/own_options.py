@@ -45,6 +45,7 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
 def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> tuple[str, ...]:
     calls = () if config.compatible else builds(evidence, build_tool)
     words = (word for call in to_whole(calls) for word in call.text.replace(" -D ", " -D").split())
+    words = (word.replace(":=", "=", 1) if word.startswith("-D") else word for word in words)  # ``-DGUI:=ON``: no type
     given = (word for word in words if _OWN.fullmatch(word) and not _GPU.match(word) and not ONLY.fullmatch(word))
     return tuple({word.partition("=")[0].partition(":")[0]: word for word in given}.values())
 

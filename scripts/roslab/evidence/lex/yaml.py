@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 from roslab.values.pattern import pattern
@@ -11,6 +12,9 @@ from roslab.values.pattern import pattern
 MAX_DEPTH = 100
 _BRACKETS = pattern(r"[\[\]{}]")
 _DEEP = pattern(rf"^(?:[ \t]*(?:- )){{{MAX_DEPTH},}}|^ {{1000,}}\S", re.MULTILINE)
+
+
+NO_VARIABLES: Mapping[str, str] = MappingProxyType({})
 
 
 class Scalar(NamedTuple):
@@ -22,6 +26,8 @@ class Scalar(NamedTuple):
     line: int
     """Line number of the text's first line."""
     item: bool
+    variables: Mapping[str, str] = NO_VARIABLES
+    """What ``env`` of the blocks around it sets, the innermost last: a workflow's, its job's and its step's."""
 
 
 def load(text: str) -> Any:
@@ -37,19 +43,27 @@ def scalars(text: str) -> tuple[Scalar, ...] | None:
     except ValueError:
         return None
     found: list[Scalar] = []
-    pending, seen = [("", False, document) for document in reversed(documents)], set[int]()
+    pending, seen = [("", False, document, NO_VARIABLES) for document in reversed(documents)], set[int]()
     while pending:
-        key, item, node = pending.pop()
+        key, item, node, variables = pending.pop()
         if id(node) in seen:  # an alias: its value was read at the anchor
             continue
         seen.add(id(node))
         if node.id == "mapping":
-            pending += [(str(name.value), False, value) for name, value in reversed(node.value)]
+            variables = _with_env(node, variables)
+            pending += [(str(name.value), False, value, variables) for name, value in reversed(node.value)]
         elif node.id == "sequence":
-            pending += [(key, True, value) for value in reversed(node.value)]
+            pending += [(key, True, value, variables) for value in reversed(node.value)]
         else:
-            found.append(_scalar(key, item, node, lines))
+            found.append(_scalar(key, item, node, lines)._replace(variables=variables))
     return tuple(found)
+
+
+def _with_env(node: Any, above: Mapping[str, str]) -> Mapping[str, str]:
+    """Return the variables that hold below a mapping: those above it, and what its own ``env`` sets."""
+    own = [value for name, value in node.value if name.value == "env" and value.id == "mapping"]
+    pairs = [(str(name.value), value) for each in own for name, value in each.value]
+    return {**above, **{name: str(value.value) for name, value in pairs if value.id == "scalar"}} if pairs else above
 
 
 def _scalar(key: str, item: bool, node: Any, lines: list[str]) -> Scalar:

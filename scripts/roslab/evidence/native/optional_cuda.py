@@ -16,7 +16,7 @@ MAX_SIZE = 64 * 1024
 _CONFIGURES = pattern(
     r"^.*\b(?:cmake[ \t]+[-.\"$/]|catkin_make\b|(?:catkin|colcon)[ \t]+(?:build|config)\b).*", re.MULTILINE
 )
-_TURNED_ON = pattern(r"-D[ \t]*(\w+)(?::BOOL)?=[\"']?(?:ON|TRUE|YES|1)\b", re.IGNORECASE)
+_TURNED_ON = pattern(r"-D[ \t]*(\w+)(?::(?:BOOL)?)?=[\"']?(?:ON|TRUE|YES|1)\b", re.IGNORECASE)
 _DECLARED = pattern(r"(^|\()OFF (?=\w)")
 """How ``lex.cmake`` writes the condition of an option that is off."""
 

@@ -132,6 +132,7 @@ def _for_others(values: tuple[Scalar, ...], branch: str) -> bool:
 def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
     """Read the values of a YAML file as shell, and those of some keys as package lists or images."""
     from roslab.evidence.prose.ci_conditions import titled  # noqa: PLC0415 - many trees have no CI
+    from roslab.evidence.prose.ci_variables import filled  # noqa: PLC0415 - many trees have no CI
     from roslab.evidence.prose.taken_out import conditional, taken_out  # noqa: PLC0415 - many trees have no CI
     from roslab.evidence.prose.upstream import upstream  # noqa: PLC0415 - many trees have no CI
 
@@ -142,7 +143,7 @@ def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
             if re.fullmatch(r"[\w.+-]+", value.text):
                 collector.logical(f"apt-get install {value.text}", value.line)
             continue
-        shell = "\n".join(_matrix(line, text) for line in value.text.split("\n"))
+        shell = "\n".join(_matrix(line, text) for line in filled(value).split("\n"))
         collector.text(_known(shell), value.line)
         written = f"{value.key}: {value.text}"
         for match in _DEBS.finditer(value.text if "=" in value.text else written):

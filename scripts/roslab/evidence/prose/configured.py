@@ -14,7 +14,7 @@ from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
-_OPTION = pattern(r"-D(?!CMAKE_INSTALL_PREFIX=/usr/local/stow/)[A-Za-z_]\w*(?::[A-Z]+)?=[\w./+-]+")
+_OPTION = pattern(r"-D(?!CMAKE_INSTALL_PREFIX=/usr/local/stow/)[A-Za-z_]\w*(?::[A-Z]*)?=[\w./+-]+")
 """Not the folder from which stow links all to /usr/local. https://www.gnu.org/software/stow/manual/stow.html"""
 _SEPARATE = pattern(r" -D +(?=[A-Za-z_])")
 _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
@@ -43,9 +43,9 @@ def of_another(said: Mention, repository: Repository) -> bool:
 
 
 def options_of(words: Sequence[str]) -> str:
-    """Return the options of a call, ``-D GUI=ON`` written as one word."""
+    """Return the options of a call, ``-D GUI=ON`` written as one word, and ``-DGUI:=ON`` as ``-DGUI=ON``."""
     joined = _SEPARATE.sub(" -D", " ".join(words)).split()
-    return " ".join(word for word in joined if _OPTION.fullmatch(word))
+    return " ".join(word.replace(":=", "=", 1) for word in joined if _OPTION.fullmatch(word))
 
 
 def preset_of(words: Sequence[str]) -> str:

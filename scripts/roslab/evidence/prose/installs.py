@@ -11,6 +11,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose import blanks, removed_clones, workspaces
 from roslab.evidence.prose.by_other_means import Topic, steps
+from roslab.evidence.prose.coinbrew import packages
 from roslab.evidence.prose.configured import by_hand, folder_of, installs, options_of, prepares, preset_of, source_of
 from roslab.evidence.prose.install_tree import from_workspace, package_and_program
 from roslab.evidence.prose.merged import Prose
@@ -174,17 +175,20 @@ class Collector:
             name, _, version = name.partition("=")
             name = name.partition("/")[0].partition(":")[0]
             if _APT_NAME.match(name):
-                self.dependencies.append(
-                    Dependency(
-                        namespace="apt",
-                        name=name,
-                        strength="prose",
-                        file=self.file,
-                        line=line,
-                        version=version or None,
-                        heading=self.heading,
-                    )
-                )
+                self._named(name, version or None, line)
+
+    def _named(self, name: str, version: str | None, line: int) -> None:
+        self.dependencies.append(
+            Dependency(
+                namespace="apt",
+                name=name,
+                strength="prose",
+                file=self.file,
+                line=line,
+                version=version,
+                heading=self.heading,
+            )
+        )
 
     def _listed(self, rest: tuple[str, ...]) -> bool:
         """Tell whether `sudo` among the words of apt is the package: in a list, and not before a command."""
@@ -261,9 +265,15 @@ class Collector:
             said, how = self.sources[clone], (self.options, self.below, here)
             self.sources[clone] = by_hand(said, program, *how, configured=self.configured, prepared=self.prepared)
 
+    def _prepare(self, command: Command) -> None:
+        """Note a call that may write a Makefile, and what COIN-OR's script fetches, which apt has too."""
+        self.prepared = self.prepared or prepares(command.words[0])
+        for name, line in packages(command):
+            self._named(name, None, line)
+
     def _program(self, program: str, command: Command) -> None:
         words = command.words
-        self.prepared = self.prepared or prepares(words[0])
+        self._prepare(command)
         removed_clones.note(program, words, self.sources)
         if program in _BUILD_TOOLS:
             self._mention("build_tool", program, command)

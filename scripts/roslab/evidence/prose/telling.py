@@ -34,6 +34,7 @@ SIGNS: Signs = tuple(
         ("streamlit", r"\bstreamlit\s+run\s"),
         ("octave", r"\boctave(?:-cli)?\s[^\n]{0,300}\.m\b"),
         ("colcon", r"\bcolcon\b"),
+        ("coinbrew", r"\bcoinbrew\s"),
         ("jupyter", r"\bjupyter[ -](?:notebook|lab)(?:[\s`]|$)"),
         ("cd", r"\b(?:ros)?cd\s"),
         ("conda", r"\bconda\b"),
