@@ -23,7 +23,10 @@ class Makefile:
     """How a script is called; ``None`` for a Makefile."""
     called_in: str | None = None
     """The folder in which a page calls it, ``None`` for its own."""
-
+    target: str = ""
+    """The target that a page names, ``""`` for the first."""
+    parts: tuple[str, ...] = ()
+    """The folders below in which it calls make."""
     only: str | None = None
     """The one program that it makes, by its path from there, where it names no other."""
     stale: bool = False

@@ -206,3 +206,61 @@ def test_files_that_include_each_other_without_end_are_read_so_far(tree: Tree) -
     chain = {f"a{number}.mk": f"include a{number + 1}.mk\n" for number in range(400)}
     decision = tree({**CODE, **PAGE, **chain, "Makefile": f"include a0.mk\n{MADE}"})
     assert [(script.folder, script.command) for script in decision.scripts] == [("", "make")]
+
+
+BELOW = {"lib/Makefile": MADE, **{f"lib/{path}": text for path, text in CODE.items()}}
+
+
+@pytest.mark.parametrize(
+    "rule",
+    [
+        "all:\n\tcd lib && make all\n",
+        "all:\n\tcd ./lib; $(MAKE)\n",
+        "all:\n\tmake -C lib all\n",
+        "all:\n\t$(MAKE) --directory=lib\n",
+        "DIRS = lib other\nall:\n\tfor d in $(DIRS); do make -C $$d; done\n",
+        "all:\n\tfor d in lib other; do \\\n\t  (cd $${d} && make); \\\n\tdone\n",
+        "all:\n\tcd middle && make\n",
+    ],
+)
+def test_a_makefile_that_calls_those_of_folders_builds_the_tree(tree: Tree, rule: str) -> None:
+    middle = {"middle/Makefile": "all:\n\tcd ../lib && make\n"}
+    decision = tree({**BELOW, **middle, "Makefile": rule, "README.md": "```\nmake\n./lib/slam\n```\n"})
+    assert [(each.folder, each.command, each.required) for each in decision.scripts] == [("", "make", True)]
+    assert decision.command == ("./lib/slam",)
+    assert "libfftw3-dev" in {*decision.apt, *decision.apt_guessed}
+
+
+@pytest.mark.parametrize("rule", ["all:\n\tcd 3rdparty && make\n", "all:\n\tcd none && make\n", "all:\n\techo make\n"])
+def test_a_makefile_that_calls_no_other_of_the_tree_builds_nothing(tree: Tree, rule: str) -> None:
+    decision = tree({**CODE, "Makefile": rule, "3rdparty/Makefile": MADE})
+    assert decision.scripts == ()
+
+
+def test_a_library_that_lies_in_the_tree_with_its_configure_is_no_build_of_the_tree(tree: Tree) -> None:
+    vendored = {"3rdparty/matio/configure": "#!/bin/sh\n", "3rdparty/other/CMakeLists.txt": "project(other)\n"}
+    assert [each.command for each in tree({**CODE, "Makefile": MADE, **vendored}).scripts] == ["make"]
+    assert tree({**CODE, "Makefile": MADE, "configure": "#!/bin/sh\n"}).scripts == ()
+
+
+@pytest.mark.parametrize(
+    ("page", "scripts"),
+    [
+        ("cd sources\nmake all", [("sources", "make all")]),
+        ("git clone https://github.com/a/demo\ncd demo/sources\nmake -j4 fast", [("sources", "make fast")]),
+        ("cd sources/apps/deep\nmake all", [("sources/apps/deep", "make all"), ("sources", "make")]),
+        ("cd sources\nmake test", [("sources", "make")]),
+        ("cd other\nmake all", [("sources", "make")]),
+        ("cd sources\nmake clean all", [("sources", "make")]),
+    ],
+)
+def test_the_folder_and_the_target_of_the_page(tree: Tree, page: str, scripts: list[tuple[str, str]]) -> None:
+    files = {f"sources/{path}": text for path, text in {**CODE, "Makefile": MADE}.items()}
+    deep = {"sources/apps/deep/Makefile": MADE, "sources/apps/deep/main.cpp": CODE["main.cpp"]}
+    decision = tree({**files, **deep, "README.md": f"# Build\n```\n{page}\n```\n"})
+    assert [(each.folder, each.command) for each in decision.scripts] == scripts
+
+
+def test_a_folder_in_which_another_makefile_calls_make_is_built_by_that_one(tree: Tree) -> None:
+    decision = tree({**BELOW, "all/Makefile": "all:\n\tmake -C ../lib\n"})
+    assert [each.folder for each in decision.scripts] == ["all"]

@@ -20,6 +20,7 @@ from roslab.decide.system.names import Target
 from roslab.decide.system.run_by_pages import ASIDE, MOST, by_author, by_make_alone, run_by_pages, script_of
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
+from roslab.evidence.makefile import Makefile
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -176,6 +177,12 @@ def _part(project: CMakeProject, *, found: bool, options: str = "") -> OwnScript
     return OwnScript(folder=folder, path=project.file, command=f"{make} install" if found else make)
 
 
+def _make(made: Makefile) -> str:
+    """Return the call of make, with the target that a page names."""
+    call = f"{_QMAKE} && make" if made.qt else _ANEW if made.stale else "make"
+    return f"{call} {made.target}" if made.target else call
+
+
 def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
     """Return the call of make in each folder whose Makefile builds the project, or the scripts that do in its place.
 
@@ -194,7 +201,7 @@ def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
                 OwnScript(
                     folder=each.folder,
                     path=each.file,
-                    command=each.script or (f"{_QMAKE} && make" if each.qt else _ANEW if each.stale else "make"),
+                    command=each.script or _make(each),
                     required=each is made[0] if each.script else kind == "cpp" and builds_all(evidence) is each,
                 )
                 for each in made

@@ -12,8 +12,9 @@ from collections.abc import Collection, Iterable
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.makefile import Makefile
-from roslab.evidence.native import qmake
+from roslab.evidence.native import qmake, recursive_make
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -67,15 +68,33 @@ def read(repository: Repository, mentions: Iterable[Mention] = ()) -> tuple[Make
     Else the projects of qmake.
     None where CMake or ROS builds the tree, or where it has more Python than C and C++.
     """
-    if repository.named("CMakeLists.txt", "package.xml", "manifest.xml", "configure", "configure.ac"):
+    others = repository.named("CMakeLists.txt", "package.xml", "manifest.xml", "configure", "configure.ac")
+    if not all(places.vendored(file.path) for file in others):
         return ()
     if _number(repository, ".py") > _number(repository, *_SOURCES):
         return ()
     from roslab.evidence.native import compile_scripts  # noqa: PLC0415 - CMake or ROS builds most trees
 
     found = [each for file in _files(repository) if (each := _makefile(file, repository))]
-    own = [each for each in found if not each.folder] or found[:MOST]
+    called = {folder for each in found for folder in each.parts if each.folder not in each.parts}
+    found = [each for each in found if each.folder not in called] or found
+    own = _as_told(repository, [each for each in found if not each.folder] or found[:MOST], mentions)
     return tuple(own) or compile_scripts.read(repository, mentions) or tuple(qmake.read(repository))
+
+
+def _as_told(repository: Repository, found: list[Makefile], mentions: Iterable[Mention]) -> list[Makefile]:
+    """Return the Makefiles with the targets that a page names, after those of other folders where it calls make."""
+    said = [mention for mention in mentions if mention.topic == "make"]
+    if not said:
+        return found
+    files = (file for name in _NAMES for file in repository.named(name) if file.path.count("/") <= FAR + 1)
+    near = {file.folder: file for file in files if file.size <= MAX_SIZE and not places.vendored(file.path)}
+    targets = dict(recursive_make.told(said, near))
+    there = {each.folder for each in found}
+    part = {below for each in found for below in each.parts}
+    further = [near[folder] for folder in targets if folder not in there | part]
+    found = [*(each for file in further if (each := _makefile(file, repository))), *found] if further else found
+    return [replace(each, target=targets.get(each.folder, "")) for each in found[:MOST]]
 
 
 def _number(repository: Repository, *suffixes: str) -> int:
@@ -103,13 +122,17 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
     if _OTHERS.search(text):
         return None
     text = with_included(text, file.folder, repository)
+    parts = recursive_make.below(text, file.folder, repository, _is_other)
+    if parts:
+        text = "\n".join((text, *(with_included(part, folder, repository) for folder, part in parts)))
     if not _COMPILES.search(text):
         return None
     names = [*_OUTPUT.findall(text)]
     names += [posixpath.basename(word) for written in _TARGET.findall(text) for word in written.split()]
     names += [posixpath.basename(word) for written in _RULE.findall(text) for word in written.split()]
     if _OF_ANY.search(text):
-        names += _mains(repository, file.folder)
+        for folder in (file.folder, *(folder for folder, _ in parts)):
+            names += _mains(repository, folder)
     return Makefile(
         file=file.path,
         line=1,
@@ -119,7 +142,13 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
         linked=compile_scripts.linked(text),
         cuda=compile_scripts.for_cuda(text),
         modules=compile_scripts.modules(text),
+        parts=tuple(folder for folder, _ in parts),
     )
+
+
+def _is_other(path: str, text: str) -> bool:
+    """Tell whether a Makefile below another is none of the project's own: copied, a test's, or for something else."""
+    return places.vendored(path) or places.documentation(path) or bool(_OTHERS.search(text))
 
 
 def _may_be_made(name: str, names: Collection[str]) -> bool:

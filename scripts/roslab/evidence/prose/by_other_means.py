@@ -27,6 +27,7 @@ Topic = Literal[
     "own_package",
     "patched",
     "single_header",
+    "make",
 ]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
@@ -45,6 +46,7 @@ _SCRIPT = pattern(
 """A script that compiles something, by its name."""
 _FOLDER = pattern(r"(?:\./)?\w[\w-]*(?:/[\w.-]+)*/?")
 """A folder by its path from where the page is."""
+_PLAIN = pattern(r"-j\d*|[\w./=+-]{1,80}")
 _RUNNERS = frozenset({"bash", "sh", "python", "python3"})
 
 
@@ -58,7 +60,7 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
     program = words[0].rpartition("/")[2]
     called = words[1:] if program in _RUNNERS else words
     script = called and _SCRIPT.match(called[0]) and (called is not words or "/" in called[0])
-    yield from _entering(words)
+    yield from (*_entering(words), *_making(words, folder))
     yield from (("own_package", path) for path in own_packages.called(words, folder))
     yield from (("patched", call) for call in patches.called(command, folder))
     yield from (("single_header", each) for each in single_headers.called(words))
@@ -86,6 +88,12 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
 def _entering(words: tuple[str, ...]) -> Iterator[tuple[Topic, str]]:
     if environment := entered(words):
         yield "entered", environment
+
+
+def _making(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, str]]:
+    """Yield a call of make: the folder that the text is in by then, and the words behind it but the number of jobs."""
+    if words[0] in {"make", "gmake"} and all(map(_PLAIN.fullmatch, words[1:])):
+        yield "make", " ".join((folder or ".", *(word for word in words[1:] if not word.startswith("-j"))))
 
 
 def _data(program: str, words: tuple[str, ...]) -> tuple[str, ...]:

@@ -41,6 +41,7 @@ SIGNS: Signs = tuple(
         ("mamba", r"\b(?:micro)?mamba\b"),
         ("python", r"\bpython[\d.]*\s+\S"),
         ("cmake", r"\bcmake\b"),
+        ("make", r"^\s{0,9}(?:[$>]\s{0,9})?make(?:\s+[\w=./-]{1,80}){0,4}\s*$"),
         ("qmake", r"\bqmake(?:-qt\d)?\b"),
         ("/archive/", "/archive/"),
         ("/releases/", r"/releases/download/[^/\s]+/\S+\.zip\b"),
