@@ -278,7 +278,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         test=of.test.answer,
         rostests=() if of.own.answer else rostests(evidence, of.kind.answer, of.build_tool.answer),
         tests=() if of.own.answer else evidence.tests,
-        ctest=runs_ctest(evidence, of.build_tool.answer, of.missing.answer.tests),
+        ctest=runs_ctest(evidence, config, folder_name, of.build_tool.answer, of.missing.answer.tests),
         compiles=bool(compiled(evidence)),
         clones_day=of.clones_day.answer,
         without=of.platforms.answer.without,

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 
 from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import configured
+from roslab.decide.system.own_options import own_options
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.values.pattern import pattern
 from roslab.values.words import line_of
+
+_OFF = pattern(r"=(?:OFF|FALSE|NO|0)$", re.IGNORECASE)
 
 
 def decide_test(config: Config) -> Choice[tuple[str, ...] | str | None]:
@@ -27,10 +32,20 @@ def compiled(evidence: Evidence) -> frozenset[str]:
     return frozenset(name for project in projects for name, _ in project.executables)
 
 
-def runs_ctest(evidence: Evidence, build_tool: BuildTool, left_out: Collection[str]) -> bool:
-    """Tell whether there are tests for ctest; ``left_out``: the options by which the build leaves tests out."""
-    has_tests = any(project.tests and not places.vendored(project.file) for project in evidence.cmake)
-    return build_tool == "cmake" and has_tests and not left_out
+def runs_ctest(
+    evidence: Evidence, config: Config, folder_name: str, build_tool: BuildTool, left_out: Collection[str]
+) -> bool:
+    """Tell whether there are tests for ctest; ``left_out``: the options by which the build leaves tests out.
+
+    None that wait for an option which is off by itself and which the build does not set.
+    """
+    if build_tool != "cmake" or left_out:
+        return False
+    given = (*own_options(evidence, config, folder_name, build_tool), *config.cmake_options.split(), *config.build_args)
+    last = {word.partition("=")[0].partition(":")[0].removeprefix("-D"): not _OFF.search(word) for word in given}
+    on = {name for name, set_on in last.items() if set_on}
+    tested = (project for project in evidence.cmake if project.tests and not places.vendored(project.file))
+    return any(on.issuperset(project.untested) for project in tested)
 
 
 def rostests(evidence: Evidence, kind: Kind, build_tool: BuildTool) -> tuple[str, ...]:

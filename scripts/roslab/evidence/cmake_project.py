@@ -52,6 +52,8 @@ class CMakeProject:
     """
     tests: bool = False
     """It has tests for ctest."""
+    untested: tuple[str, ...] = ()
+    """Options that are off, without which none of them is made."""
     programs_in: str | None = None
     """The folder that programs are written to; ``None`` if the file names none. ``source/…`` is relative to the root of
     the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""

@@ -38,6 +38,7 @@ from roslab.evidence.native.nowhere import Nowhere
 from roslab.evidence.prose import (
     apt_lists,
     apt_sources,
+    asked_options,
     author_dockerfile,
     branch_tables,
     called_in_scripts,
@@ -126,7 +127,7 @@ from roslab.repository.checkout import Repository
 
 MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
-    *(matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
+    *(asked_options.read, matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
     *(started_by_scripts.calls, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""

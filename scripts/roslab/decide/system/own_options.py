@@ -38,8 +38,18 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
     meant = () if config.compatible else tuple(f"-D{name}={value}" for name, value in evidence.misnamed)
     if build_tool in _OF_ROS:
         return (*meant, *_of_workspace(evidence, config, build_tool))
-    said = _said(evidence, config, folder_name) if build_tool == "cmake" else []
-    return (*(meant if build_tool == "cmake" else ()), *(word for word in said if _OWN.fullmatch(word)))
+    if build_tool != "cmake":
+        return ()
+    own = tuple(word for word in _said(evidence, config, folder_name) if _OWN.fullmatch(word))
+    return (*meant, *own, *_of_programs(evidence, config, own))
+
+
+def _of_programs(evidence: Evidence, config: Config, own: tuple[str, ...]) -> tuple[str, ...]:
+    """Return what turns on the options that programs need, as a page or CI says, where no page sets them otherwise."""
+    said = {word.partition("=")[0].partition(":")[0] for word in own}
+    asked = () if config.compatible else (m.value for m in evidence.mentions if m.topic == "asked_option")
+    options = [f"-D{name}=ON" for name in dict.fromkeys(asked) if f"-D{name}" not in said]
+    return tuple(option for option in options if _OWN.fullmatch(option) and not _GPU.match(option))
 
 
 def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> tuple[str, ...]:

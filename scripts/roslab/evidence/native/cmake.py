@@ -216,6 +216,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         minimum=reading.minimum,
         newer=tuple(reading.newer.values()),
         tests=reading.tests,
+        untested=reading.untested,
         programs_in=reading.written.folder,
         placed=tuple(reading.written.elsewhere()),
         made=tuple(reading.made),
@@ -272,7 +273,7 @@ def _note(call: Call, path: str, reading: Reading) -> None:
     elif name in _EXECUTABLE and words and TARGET.match(words[0]):
         reading.program(told)
     elif name in _TESTS:
-        reading.tests = True
+        reading.test(told)
     elif name in _LIBRARY:
         reading.library(told)
     elif name in cmake_needs.BRINGING:

@@ -38,6 +38,8 @@ class Reading:
     optional: dict[tuple[str, str], None] = field(default_factory=dict)
     written: ProgramFolders = field(default_factory=ProgramFolders)
     tests: bool = False
+    untested: tuple[str, ...] = ()
+    """The options, off by themselves, without which none of them is made."""
     libraries: set[str] = field(default_factory=set)
     targets: dict[str, None] = field(default_factory=dict)
     installed: list[InstalledPath] = field(default_factory=list)
@@ -86,6 +88,12 @@ class Reading:
         for condition in call.conditions:
             found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
             self.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
+
+    def test(self, call: Call) -> None:
+        """Note a test, and the options that are off and that it waits for, of all the one that waits for the fewest."""
+        off = tuple(each.removeprefix("OFF ") for each in call.conditions if each.startswith("OFF "))
+        self.untested = min(self.untested, off, key=len) if self.tests else off
+        self.tests = True
 
     def _code(self, call: Call) -> None:
         """Note the files that a program or a library is compiled from in any case."""
