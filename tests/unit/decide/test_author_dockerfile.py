@@ -315,3 +315,29 @@ def test_that_of_one_project_of_several_is_not_the_repositorys(tmp_path: Path) -
     assert said.reason == "it builds lab, not the whole repository"
     assert decision.python.projects == ("robot", "lab")
     assert (decision.python.conda_file, decision.python.version) == (None, "3.9")
+
+
+ROS = {"package.xml": "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"}
+
+
+@pytest.mark.parametrize(
+    ("files", "names"),
+    [
+        ({}, set[str]()),
+        ({"README.md": "```\nvim a\n```\n"}, set[str]()),
+        (ROS, {"python3-vcstool"}),
+    ],
+)
+def test_what_serves_the_author_alone_is_left_out(tmp_path: Path, files: dict[str, str], names: set[str]) -> None:
+    own = "vim neovim tmux zsh htop kitware-archive-keyring python3-vcstool ros-dev-tools"
+    made = {
+        "Dockerfile": f"FROM ubuntu:20.04\nRUN apt-get install -y libgsl-dev {own}\n",
+        "CMakeLists.txt": "project(a)\nadd_executable(a a.cpp)\n",
+        "a.cpp": "int main() {}\n",
+    }
+    for path, text in {**made, **files}.items():
+        (tmp_path / path).write_text(text)
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="a")
+    offered = {*found.apt, *found.apt_guessed}
+    assert "libgsl-dev" in offered
+    assert offered & {*own.split()} - {"ros-dev-tools"} == names

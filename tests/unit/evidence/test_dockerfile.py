@@ -241,3 +241,33 @@ def test_the_default_of_an_argument_holds_in_its_stage(tmp_path: Path, text: str
 def test_a_copied_path_has_the_default_of_an_argument(tmp_path: Path) -> None:
     text = "FROM ros:humble\nARG PART=robot\nCOPY ${PART}/src /ws/src\n"
     assert read(tmp_path, {"Dockerfile": text, "robot/src/a.cpp": ""})["Dockerfile"].copied == ("robot/src",)
+
+
+STAGES = """\
+ARG TYPE=cpu
+FROM ubuntu:22.04 AS cpu
+RUN apt-get install -y libcpu-dev
+FROM nvidia/cuda:12.4.1-devel-ubuntu22.04 AS gpu
+RUN apt-get install -y libgpu-dev && pip3 install cupy
+RUN git clone https://github.com/a/gpu_lib
+FROM cpu AS builder
+RUN apt-get install -y libbuild-dev
+FROM ${TYPE} AS base
+RUN apt-get install -y libbase-dev
+FROM base AS ros2
+RUN apt-get install -y libros-dev
+FROM base AS final
+COPY --from=builder /opt /opt
+RUN apt-get install -y liblast-dev
+"""
+
+
+def test_stages_from_which_the_last_one_does_not_come_install_nothing(tmp_path: Path) -> None:
+    authored = read(tmp_path, {"Dockerfile": STAGES})["Dockerfile"]
+    names = [each.name for each in authored.dependencies]
+    assert names == ["libcpu-dev", "libbuild-dev", "libbase-dev", "liblast-dev"]
+    assert (authored.requirements, authored.clones) == ((), ())
+    other = read(tmp_path, {"Dockerfile": STAGES.replace("TYPE=cpu", "TYPE=gpu").replace("=builder", "=2")})
+    names = [each.name for each in other["Dockerfile"].dependencies]
+    assert names == ["libcpu-dev", "libgpu-dev", "libbuild-dev", "libbase-dev", "liblast-dev"]
+    assert [each.name for each in other["Dockerfile"].clones] == ["gpu_lib"]

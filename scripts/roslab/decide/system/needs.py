@@ -19,6 +19,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python.of_python3 import ROLE
+from roslab.knowledge.authors_own import authors_own
 from roslab.knowledge.compiled import programs as packaged
 from roslab.knowledge.cuda_toolkits import host_compilers
 from roslab.knowledge.distros import ubuntus_with_python2
@@ -235,10 +236,14 @@ def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependenc
     for dependency in written:
         if dependency.file not in ours or written_for(dependency.name) in {None, ros_distro, "{distro}"}:
             yield dependency
+    used = {m.value.split(" ")[0] for m in evidence.mentions if m.topic in {"command", "session"}}
+    own = authors_own(ros=ros_distro is not None)
     authors = [authored for authored in evidence.dockerfiles if authored.purpose in {"project", "ci"}]
     fitting = [authored for authored in authors if ros_distro and ros_distro in distros_in(authored.base or "")]
     for authored in authors:
         whole = not fitting or authored in fitting or not distros_in(authored.base or "")
         for dependency in authored.dependencies:
-            if dependency.namespace == "apt" and (whole or _HEADERS.fullmatch(dependency.name)):
+            name = dependency.name
+            meant = dependency.namespace == "apt" and (whole or _HEADERS.fullmatch(name))
+            if meant and not (own.match(name) and name not in used):
                 yield dependency

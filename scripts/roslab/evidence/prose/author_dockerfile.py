@@ -211,7 +211,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.entry_scripts import entry_script, started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
-    from roslab.evidence.prose.stages import copied_from, entered, only_files, taken  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.stages import copied_from, entered, only_files, taken, unused  # noqa: PLC0415 - as above
     from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
 
     known: dict[str, str] = {}
@@ -238,6 +238,11 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     if other_dockerfiles.named_otherwise(file):
         missing = missing or "it has a name of its own: it tells what the image needs, and none is made with it"
     service, taken_there = services(repository).get(file.path), taken(written, known)
+    apart = unused(written, known)
+
+    def of_image(line: int) -> bool:
+        return not any(line in stage for stage in apart)
+
     itself = any(is_itself(repository, clone) for clone in collector.sources)
     return AuthorDockerfile(
         file=file.path,
@@ -246,10 +251,10 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         base_line=reading.base_line,
         bases=tuple(reading.bases),
         copies_repository=copies or itself,
-        clones=tuple(collector.sources),
+        clones=tuple(each for each in collector.sources if of_image(each.line)),
         patches=tuple(each for each in collector.mentions if each.topic == "patched"),
-        dependencies=tuple(dict.fromkeys(collector.dependencies)),
-        requirements=tuple(dict.fromkeys(collector.requirements)),
+        dependencies=tuple(each for each in dict.fromkeys(collector.dependencies) if of_image(each.line)),
+        requirements=tuple(each for each in dict.fromkeys(collector.requirements) if of_image(each.line)),
         command=start.command,
         command_line=start.line,
         entrypoint=started_by(repository, start.entrypoint),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+import sys
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
@@ -50,6 +51,35 @@ def entered(written: Sequence[Instruction], folders: Sequence[str]) -> tuple[tup
 def copied_from(written: Sequence[Instruction]) -> str | None:
     """Return the stage whose files the last one copies, as it is written, ``None`` where it copies of none."""
     return next((match[1] for each in reversed(_last(written)) if (match := _COPIED.search(each.text))), None)
+
+
+def unused(written: Sequence[Instruction], known: Mapping[str, str]) -> tuple[range, ...]:
+    """Return the lines of each stage that the image does not come from.
+
+    It comes from the last stage, from what that starts from, and from what these copy or mount from.
+    ``known``: the values of variables.
+    """
+    stages: list[tuple[str, str, list[Instruction]]] = []
+    for each in written:
+        if each.name == "FROM":
+            text = expand(each.text.strip(), known)
+            base = next((word for word in text.split() if not word.startswith("--")), "").lower()
+            stages.append((match[1].lower() if (match := _NAMED.search(text)) else "", base, []))
+        if stages:
+            stages[-1][2].append(each)
+    left, found = [len(stages) - 1] if stages else [], set[int]()
+    while left:
+        index = left.pop()
+        if index in found:
+            continue
+        found.add(index)
+        _, base, inside = stages[index]
+        taken_from = [name for each in inside for name in (*_COPIED.findall(each.text), *_MOUNTED.findall(each.text))]
+        for name in (base, *(expand(name, known).lower() for name in taken_from)):
+            before = [at for at, (other, _, _) in enumerate(stages[:index]) if other and other == name]
+            left += before[-1:] or ([int(name)] if name.isdigit() and int(name) < index else [])
+    begins = [inside[0].line for _, _, inside in stages]
+    return tuple(range(begins[at], [*begins, sys.maxsize][at + 1]) for at in range(len(stages)) if at not in found)
 
 
 def only_files(written: Sequence[Instruction], base: str | None) -> str | None:
