@@ -450,7 +450,7 @@ def test_a_repository_is_no_library_of_its_own_examples(tree: Tree) -> None:
     sample += "add_executable(walk walk.cpp)\n"
     files = {"CMakeLists.txt": root, "sample/CMakeLists.txt": sample, "README.md": "https://github.com/lab/acme_sdk\n"}
     assert [source.name for source in tree(files).source] == []
-    other = files | {"CMakeLists.txt": root.replace("acme_sdk", "else")}
+    other = files | {"CMakeLists.txt": f"{root.replace('acme_sdk', 'else')}add_subdirectory(sample)\n"}
     assert [source.name for source in tree(other).source] == ["acme_sdk"]
 
 

@@ -8,6 +8,7 @@ from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.needs import code_needs
+from roslab.decide.system.unreached import unreached
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -41,7 +42,9 @@ def libtorch(
     if config.compatible or kind == "python":
         return ()
     folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built if kind in {"ros1", "ros2"})
-    asked = next((each for each in code_needs(evidence, packages) if _asks(each) and _entered(each, folders)), None)
+    other = unreached(evidence, by_page=False)
+    needs = (each for each in code_needs(evidence, packages) if _asks(each) and each.file not in other)
+    asked = next((each for each in needs if _entered(each, folders)), None)
     if asked is None or (release := _release(evidence)) is None:
         return ()
     from roslab.knowledge.libtorch import libtorch_archive  # noqa: PLC0415 - few trees need it

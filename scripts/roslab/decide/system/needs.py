@@ -15,6 +15,7 @@ from roslab.decide.system.names import written_for
 from roslab.decide.system.required import programs
 from roslab.decide.system.switches import given, switched_off
 from roslab.decide.system.tests import always_compiled, always_of_packages
+from roslab.decide.system.unreached import unreached
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import Evidence
@@ -113,9 +114,10 @@ def compiler_of_cuda(evidence: Evidence, packages: Packages, kind: Kind, ubuntu:
     """
     compiler = host_compilers().get(ubuntu or "")
     folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages.built)
+    other = unreached(evidence, by_page=False)
     for project in evidence.cmake if kind in {"ros1", "ros2", "cpp"} else ():
         path = project.file
-        aside = places.aside(path)
+        aside = places.aside(path) or path in other
         if "cuda" in project.macros and not aside and (not folders or "" in folders or _inside(path, folders)):
             asked = project.line
             for name in (TOOLKIT, compiler) if compiler else (TOOLKIT,):
@@ -137,17 +139,18 @@ def host_options(apt: Iterable[str], ubuntu: str | None) -> tuple[str, ...]:
 def code_needs(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     """Yield what CMake files look for, except in vendored code and in packages that are not built.
 
-    What an option switches off with which a page configures the project is left out, too. Of vendored code that is
-    always a part of the build, what it requires.
+    What an option switches off with which a page configures the project is left out, too, and what no build comes to.
+    Of vendored code that is always a part of the build, what it requires.
     """
     options = given(evidence)
     skipped = frozenset((*(m.file.rpartition("/")[0] for m in packages.left_out if m.ignored), *packages.doubles))
     folders = frozenset(m.file.rpartition("/")[0] for m in evidence.manifests) or frozenset({""})
+    other = unreached(evidence)
     for project in evidence.cmake:
         vendored = places.vendored(project.file)
         # Nothing builds what has neither its code nor a package.xml, beside packages
         alone = project.top_level and project.lacks and not _inside(project.file, folders)
-        if (vendored and not project.always) or alone or _inside(project.file, skipped):
+        if (vendored and not project.always) or alone or project.file in other or _inside(project.file, skipped):
             continue
         for dependency in project.dependencies:
             if vendored and dependency.strength != "declared":

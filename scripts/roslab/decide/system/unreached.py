@@ -1,0 +1,78 @@
+"""Projects of CMake that no build of the image comes to: what they look for is no need of it."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Iterator
+
+from roslab.decide.linked_projects import linked_projects
+from roslab.decide.linking_projects import linking
+from roslab.decide.programs import beside_top, top_of
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence
+
+_SAYS = frozenset({"compiled", "installed_here", "build_script", "make"})
+
+
+def unreached(evidence: Evidence, *, by_page: bool = True) -> frozenset[str]:
+    """Return the files of projects beside the one that is built, which adds none of them, and of what these add.
+
+    Not those that are compiled beside it. ``by_page``: nor those that a page or a script compiles, whether the image
+    does so or not. Nothing where packages of ROS are built.
+    """
+    top = top_of(evidence)
+    alone = [project for project in evidence.cmake if project.top_level and project is not top]
+    if top is None or evidence.manifests or not alone:
+        return frozenset()
+    own = [each.folder for each in evidence.python if each.installable]
+    above = {
+        each
+        for each in own
+        if not any(other != each and f"{each}/".startswith(f"{other}/".lstrip("/")) for other in own)
+    }
+    python = {each.folder for each in evidence.python if "cmake" in each.extensions} & above
+    built = [
+        top,
+        *beside_top(evidence),
+        *(p for p, _ in linking(evidence, top)),
+        *(p for p, _ in linked_projects(evidence)),
+    ]
+    built += [p for p in alone if _folder(p) in python]
+    built += list(_said(alone, evidence)) if by_page else []
+    folders, unknown = _reached(built, evidence)
+    left = {
+        _folder(p)
+        for p in alone
+        if _folder(p) not in folders and not any(p.file.startswith(begins) for begins in unknown)
+    }
+    return frozenset(
+        each.file for each in evidence.cmake if _folder(each) in left or (each.added and each.top in left - {""})
+    )
+
+
+def _said(projects: Iterable[CMakeProject], evidence: Evidence) -> Iterator[CMakeProject]:
+    """Yield the projects in, or above, whose folders a page or a script compiles something."""
+    places = [f"/{posixpath.normpath(m.value.split(' ')[0])}/" for m in evidence.mentions if m.topic in _SAYS]
+    places += [f"/{posixpath.dirname(m.file)}/" for m in evidence.mentions if m.topic in _SAYS]
+    yield from (p for p in projects if any(f"/{_folder(p)}/" in place for place in places))
+
+
+def _reached(built: Iterable[CMakeProject], evidence: Evidence) -> tuple[frozenset[str], tuple[str, ...]]:
+    """Return the folders that projects add, over any number of others, and how paths begin whose ends are unknown."""
+    by_folder = {_folder(project): project for project in evidence.cmake}
+    left, found, unknown = list(built), set[str](), dict[str, None]()
+    while left:
+        project = left.pop()
+        if (folder := _folder(project)) in found:
+            continue
+        found.add(folder)
+        for added in project.adds:
+            if "$" in added:
+                unknown[added.partition("$")[0]] = None
+            elif (part := by_folder.get(posixpath.normpath(added))) is not None:
+                left.append(part)
+    return frozenset(found), tuple(unknown)
+
+
+def _folder(project: CMakeProject) -> str:
+    return project.file.rpartition("/")[0]

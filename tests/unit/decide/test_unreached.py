@@ -1,0 +1,60 @@
+"""Projects of CMake beside the one that is built, which it never adds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+TOP = "cmake_minimum_required(VERSION 3.10)\nproject(demo CXX)\nadd_executable(demo main.cpp)\n{}"
+OTHER = (
+    "cmake_minimum_required(VERSION 3.10)\nproject(other CXX)\nfind_package({} REQUIRED)\nadd_executable(other b.cpp)\n"
+)
+FILES = {"main.cpp": "int main() {}\n", "src/other/b.cpp": "int main() {}\n"}
+
+
+@pytest.mark.parametrize(
+    ("rest", "page", "needed"),
+    [
+        ("", "", False),
+        ("add_subdirectory(src/other)\n", "", True),
+        ("option(OTHER o OFF)\nif(OTHER)\nadd_subdirectory(src/other)\nendif()\n", "cmake -DOTHER=ON ..", True),
+        ("foreach(part ${PARTS})\nadd_subdirectory(src/${part})\nendforeach()\n", "", True),
+        ("add_subdirectory(src/${PART})\n", "", True),
+        ("add_subdirectory(lib/${PART})\n", "", False),
+        ("", "cd src/other\nmkdir build && cd build\ncmake ..\nmake", True),
+        ("", "cd src/else\nmkdir build && cd build\ncmake ..\nmake", False),
+    ],
+)
+def test_what_is_never_added_needs_nothing(tree: Tree, rest: str, page: str, *, needed: bool) -> None:
+    made = {"CMakeLists.txt": TOP.format(rest), "src/other/CMakeLists.txt": OTHER.format("GSL")}
+    decision = tree({**FILES, **made, "README.md": f"# Build\n```\nmkdir build && cd build\n{page}\n```\n"})
+    assert ("libgsl-dev" in {*decision.apt, *decision.apt_guessed}) is needed
+
+
+@pytest.mark.parametrize(
+    ("rest", "page", "built"),
+    [
+        ("", "", []),
+        ("", "cd src/other\nmkdir build && cd build\ncmake ..\nmake", []),
+        ("add_subdirectory(src/other)\n", "", ["libtorch"]),
+    ],
+)
+def test_libtorch_is_fetched_for_nothing_that_is_not_built(tree: Tree, rest: str, page: str, built: list[str]) -> None:
+    made = {"CMakeLists.txt": TOP.format(rest), "src/other/CMakeLists.txt": OTHER.format("Torch")}
+    decision = tree({**FILES, **made, "README.md": f"# Build\n```\n{page}\n```\n"})
+    assert [each.name for each in decision.source] == built
+
+
+@pytest.mark.parametrize(("root", "needed"), [("", True), ("pyproject.toml", False)])
+def test_what_pip_compiles_needs_its_own(tree: Tree, root: str, *, needed: bool) -> None:
+    build = '[build-system]\nrequires = ["scikit-build-core"]\nbuild-backend = "scikit_build_core.build"\n'
+    made = {"CMakeLists.txt": TOP.format(""), "src/other/CMakeLists.txt": OTHER.format("GSL")}
+    made["src/other/pyproject.toml"] = f'{build}[project]\nname = "other"\nversion = "1"\n'
+    if root:
+        made[root] = f'{build}[project]\nname = "demo"\nversion = "1"\n'
+    decision = tree({**FILES, **made})
+    assert ("libgsl-dev" in {*decision.apt, *decision.apt_guessed}) is needed
