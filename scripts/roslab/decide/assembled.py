@@ -291,7 +291,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         ports=of.command.answer.ports,
         volumes=of.command.answer.volumes,
         warnings=(
-            *problems(evidence, of.dockerfile),
+            *problems(evidence, of.dockerfile, of.build_tool.answer, of.python.answer.projects),
             *(warn(message, origin) for message, origin in config.warnings),
             *(warning for choice in choices for warning in choice.warnings),
             *(() if of.on_cuda or of.own.answer or config.gpu is not None else without_cuda(evidence, of.everything)),

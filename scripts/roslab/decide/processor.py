@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from roslab.config.model import BuildTool, Kind
 from roslab.decide import downloads
 from roslab.decide.decision import Warning_
 from roslab.decide.python.image_python import Python
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system import own_packages
+from roslab.decide.system.unreached import unreached
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
 from roslab.evidence.x86_only import X86Only
@@ -32,6 +35,7 @@ def decide_processor(
     by_cmake = bool(folders) or build_tool == "cmake"
     folders |= {""} if build_tool == "cmake" or (evidence.makefiles and kind in {"cpp", "cuda"}) else set()
     made = {makefile.file for makefile in evidence.makefiles}
+    parts = {folder for makefile in evidence.makefiles for folder in makefile.parts}
     installed = [p for p in evidence.python if p.extensions and (p.folder or ".") in python.projects]
     by_pip = {project.folder for project in installed}
     # A program of Python opens a library where it lies: there is no build that it would be part of
@@ -39,7 +43,11 @@ def decide_processor(
     compiled = [
         each
         for each in evidence.x86_only
-        if (each.file in made if each.source == "make" else _below(each.file, ours.get(each.source, folders | by_pip)))
+        if (
+            each.file in made or each.file.rpartition("/")[0] in parts
+            if each.source == "make"
+            else _below(each.file, ours.get(each.source, folders | by_pip))
+        )
     ]
     by_file = own_packages.for_x86_alone(evidence) if by_cmake else None
     if brought := by_file or (downloads.for_x86_alone(evidence) if folders | by_pip else None):
@@ -55,21 +63,33 @@ def compiles_for_here(evidence: Evidence) -> bool:
     return told(evidence.problems)
 
 
-def problems(evidence: Evidence, dockerfile: str | None) -> tuple[Warning_, ...]:
+def problems(
+    evidence: Evidence, dockerfile: str | None, build_tool: BuildTool, projects: Collection[str]
+) -> tuple[Warning_, ...]:
     """Return what the readers found wrong as warnings; of an option for one machine also what the build does about it.
 
-    ``dockerfile``: the author's own, if that is built.
+    ``dockerfile``: the author's own, if that is built; ``projects``: the folders that pip installs.
     """
+    own = f"; {dockerfile}, which is the author's, compiles with it as it stands: take it out here"
     does = "; a generated Dockerfile compiles for usual PCs since 2013, or for ARM of 64 bits, in its place"
-    does = (
-        f"; {dockerfile}, which is the author's, compiles with it as it stands: take it out here"
-        if dockerfile
-        else does
-    )
-    return tuple(
-        Warning_(message=f"{message}{does if told([(message, file, line)]) else ''}", file=file, line=line)
-        for message, file, line in evidence.problems
-    )
+    other = "; the image does not compile it"
+    found = []
+    for message, file, line in evidence.problems:
+        what = ""
+        if told([(message, file, line)]):
+            what = own if dockerfile else does if _compiles(file or "", evidence, build_tool, projects) else other
+        found.append(Warning_(message=f"{message}{what}", file=file, line=line))
+    return tuple(found)
+
+
+def _compiles(file: str, evidence: Evidence, build_tool: BuildTool, projects: Collection[str]) -> bool:
+    """Tell whether the image compiles what a Makefile or a file of CMake is for."""
+    folder = file.rpartition("/")[0]
+    if not file.endswith((".txt", ".cmake")):
+        called = {each for made in evidence.makefiles for each in (made.folder, *made.parts)}
+        return folder in called or any(f"{folder}/".startswith(f"{each}/".lstrip("/")) for each in called)
+    by_pip = any(each.extensions and (each.folder or ".") in projects for each in evidence.python)
+    return (build_tool not in {"none", "pip", "conda"} and file not in unreached(evidence, by_page=False)) or by_pip
 
 
 def _below(file: str, folders: set[str]) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import Config, Kind
 from roslab.decide import guides
+from roslab.decide.brought_archives import is_there, libraries
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.matlab_code import matlab_code
 from roslab.decide.reasons import warn
@@ -43,12 +44,13 @@ def decide_steps(
     itself: set[str],
     added: Iterable[str] = (),
     fetched: Iterable[str] = (),
+    apt: Collection[str] = (),
 ) -> Choice[None]:
     """Return warnings about what pages and scripts install by other means than apt, pip, conda and known sources.
 
     ``taken`` are names and ``addresses`` are addresses of what the image has, ``itself`` are names of the
-    repository, ``added`` are the package sources that the image gets, and ``fetched`` the addresses of files that it
-    gets.
+    repository, ``added`` are the package sources that the image gets, ``fetched`` the addresses of files that it gets,
+    and ``apt`` its packages.
     """
     if config.compatible or config.custom:
         return Choice(answer=None)
@@ -59,15 +61,23 @@ def decide_steps(
     lists = _lists(evidence) if config.vcs is None else ()
     cloned = _cloned(evidence, kind, names, there, itself)
     data = _data(evidence, names, {*fetched})
-    steps = _fetched(evidence, names, {*added}, done, ros=kind in {"ros1", "ros2"})
+    there_anyway = libraries(evidence, apt)
+    steps = _fetched(evidence, names, {*added}, done, there_anyway, ros=kind in {"ros1", "ros2"})
     others = (*guides.told(evidence), *matlab_code(evidence, config))
     return Choice(answer=None, warnings=(*others, *steps, *lists, *cloned, *data))
 
 
 def _fetched(
-    evidence: Evidence, names: set[str], added: set[str], done: Collection[tuple[str, int]], *, ros: bool
+    evidence: Evidence,
+    names: set[str],
+    added: set[str],
+    done: Collection[tuple[str, int]],
+    there: Collection[str],
+    *,
+    ros: bool,
 ) -> Iterator[Warning_]:
-    told: dict[str, Warning_] = {}
+    """Yield a warning for each step, of those of one script one for all."""
+    told: dict[str, list[Mention]] = {}
     for mention in evidence.mentions:
         if (
             mention.topic == "step"
@@ -76,10 +86,15 @@ def _fetched(
             and not places.vendored(mention.file)
             and not (ros and _OF_ROS.search(mention.value))
             and not (_answered(mention.value, names) or added & {*mention.value.split()})
+            and not is_there(mention.value, there)
         ):
-            message = f"not part of the image: `{mention.value}`; put what it brings under `apt`, `source` or `custom`"
-            told.setdefault(mention.value.partition(" | ")[0], warn(f"{message} in roslab.yaml", mention))
-    yield from list(told.values())[:MOST]
+            step = mention.value.partition(" | ")[0]
+            if not any(step == each.value.partition(" | ")[0] for said in told.values() for each in said):
+                told.setdefault(mention.file if mention.source == "script" else step, []).append(mention)
+    for first, *others in list(told.values())[:MOST]:
+        more = f" and {len(others)} more of this script" if others else ""
+        message = f"not part of the image: `{first.value}`{more}; put what it brings under `apt`, `source` or `custom`"
+        yield warn(f"{message} in roslab.yaml", first)
 
 
 def _data(evidence: Evidence, names: set[str], fetched: set[str]) -> Iterator[Warning_]:

@@ -288,3 +288,29 @@ def test_a_library_of_the_tree_that_python_opens_rules_out_arm(
     tree: Tree, files: dict[str, str], platforms: tuple[str, ...]
 ) -> None:
     assert tree({"requirements.txt": "numpy\n", "run.py": "import numpy\n"} | files).platforms == platforms
+
+
+FLAG = "-march=native compiles for the processor of the machine"
+MAKE = "CXX = g++\nall:\n\t$(CXX) -march=native -o slam main.cpp\n"
+CMAKE = "cmake_minimum_required(VERSION 3.10)\nproject(demo CXX)\nadd_executable(demo main.cpp)\n"
+OTHER = f"{CMAKE.replace('demo', 'other')}add_compile_options(-march=native)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "compiled"),
+    [
+        ({"Makefile": MAKE}, True),
+        ({"Makefile": "all:\n\tmake -C lib\n", "lib/Makefile": MAKE, "lib/main.cpp": "int main() {}\n"}, True),
+        ({"Makefile": MAKE, "requirements.txt": "numpy\n", "a.py": "import numpy\n", "b.py": ""}, False),
+        ({"CMakeLists.txt": f"{CMAKE}add_compile_options(-march=native)\n"}, True),
+        ({"CMakeLists.txt": f"{CMAKE}add_subdirectory(other)\n", "other/CMakeLists.txt": OTHER}, True),
+        ({"CMakeLists.txt": CMAKE, "tools/other/CMakeLists.txt": OTHER}, False),
+    ],
+)
+def test_what_the_build_does_about_it_is_said_where_it_is_compiled(
+    tree: Callable[[dict[str, str]], Decision], files: dict[str, str], *, compiled: bool
+) -> None:
+    found = tree({"main.cpp": "int main() {}\n", **files})
+    (said,) = [each.message for each in found.warnings if each.message.startswith(FLAG)]
+    assert ("in its place" in said) is compiled
+    assert ("the image does not compile it" in said) is not compiled

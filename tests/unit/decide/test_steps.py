@@ -125,7 +125,7 @@ def test_a_list_of_repositories_that_a_page_fetches_is_imported_or_told(tree: Tr
 
 def test_a_script_names_the_distribution_by_its_packages(tree: Tree) -> None:
     script = "apt-get install -y ros-melodic-tf2-sensor-msgs\n"
-    found = tree({"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, "install_deps.sh": script})
+    found = tree({"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, "install_dependencies.sh": script})
     assert found.ros_distro == "melodic"
 
 
@@ -306,3 +306,40 @@ def test_a_module_that_a_clone_may_bring_is_told(tree: Tree, code: str, said: st
     page = "```\ngit clone https://github.com/acme/AcmeArm-Service-Binding.git\n```\n"
     found = told(tree, page, **{"scripts/a.py": f"#!/usr/bin/env python3\n{code}"})
     assert [message.partition(".git, ")[2] for message, _, _ in found] == [said]
+
+
+FETCHED = """\
+#!/bin/bash
+wget https://gmplib.org/download/gmp/gmp-6.3.0.tar.xz || wget https://example.org/mirror/gmp-6.3.0.tar.xz
+wget https://example.org/odd-1.0.tar.gz || wget https://mirror.org/odd-1.0.tar.gz
+wget https://boostorg.example.org/release/source/${BOOST}.tar.gz
+wget https://example.org/CGAL-6.0.1-library.tar.xz
+wget https://example.org/sdk.zip
+make install
+"""
+
+
+def test_one_line_tells_what_a_script_fetches_and_no_library_that_is_there(tree: Tree) -> None:
+    top = (
+        "cmake_minimum_required(VERSION 3.14)\nproject(demo CXX)\nfind_package(Boost REQUIRED)\ninclude(FetchContent)\n"
+        "FetchContent_Declare(CGAL URL https://example.org/CGAL.tar.xz)\nadd_executable(demo main.cpp)\n"
+    )
+    page = "# Installation\n```\nsudo apt install libgmp-dev\n```\n"
+    files = {
+        "CMakeLists.txt": top,
+        "main.cpp": "int main() {}\n",
+        "README.md": page,
+        "install_dependencies.sh": FETCHED,
+    }
+    found = [w for w in tree(files).warnings if w.message.startswith("not part of the image")]
+    assert [(w.message.split(";")[0], w.file, w.line) for w in found] == [
+        (
+            "not part of the image: `wget https://example.org/odd-1.0.tar.gz` and 2 more of this script",
+            "install_dependencies.sh",
+            3,
+        )
+    ]
+    other = {**files, "README.md": page.replace("libgmp-dev", "libgsl-dev")}
+    (first,) = [w for w in tree(other).warnings if w.message.startswith("not part of the image")]
+    assert first.line == 2
+    assert "and 4 more of this script" in first.message
