@@ -14,6 +14,7 @@ from typing import NoReturn
 
 from roslab.cli.arguments import completed, parser
 from roslab.errors import RoslabError
+from roslab.values import kept_modules
 
 MODULES = {
     "build": "building",
@@ -28,6 +29,7 @@ MODULES = {
 
 def run() -> NoReturn:
     """Run the command line and end the process, without giving back what it made: that takes long for many values."""
+    kept_modules.install()
     code = main()
     try:
         sys.stdout.flush()

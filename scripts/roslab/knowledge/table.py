@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import csv
 from functools import cache
 from os.path import dirname
+
+from roslab.values.kept_file import KeptFile
 
 _FOLDER = dirname(__file__)  # noqa: PTH120 - the tables are many, and `Path` would be slower
 
@@ -12,13 +13,31 @@ _FOLDER = dirname(__file__)  # noqa: PTH120 - the tables are many, and `Path` wo
 @cache
 def rows(name: str) -> tuple[dict[str, str], ...]:
     """Return the rows of ``NAME.csv``; each has a ``source`` and the ``date`` on which it was read."""
-    head, *lines = cells(name)
-    return tuple([dict(zip(head, line, strict=True)) for line in lines])
+    found: tuple[dict[str, str], ...] = _kept().value(f"{_FOLDER}/{name}.csv", _rows)
+    return found
 
 
 def cells(name: str) -> list[list[str]]:
     """Return the rows of a large ``NAME.csv``, its head first, of which few are wanted by the names of their cells."""
-    with open(f"{_FOLDER}/{name}.csv", encoding="utf-8", newline="") as stream:  # noqa: PTH123 - as above
+    found: list[list[str]] = _kept().value(f"{_FOLDER}/{name}.csv", _cells)
+    return found
+
+
+@cache
+def _kept() -> KeptFile:
+    """Return what was kept of the tables: a plan reads some ninety, whose rows are quicker read from one file."""
+    return KeptFile(__spec__.cached if __spec__ else None, "rows")
+
+
+def _rows(path: str) -> tuple[dict[str, str], ...]:
+    head, *lines = _cells(path)
+    return tuple([dict(zip(head, line, strict=True)) for line in lines])
+
+
+def _cells(path: str) -> list[list[str]]:
+    import csv  # noqa: PLC0415 - the rows of nearly all tables are kept
+
+    with open(path, encoding="utf-8", newline="") as stream:  # noqa: PTH123 - as above
         return list(csv.reader(stream))
 
 
@@ -32,8 +51,14 @@ def row(name: str, key: str) -> dict[str, str] | None:
     if not start:
         return None
     lines = (text[: text.index("\n")], text[start : text.index("\n", start)])
-    head, found = (next(csv.reader([line])) if '"' in line else line.split(",") for line in lines)
+    head, found = (_quoted(line) if '"' in line else line.split(",") for line in lines)
     return dict(zip(head, found, strict=True))
+
+
+def _quoted(line: str) -> list[str]:
+    import csv  # noqa: PLC0415 - as above
+
+    return next(csv.reader([line]))
 
 
 @cache

@@ -1,0 +1,91 @@
+"""The program's compiled modules in one file, beside those in which Python keeps each by itself.
+
+A plan imports some seven hundred small modules. To look for each along the path, and to open, check and read its own
+file, is a fifth of its time (``benchmarks/plan.py``). Here only the date and the size of each source are looked at, by
+which Python, too, sees whether what it compiled is still true. A module that is new or was changed is imported as ever.
+"""
+
+from __future__ import annotations
+
+import marshal
+import sys
+from collections.abc import Sequence
+from contextlib import suppress
+from functools import partial
+from importlib.machinery import ModuleSpec, SourceFileLoader
+from typing import TYPE_CHECKING
+
+from roslab.values.kept_file import KeptFile, Made, stamp
+
+if TYPE_CHECKING:
+    from types import CodeType
+
+_PROGRAM = f"{__name__.partition('.')[0]}."
+_HEADER = 16
+"""Bytes before the code in Python's own file: magic number, flags, and date and size of the source, four of each.
+
+https://peps.python.org/pep-0552/#specification
+"""
+
+
+def install() -> None:
+    """Let the modules of the program that are imported from here on come from the file, as far as it has them."""
+    if sys.implementation.name == "cpython" and __spec__:
+        sys.meta_path.insert(0, Finder(KeptFile(__spec__.cached, "modules")))
+
+
+class Finder:
+    """Finds the modules that are kept, and has those of the program kept that are not."""
+
+    def __init__(self, kept: KeptFile) -> None:
+        self._kept = kept
+
+    def find_spec(self, name: str, path: Sequence[str] | None, _: object = None) -> ModuleSpec | None:
+        """Return how a module is loaded that is kept; ``None`` leaves it to the next finder."""
+        if not path or not name.startswith(_PROGRAM):
+            return None
+        made = self._kept.find(name)
+        folder = f"{path[0]}/{name.rpartition('.')[2]}"
+        # Of a copy of the whole program the modules stand elsewhere
+        if made is None or made[0] not in {f"{folder}.py", f"{folder}/__init__.py"}:
+            self._kept.add(name, partial(_compiled, name))
+            return None
+        source, _, cached, code = made
+        is_package = len(source) > len(folder) + 3
+        spec = ModuleSpec(name, _Loader(name, source, code), origin=source, is_package=is_package)
+        spec.has_location, spec.cached = True, cached
+        if spec.submodule_search_locations is not None:
+            spec.submodule_search_locations.append(folder)
+        return spec
+
+
+class _Loader(SourceFileLoader):
+    """Loads a module from its compiled code."""
+
+    def __init__(self, name: str, path: str, compiled: bytes) -> None:
+        super().__init__(name, path)
+        self._compiled = compiled
+
+    def get_code(self, fullname: str) -> CodeType:  # noqa: ARG002 - it has one module
+        """Return the module's code."""
+        code: CodeType = marshal.loads(self._compiled)  # noqa: S302 - trusted as Python's own file
+        return code
+
+
+def _compiled(name: str) -> Made | None:
+    """Return what Python has kept of a module that this program imported, if it goes by the date of the source."""
+    spec = getattr(sys.modules.get(name), "__spec__", None)
+    if spec is None or not spec.origin or not spec.cached:
+        return None
+    with suppress(OSError):
+        with open(spec.cached, "rb") as stream:  # noqa: PTH123 - `Path` would be slower
+            header, code = stream.read(_HEADER), stream.read()
+        found = stamp(spec.origin)
+        if found and header[4:] == _by_date(*found):
+            return spec.origin, found, spec.cached, code
+    return None
+
+
+def _by_date(date: int, size: int) -> bytes:
+    """Return the header of Python's file for a source, after the magic number."""
+    return b"".join((each & 0xFFFFFFFF).to_bytes(4, "little") for each in (0, date // 1_000_000_000, size))
