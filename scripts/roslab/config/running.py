@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import datetime as dt
 import shlex
 from typing import Literal, cast
 
@@ -97,6 +96,8 @@ def day(reading: Reading, root: Mapping, key: Literal["date", "pip_date"]) -> st
     if key == "pip_date" and "date" in root.names:
         reading.complain("pip_date: `date` is the day of pip's packages too", "leave one of them out", text.node)
     if text.value not in {"paper", "today"}:
+        import datetime as dt  # noqa: PLC0415 - few files name a day
+
         try:
             dt.date.fromisoformat(text.value)
         except ValueError:

@@ -14,7 +14,6 @@ import marshal
 import os
 import re
 import sys
-from array import array
 from contextlib import suppress
 
 SEEN = frozenset({(3, 11), (3, 12), (3, 13)})
@@ -44,13 +43,15 @@ def compiled(source: str, flags: int) -> re.Pattern[str]:
         atexit.unregister(_write)
         atexit.register(_write)
     all_flags, code, groups, named, names = forms[key]
-    found: re.Pattern[str] = _sre.compile(source, all_flags, array("I", code).tolist(), groups, named, names)
+    found: re.Pattern[str] = _sre.compile(source, all_flags, memoryview(code).cast("I").tolist(), groups, named, names)
     return found
 
 
 def _form(source: str, flags: int) -> _Form:
     """Return the slow half of ``re.compile``."""
     parsed = _parser.parse(source, flags)
+    from array import array  # noqa: PLC0415 - nothing is compiled where all patterns are kept
+
     code = array("I", _compiler._code(parsed, flags)).tobytes()
     state = parsed.state
     names: list[str | None] = [None] * state.groups

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-from roslab.values.pattern import pattern
+from roslab.values.pattern import pattern, postponed
 
 MAX_PARTS = 100
 """More parts than any person writes in a key, for which Python's reader takes time by their square."""
@@ -20,10 +20,11 @@ def parsed(text: str) -> dict[str, Any]:
     for number, line in enumerate(text.split("\n"), 1):
         if line.count(".") >= MAX_PARTS and _LONG.search(line):
             raise ValueError(f"a key of more than {MAX_PARTS} parts (at line {number}, column 1)")
-    if sys.version_info >= (3, 11):  # imported here, since most repositories never need it
-        import tomllib  # noqa: PLC0415
-    else:
-        import tomli as tomllib  # noqa: PLC0415
+    with postponed():  # its patterns are kept as ours
+        if sys.version_info >= (3, 11):  # imported here, since most repositories never need it
+            import tomllib  # noqa: PLC0415
+        else:
+            import tomli as tomllib  # noqa: PLC0415
     try:
         return tomllib.loads(text)
     except RecursionError as error:

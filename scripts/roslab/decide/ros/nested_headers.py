@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import PurePosixPath
 
 from roslab.decide.system.names import spellings
 from roslab.evidence import places
@@ -27,7 +26,7 @@ def nested_headers(evidence: Evidence, ros: str | None) -> Iterator[tuple[str, s
     if known is None or known.ros != 2:
         return
     found = {
-        str(PurePosixPath(project.file).parent): {d.name for d in project.dependencies if d.namespace == "cmake"}
+        project.file.rpartition("/")[0]: {d.name for d in project.dependencies if d.namespace == "cmake"}
         for project in evidence.cmake
     }
     folders: dict[str, Dependency] = {}
@@ -38,7 +37,7 @@ def nested_headers(evidence: Evidence, ros: str | None) -> Iterator[tuple[str, s
         for each in evidence.code:
             if each.namespace != "include" or not each.name.startswith(f"{row.package}/") or places.aside(each.file):
                 continue
-            by = next((found[str(place)] for place in PurePosixPath(each.file).parents if str(place) in found), None)
+            by = next((found[folder] for folder in _folders(each.file) if folder in found), None)
             told = by is None or "rclcpp" not in by  # ament_cmake_auto finds what package.xml names
             if told or any(name == row.package or name.startswith(f"{row.package}_") for name in by or ()):
                 continue
@@ -62,8 +61,15 @@ def _of_plain_cmake(evidence: Evidence, ros: str) -> Iterator[Dependency]:
     for project in evidence.cmake:
         named = [d.name for d in project.dependencies if d.namespace == "cmake" and d.name not in released(ros)]
         packages = {each for name in named for each in spellings(name) if each in released(ros)}
-        folder = PurePosixPath(project.file).parent
+        folder = project.file.rpartition("/")[0]
         for each in evidence.code if packages else ():
-            inside = each.namespace == "include" and folder in PurePosixPath(each.file).parents
+            inside = each.namespace == "include" and folder in _folders(each.file)
             if inside and each.name.partition("/")[0].partition(".")[0].lower() in packages:
                 yield each
+
+
+def _folders(file: str) -> Iterator[str]:
+    """Yield the folders that a file is in, its own first; ``""`` is the root."""
+    while file:
+        file = file.rpartition("/")[0]
+        yield file
