@@ -8,7 +8,8 @@ from __future__ import annotations
 from functools import cache
 
 from roslab.knowledge.distros import distros
-from roslab.knowledge.table import row, rows, whole
+from roslab.knowledge.table import path_of, row, rows, whole
+from roslab.values.kept_file import KeptFile
 
 
 @cache
@@ -25,16 +26,20 @@ def released(distro: str) -> frozenset[str]:
 
 
 @cache
-def _ever() -> str:
-    """Return the text of the table without rosdep's own keys, a blank before and behind each name."""
+def _ever_released() -> frozenset[str]:
+    """Return the words of the table without those of rosdep's row: the names of packages, and few others."""
+    found: frozenset[str] = KeptFile(__spec__, "words").value(path_of("released"), _words)
+    return found
+
+
+def _words(_: str) -> frozenset[str]:
     before, _, rest = whole("released").partition("\nrosdep,")
-    return (before + rest.partition("\n")[2]).replace(",", " ")
+    return frozenset((before + rest.partition("\n")[2]).replace(",", " ").split(" "))
 
 
-@cache
 def ever_released(package: str) -> bool:
     """Tell whether any distribution released a package of this name."""
-    return f" {package} " in _ever()
+    return package in _ever_released()
 
 
 @cache

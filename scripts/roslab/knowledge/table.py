@@ -13,20 +13,25 @@ _FOLDER = dirname(__file__)  # noqa: PTH120 - the tables are many, and `Path` wo
 @cache
 def rows(name: str) -> tuple[dict[str, str], ...]:
     """Return the rows of ``NAME.csv``; each has a ``source`` and the ``date`` on which it was read."""
-    found: tuple[dict[str, str], ...] = _kept().value(f"{_FOLDER}/{name}.csv", _rows)
+    found: tuple[dict[str, str], ...] = _kept().value(path_of(name), _rows)
     return found
 
 
 def cells(name: str) -> list[list[str]]:
     """Return the rows of a large ``NAME.csv``, its head first, of which few are wanted by the names of their cells."""
-    found: list[list[str]] = _kept().value(f"{_FOLDER}/{name}.csv", _cells)
+    found: list[list[str]] = _kept().value(path_of(name), _cells)
     return found
+
+
+def path_of(name: str) -> str:
+    """Return the path of ``NAME.csv``."""
+    return f"{_FOLDER}/{name}.csv"
 
 
 @cache
 def _kept() -> KeptFile:
     """Return what was kept of the tables: a plan reads some ninety, whose rows are quicker read from one file."""
-    return KeptFile(__spec__.cached if __spec__ else None, "rows")
+    return KeptFile(__spec__, "rows")
 
 
 def _rows(path: str) -> tuple[dict[str, str], ...]:

@@ -13,7 +13,10 @@ import os
 import sys
 from collections.abc import Callable
 from contextlib import suppress
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from importlib.machinery import ModuleSpec
 
 Stamp = tuple[int, int]
 """When a file was changed last, in nanoseconds, and its size."""
@@ -26,9 +29,13 @@ _LENGTH = 8
 class KeptFile:
     """A file with what was kept, read at once, to which more is added when the program ends."""
 
-    def __init__(self, module_file: str | None, suffix: str) -> None:
-        """Read the file beside a module's compiled one; ``None`` if the module has none, and nothing is kept."""
-        self.file = module_file and f"{module_file.removesuffix('.pyc')}.{suffix}"
+    def __init__(self, module: ModuleSpec | None, suffix: str) -> None:
+        """Read the file of a module, beside its compiled one; where it has none, nothing is kept.
+
+        What was kept by another version of that module, or of this one, counts for nothing.
+        """
+        self.file = module and module.cached and f"{module.cached.removesuffix('.pyc')}.{suffix}"
+        self._release = (sys.version, stamp(__file__), stamp((module and module.origin) or ""))
         self._rows: dict[str, tuple[str, Stamp, str, int, int]] = {}  # in place of the bytes where they begin and end
         self._later: dict[str, Callable[[], Made | None]] = {}
         with suppress(OSError, EOFError, ValueError, TypeError):  # none yet, or one that is damaged
@@ -36,7 +43,7 @@ class KeptFile:
                 self._whole = mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ)
             self._start = _LENGTH + int.from_bytes(self._whole[:_LENGTH], "little")
             release, length, rows = marshal.loads(self._whole[_LENGTH : self._start])  # noqa: S302 - as Python's own
-            if release == sys.version and self._start + length == len(self._whole):
+            if release == self._release and self._start + length == len(self._whole):
                 self._rows = rows
 
     def find(self, name: str) -> Made | None:
@@ -54,8 +61,8 @@ class KeptFile:
         self._later[name] = make
 
     def value(self, path: str, make: Callable[[str], Any]) -> Any:
-        """Return what is made of a file, all of it values that ``marshal`` knows, or what was kept of it."""
-        name = f"{path} {make.__name__}"
+        """Return what a function of the module makes of a file, of values that ``marshal`` knows, or what was kept."""
+        name = f"{make.__name__} {path}"
         if found := self.find(name):
             return marshal.loads(found[3])  # noqa: S302 - as above
         before = stamp(path)
@@ -87,7 +94,7 @@ class KeptFile:
                 rows[name] = (path, stamped, note, end, end + len(content))
                 parts.append(content)
                 end += len(content)
-        table = marshal.dumps((sys.version, end, rows))
+        table = marshal.dumps((self._release, end, rows))
         return [len(table).to_bytes(_LENGTH, "little"), table, *parts]
 
 

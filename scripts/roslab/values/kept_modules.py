@@ -31,7 +31,7 @@ https://peps.python.org/pep-0552/#specification
 def install() -> None:
     """Let the modules of the program that are imported from here on come from the file, as far as it has them."""
     if sys.implementation.name == "cpython" and __spec__:
-        sys.meta_path.insert(0, Finder(KeptFile(__spec__.cached, "modules")))
+        sys.meta_path.insert(0, Finder(KeptFile(__spec__, "modules")))
 
 
 class Finder:

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 
 import pytest
@@ -19,12 +20,23 @@ SCRIPTS = Path(__file__).parents[3] / "scripts"
 
 
 @pytest.fixture
-def compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
-    """The path of a module's compiled file, beside which things are kept; nothing is written by itself."""
+def module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ModuleSpec:
+    """A module beside whose compiled file things are kept; nothing is written by itself."""
     monkeypatch.setattr(sys, "dont_write_bytecode", False)
     monkeypatch.setattr(atexit, "register", lambda _: None)
-    (tmp_path / "__pycache__").mkdir()
-    return str(tmp_path / "__pycache__" / "module.pyc")
+    return spec_of(tmp_path)
+
+
+def spec_of(folder: Path) -> ModuleSpec:
+    (folder / "__pycache__").mkdir()
+    (folder / "module.py").write_text("# as it was\n")
+    spec = ModuleSpec("module", None, origin=str(folder / "module.py"))
+    spec.cached = str(folder / "__pycache__" / "module.pyc")
+    return spec
+
+
+def kept_beside(module: ModuleSpec) -> Path:
+    return Path(module.cached or "").with_suffix(".rows")
 
 
 @pytest.fixture
@@ -46,40 +58,47 @@ def never(path: str) -> list[str]:
 never.__name__ = words.__name__  # what is made is kept under the name of its maker
 
 
-def keep(compiled: str, *sources: Path) -> None:
-    file = KeptFile(compiled, "rows")
+def keep(module: ModuleSpec | None, *sources: Path) -> None:
+    file = KeptFile(module, "rows")
     for each in sources:
         file.value(str(each), words)
     file.write()
 
 
-def test_what_is_kept_is_not_made_again(compiled: str, source: Path) -> None:
-    keep(compiled, source)
-    assert KeptFile(compiled, "rows").value(str(source), never) == ["a"]
+def test_what_is_kept_is_not_made_again(module: ModuleSpec, source: Path) -> None:
+    keep(module, source)
+    assert KeptFile(module, "rows").value(str(source), never) == ["a"]
 
 
 @pytest.mark.parametrize(("text", "date"), [("b\n", 2), ("b\n", 1 + 1e-6), ("ab\n", 1)])
 def test_of_a_file_with_another_date_or_size_it_is_made_anew(
-    compiled: str, source: Path, text: str, date: float
+    module: ModuleSpec, source: Path, text: str, date: float
 ) -> None:
-    keep(compiled, source)
+    keep(module, source)
     source.write_text(text)
     os.utime(source, (date, date))
-    assert KeptFile(compiled, "rows").value(str(source), words) == [text.strip()]
+    assert KeptFile(module, "rows").value(str(source), words) == [text.strip()]
 
 
-def test_what_comes_later_is_added_and_what_is_gone_left_out(compiled: str, source: Path, tmp_path: Path) -> None:
+def test_by_another_version_of_the_module_it_is_made_anew(module: ModuleSpec, source: Path) -> None:
+    keep(module, source)
+    Path(module.origin or "").write_text("# as it is now\n")
+    with pytest.raises(AssertionError, match="is read again"):
+        KeptFile(module, "rows").value(str(source), never)
+
+
+def test_what_comes_later_is_added_and_what_is_gone_left_out(module: ModuleSpec, source: Path, tmp_path: Path) -> None:
     gone, new = tmp_path / "gone.csv", tmp_path / "new.csv"
     gone.write_text("gone\n")
     new.write_text("new\n")
-    keep(compiled, source, gone)
-    before = Path(compiled).with_suffix(".rows").stat().st_size
+    keep(module, source, gone)
+    before = kept_beside(module).stat().st_size
     gone.unlink()
-    keep(compiled, new)
-    kept = KeptFile(compiled, "rows")
+    keep(module, new)
+    kept = KeptFile(module, "rows")
     assert [kept.value(str(each), never) for each in (source, new)] == [["a"], ["new"]]
-    assert Path(compiled).with_suffix(".rows").stat().st_size < before + 10
-    assert [each.name for each in Path(compiled).parent.iterdir()] == ["module.rows"]
+    assert kept_beside(module).stat().st_size < before + 10
+    assert [each.name for each in kept_beside(module).parent.iterdir()] == ["module.rows"]
 
 
 @pytest.mark.parametrize(
@@ -93,26 +112,27 @@ def test_what_comes_later_is_added_and_what_is_gone_left_out(compiled: str, sour
     ids=["empty", "foreign", "cut off", "of another Python"],
 )
 def test_a_damaged_file_or_one_of_another_python_is_written_anew(
-    damage: Callable[[bytes], bytes], compiled: str, source: Path
+    damage: Callable[[bytes], bytes], module: ModuleSpec, source: Path
 ) -> None:
-    keep(compiled, source)
-    file = Path(compiled).with_suffix(".rows")
+    keep(module, source)
+    file = kept_beside(module)
     file.write_bytes(damage(file.read_bytes()))
-    assert KeptFile(compiled, "rows").value(str(source), words) == ["a"]
-    keep(compiled, source)
-    assert KeptFile(compiled, "rows").value(str(source), never) == ["a"]
+    assert KeptFile(module, "rows").value(str(source), words) == ["a"]
+    keep(module, source)
+    assert KeptFile(module, "rows").value(str(source), never) == ["a"]
 
 
 def test_nothing_is_written_where_python_writes_nothing(
-    compiled: str, source: Path, monkeypatch: pytest.MonkeyPatch
+    module: ModuleSpec, source: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
-    keep(compiled, source)
-    assert not Path(compiled).with_suffix(".rows").exists()
+    keep(module, source)
+    assert not kept_beside(module).exists()
 
 
-def test_a_folder_that_cannot_be_written_is_no_error(source: Path, tmp_path: Path) -> None:
-    keep(str(tmp_path / "absent" / "module.pyc"), source)
+def test_a_folder_that_cannot_be_written_is_no_error(module: ModuleSpec, source: Path, tmp_path: Path) -> None:
+    module.cached = str(tmp_path / "absent" / "module.pyc")
+    keep(module, source)
     assert not (tmp_path / "absent").exists()
 
 
