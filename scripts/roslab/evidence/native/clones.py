@@ -31,7 +31,9 @@ _OF_TARGETS = frozenset(
         "cuda_add_executable",
     ]
 )
-_PATH = pattern(r"(?:\$\{(PROJECT|CMAKE|CMAKE_CURRENT)_SOURCE_DIR\}/)?((?:\.\.?/|[\w+-][\w.+-]*/?){1,12})$")
+_PATH = pattern(
+    r"(?:\$\{(PROJECT|CMAKE|CMAKE_CURRENT)_SOURCE_DIR\}/)?((?:(?:\.\.?|[\w+-][\w.+-]*)/){0,11}(?:\.\.?/|[\w+-][\w.+-]*/?))$"
+)
 
 
 def read(repository: Repository, sources: Iterable[GitSource], projects: Iterable[CMakeProject]) -> Iterator[GitSource]:

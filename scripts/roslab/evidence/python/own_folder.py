@@ -43,7 +43,7 @@ def own_folder(repository: Repository, module: Module) -> str:
 def _paths(module: Module) -> Iterator[str]:
     for match in matches_at(_ADDED, module.text, "sys.path."):
         yield match[1].lstrip("/") if "getcwd" in match[0] else match[1]
-    for match in _READ.finditer(module.text) if "../" in module.text else ():
+    for match in _READ.finditer(module.text) if any(quoted in module.text for quoted in ('"../', "'../")) else ():
         if not in_comment(module.text, match.start()):
             yield match[1]
 
