@@ -57,7 +57,7 @@ def _markers() -> dict[str, Marker]:
 @cache
 def _holds(said: str, python: str, platform: str) -> bool | None:
     """Evaluate a marker; ``None`` if it depends on the machine that the image will run on."""
-    from packaging.markers import UndefinedComparison  # noqa: PLC0415 - the marker of a requirement has imported it
+    from roslab.values.standard_requirement import UndefinedComparison  # noqa: PLC0415 - a marker has imported it
 
     if any(name in said for name in _UNKNOWN):
         return None

@@ -132,7 +132,7 @@ class Requirement:
         """Return it with an additional marker; one that pip cannot read is ignored."""
         if not condition.strip():
             return self
-        from packaging.markers import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
+        from roslab.values.standard_requirement import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
 
         try:
             more: Marker | None = Marker(condition)

@@ -94,8 +94,8 @@ def _parsed(text: str) -> Parsed | None:
     address = _URL.match(text) and ";" not in text and not text.startswith("git@")
     if address or text.startswith((".", "/")):
         return None
-    from packaging.requirements import InvalidRequirement  # noqa: PLC0415 - slow to import
-    from packaging.requirements import Requirement as Parsed  # noqa: PLC0415
+    from roslab.values.standard_requirement import InvalidRequirement  # noqa: PLC0415 - slow to import
+    from roslab.values.standard_requirement import Requirement as Parsed  # noqa: PLC0415
 
     try:
         return Parsed(text)
@@ -128,7 +128,7 @@ def _marked(text: str) -> tuple[str, Marker | None, bool]:
     requirement, _, condition = text.partition(" ;" if _URL.match(before) else ";")
     if not condition.strip():
         return requirement.strip(), None, True
-    from packaging.markers import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
+    from roslab.values.standard_requirement import InvalidMarker, Marker  # noqa: PLC0415 - slow to import
 
     try:
         return requirement.strip(), Marker(condition), True

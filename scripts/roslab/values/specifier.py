@@ -96,7 +96,7 @@ def specifiers(text: str) -> Allowed | None:
     """
     if _PLAIN.fullmatch(text):
         return Specifiers(tuple(Part(*found.groups()) for found in _PART.finditer(text)))
-    from packaging.specifiers import InvalidSpecifier, SpecifierSet  # noqa: PLC0415 - slow to import
+    from roslab.values.standard_requirement import InvalidSpecifier, SpecifierSet  # noqa: PLC0415 - slow to import
 
     try:
         return SpecifierSet(text)
@@ -115,7 +115,7 @@ def _repaired(part: str) -> str:
 
 
 def _valid(specifier: str) -> bool:
-    from packaging.specifiers import InvalidSpecifier, Specifier  # noqa: PLC0415
+    from roslab.values.standard_requirement import InvalidSpecifier, Specifier  # noqa: PLC0415
 
     try:
         Specifier(specifier)
