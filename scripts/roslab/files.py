@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import stat
 from collections.abc import Sequence
@@ -11,13 +10,11 @@ from pathlib import Path, PurePosixPath
 from typing import Literal
 
 from roslab.errors import ConfigurationError, Problem, RefusedError
-from roslab.render.output import MARKER, OutputFile
+from roslab.render.output import OutputFile, generated
 from roslab.repository.checkout import printable
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
-MARKED_LINES = 6
-"""The mark counts only in the first lines of a file; further down it may be a quotation."""
 ELSEWHERE = "write to another folder with --output DIR"
 MAX_SIZE = 64 * 1024 * 1024
 """Bytes read of an existing file: roslab writes nothing longer."""
@@ -164,18 +161,6 @@ def _action(path: Path, file: OutputFile, content: bytes) -> Action:
 def _content(path: Path) -> bytes:
     with path.open("rb") as stream:
         return stream.read(MAX_SIZE)
-
-
-def generated(name: str, content: bytes) -> bool:
-    """Tell whether a file has roslab's mark: in its first lines, or in a notebook's metadata."""
-    text = content.decode(errors="replace")
-    if not name.endswith(".ipynb"):
-        return any(line.startswith(("#", "//")) and MARKER in line for line in text.splitlines()[:MARKED_LINES])
-    try:
-        notebook = json.loads(text)
-        return MARKER in str(notebook["metadata"]["roslab"]["generated"])
-    except (ValueError, KeyError, TypeError, RecursionError):
-        return False
 
 
 def _make_folders(folder: Path, files: Sequence[OutputFile]) -> list[Path]:

@@ -20,6 +20,7 @@ from roslab.plan.locked import NAME as LOCK
 from roslab.plan.plan import Plan, make_plan
 from roslab.plan.version import SourceVersion, of_projects, source_version
 from roslab.render import FILES, OutputFile, render_all
+from roslab.render.output import generated
 from roslab.repository import git as commits
 from roslab.repository.checkout import Repository, printable
 from roslab.values.dataclass import dataclass, replace
@@ -151,7 +152,7 @@ def _with_version(
     if decision.dockerfile:
         return decision, None
     asking = of_projects(evidence.python, decision.python.projects)
-    version = source_version(asking, commits.describe(repository.root) if asking else None)
+    version = source_version(asking, commits.describe(repository.path) if asking else None)
     if version and not version.tag:
         first = next(iter(asking))
         message = f"its version comes from git, but no tag here has one: it is installed as {version.version}"
@@ -174,8 +175,6 @@ def _without_own_files(repository: Repository) -> Repository:
     candidates = repository.named(*(posixpath.basename(file.path) for file in FILES))
     if not candidates:
         return repository
-    from roslab.files import generated  # noqa: PLC0415 - most repositories have none of these names
-
     return repository.leaving_out(
         {file.path for file in candidates if generated(file.name, repository.read_bytes(file))}
     )

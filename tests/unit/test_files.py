@@ -10,8 +10,8 @@ import pytest
 
 from roslab import files
 from roslab.errors import ConfigurationError, RefusedError
-from roslab.files import Written, generated, replace_with_backup, write_all
-from roslab.render.output import MARKER, OutputFile
+from roslab.files import Written, replace_with_backup, write_all
+from roslab.render.output import MARKER, OutputFile, generated
 
 OURS = f"#!/bin/sh\n# {MARKER}.\n"
 

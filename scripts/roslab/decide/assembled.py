@@ -119,7 +119,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     ros = of.kind.answer in _ROS
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     interpreters = decide_interpreters(evidence, config, ubuntu)
-    files = Choice[tuple[str, ...]](answer=()) if of.own.answer else own_packages(evidence, config, ubuntu)
+    files: Choice[tuple[str, ...]] = Choice(answer=()) if of.own.answer else own_packages(evidence, config, ubuntu)
     folders = decide_author_folders(evidence, config, of.packages, of.layout.answer, of.build_tool.answer)
     failing = may_fail(
         evidence, of.packages, of.target, of.sources.answer, of.left_out, stopping=of.missing.answer.stopping

@@ -46,6 +46,7 @@ class Repository:
     top: Path | None = None
     _texts: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
     _made: dict[Callable[[Repository], Any], Any] = field(default_factory=dict, repr=False, compare=False)
+    _recorded: dict[tuple[str, ...], dict[str, str]] = field(default_factory=dict, repr=False, compare=False)
 
     @classmethod
     def open(cls, path: str | Path, *, branch: str | None = None, top: Path | None = None) -> Repository:
@@ -56,7 +57,9 @@ class Repository:
         """
         try:
             if not os.path.isdir(path):  # noqa: PTH112 - `Path` would be slower, here and below
-                raise _no_folder(path)
+                from roslab.repository.no_folder import no_folder  # noqa: PLC0415 - most paths are of a folder
+
+                raise no_folder(path)
             root = os.path.realpath(path)
             if not os.listdir(root):  # noqa: PTH208
                 raise NothingToBuildError(
@@ -234,7 +237,7 @@ class Repository:
     @cached_property
     def branches(self) -> tuple[str, ...]:
         """The names of the branches that git knows, those of remotes too."""
-        return git.branches(self.root) if self.git_folder else ()
+        return git.branches(self.path) if self.git_folder else ()
 
     @cached_property
     def origin(self) -> str | None:
@@ -250,7 +253,7 @@ class Repository:
     @cached_property
     def committed(self) -> dt.datetime | None:
         """Time of the checkout's commit in UTC; ``None`` if there is no commit or no git."""
-        seconds = git.head(self.root)[1] if self.git_folder else None
+        seconds = git.head(self.path)[1] if self.git_folder else None
         if seconds is None:
             return None
         import datetime as dt  # noqa: PLC0415 - as above
@@ -259,25 +262,20 @@ class Repository:
 
     def recorded(self, paths: tuple[str, ...]) -> dict[str, str]:
         """Return the commit that the checkout's commit records for each submodule at one of the paths, if git tells."""
-        return git.recorded(self.root, paths) if paths and self.git_folder else {}
+        if not (paths and self.git_folder):
+            return {}
+        asked = tuple(sorted(paths))  # several readers ask for the same ones
+        if asked not in self._recorded:
+            self._recorded[asked] = git.recorded(self.path, asked)
+        return self._recorded[asked]
 
     @cached_property
     def links(self) -> tuple[str, ...]:
         """The paths of the submodules that the checkout's commit records, if git tells."""
-        return git.links(self.root) if self.git_folder else ()
+        return git.links(self.path) if self.git_folder else ()
 
     def _git_text(self, name: str) -> str:
         return text_of(f"{self.git_folder}/{name}")[:65536] if self.git_folder else ""
-
-
-def _no_folder(path: str | Path) -> ConfigurationError:
-    """Return why a path cannot be opened. Raises ``OSError`` where it cannot be looked at."""
-    from pathlib import Path  # noqa: PLC0415 - as above
-
-    why = "it is a file" if Path(path).exists() else "there is nothing at that path"
-    return ConfigurationError(
-        Problem(message=f"not a directory: {printable(str(path))}: {why}", hint="give the root of a repository")
-    )
 
 
 def nearest(files: Iterable[File]) -> list[File]:

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from roslab.files import generated
 from roslab.plan.author_dockerfile import AuthorDockerfile
 from roslab.plan.plan import Plan
 from roslab.render import FILES, OutputFile, render_all
+from roslab.render.output import generated
 from roslab.render.script import script
 
 Plans = Callable[..., Plan]

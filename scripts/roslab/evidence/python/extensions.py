@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from roslab.evidence.python.needs_gpu import needs_gpu, only_asks
 from roslab.values.pattern import pattern
 
 _BUILDING = frozenset({"build", "build_ext", "build_py", "build_clib", "develop", "editable_wheel"})
@@ -26,8 +25,11 @@ def extensions(text: str) -> tuple[str, ...]:
     """Return what kinds of code a build script compiles, by the names it uses; not in lines that are a comment."""
     code = _COMMENTS.sub("", text) if "#" in text else text
     found = [kind for kind, names in _KINDS if names.search(code)]
-    if needs_gpu(code):
-        found.append("gpu asked" if only_asks(code) else "gpu")
+    if "cuda.is_available()" in code:
+        from roslab.evidence.python.needs_gpu import needs_gpu, only_asks  # noqa: PLC0415 - with Python's own parser
+
+        if needs_gpu(code):
+            found.append("gpu asked" if only_asks(code) else "gpu")
     if _NOT_EDITABLE.search(code):
         found.append("not editable")
     return tuple(found)

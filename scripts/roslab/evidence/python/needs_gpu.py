@@ -17,8 +17,6 @@ _ASKS_MORE = pattern(
 
 def needs_gpu(text: str) -> bool:
     """Tell whether it raises an error where torch sees no GPU, and no variable can tell it to go on."""
-    if _CALL not in text:
-        return False
     tree = parsed(text)
     return tree is not None and any(_stops(node) for node in ast.walk(tree))
 

@@ -7,13 +7,14 @@ colcon's ``--symlink-install`` hides that: it installs links to the source.
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from roslab.evidence.python.modules import MAX_READ, setup_scripts
-from roslab.evidence.python.parsed import parsed
-from roslab.evidence.python.setup_py import SetupScript, read
 from roslab.repository.checkout import Repository
+
+if TYPE_CHECKING:
+    from roslab.evidence.python.setup_py import SetupScript
 
 _ELSEWHERE = frozenset({"package_dir", "py_modules", "cmdclass", "**"})
 """Arguments of ``setup`` by which packages may be installed that are not named."""
@@ -28,6 +29,8 @@ def problems(repository: Repository) -> Iterator[tuple[str, str, int]]:
         manifest = f"{folder}/package.xml".lstrip("/")
         if "packages" not in module.text or not repository.has(manifest):
             continue
+        from roslab.evidence.python.setup_py import read  # noqa: PLC0415 - it imports Python's own parser
+
         script = read(module.text)
         if script.packages and script.scripts and not script.catkin and not _ELSEWHERE & script.arguments:
             yield from _of_script(repository, module.file.path, folder, script)
@@ -80,6 +83,10 @@ def _imported(repository: Repository, above: str, modules: Iterable[str]) -> Ite
 
 
 def _names(repository: Repository, file: str, package: str) -> Iterator[tuple[str, int]]:
+    import ast  # noqa: PLC0415 - what needs Python's own parser is imported where a setup.py asks for it
+
+    from roslab.evidence.python.parsed import parsed  # noqa: PLC0415 - as above
+
     tree = parsed(repository.read(file, limit=MAX_READ))
     for node in tree.body if tree else ():
         if isinstance(node, ast.Import):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 
-from roslab.evidence.python.branches import of_some_versions
 from roslab.evidence.python.in_comment import in_comment
 from roslab.evidence.python.modules import modules
 from roslab.evidence.removed_name import Removed
@@ -41,4 +40,8 @@ def read(repository: Repository) -> tuple[Removed, ...]:
 
 def _counts(text: str, match: re.Match[str]) -> bool:
     """Tell whether a use stands in the code, for every version of the library."""
-    return not in_comment(text, match.start()) and not of_some_versions(text, match.end())
+    if in_comment(text, match.start()):
+        return False
+    from roslab.evidence.python.branches import of_some_versions  # noqa: PLC0415 - it imports Python's own parser
+
+    return not of_some_versions(text, match.end())
