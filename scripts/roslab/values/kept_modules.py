@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
 from importlib.machinery import ModuleSpec, SourceFileLoader
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 from roslab.values.kept_file import KeptFile, Made, stamp
@@ -59,12 +60,26 @@ class Finder:
         return spec
 
 
+class _Module(ModuleType):
+    """A module that has no ``__getattr__`` of its own, as none of the program has.
+
+    Each ``from … import`` asks a module for its ``__path__``, which only packages have. Until Python 3.12 a module's own
+    way of looking for an attribute writes a message then that nobody sees; a plan would have some eight thousand.
+    """
+
+    __getattribute__ = object.__getattribute__
+
+
 class _Loader(SourceFileLoader):
     """Loads a module from its compiled code."""
 
     def __init__(self, name: str, path: str, compiled: bytes) -> None:
         super().__init__(name, path)
         self._compiled = compiled
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        """Return the module, empty."""
+        return _Module(spec.name)
 
     def get_code(self, fullname: str) -> CodeType:  # noqa: ARG002 - it has one module
         """Return the module's code."""

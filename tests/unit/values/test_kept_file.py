@@ -197,3 +197,18 @@ def test_packages_are_found_with_what_is_in_them(program: Path) -> None:
     for _ in range(2):
         told = origins(program, "import roslab", *code).splitlines()
         assert told[1] == f"roslab.evidence.lex {program / 'roslab' / 'evidence' / 'lex'}"
+
+
+def test_a_name_that_a_module_lacks_is_told(program: Path) -> None:
+    code = (
+        "from types import ModuleType",
+        "print(isinstance(conda, ModuleType), hasattr(conda, '__path__'))",
+        "try:",
+        "    from roslab.values.conda import nothing",
+        "except ImportError as error:",
+        "    print(error)",
+    )
+    origins(program)
+    told = origins(program, *code).splitlines()
+    file = program / "roslab" / "values" / "conda.py"
+    assert told[1:] == ["True False", f"cannot import name 'nothing' from 'roslab.values.conda' ({file})"]

@@ -152,8 +152,9 @@ def _beginning(start: str, target: Target) -> tuple[str, ...]:
 
     Of too many, it is the one of that name alone. https://manpages.ubuntu.com/manpages/focal/man8/apt-get.8.html
     """
-    names = sorted(target.ros(name) for name in released(target.ros_distro or ""))
-    found = tuple(name for name in names if name.startswith(target.ros(start)))
+    begins = target.ros(start)
+    names = (target.ros(name) for name in released(target.ros_distro or ""))
+    found = tuple(sorted(name for name in names if name.startswith(begins)))
     return found if len(found) <= MOST_OF_A_PATTERN else tuple(n for n in found if n == target.ros(start.rstrip("-")))
 
 

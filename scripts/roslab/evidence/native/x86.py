@@ -103,10 +103,14 @@ def _nearest(files: Iterable[File]) -> list[File]:
     return nearest(kept)
 
 
-def cmake_files(repository: Repository) -> list[File]:
+def cmake_files(repository: Repository) -> tuple[File, ...]:
     """Return the files of CMake that are searched."""
+    return repository.once(_cmake_files)
+
+
+def _cmake_files(repository: Repository) -> tuple[File, ...]:
     files = (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake"))
-    return _nearest(file for file in files if file.size <= MAX_SIZE)[:MAX_FILES]
+    return tuple(_nearest(file for file in files if file.size <= MAX_SIZE)[:MAX_FILES])
 
 
 def _of_cmake(repository: Repository) -> Iterator[X86Only]:

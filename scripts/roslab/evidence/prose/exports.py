@@ -93,12 +93,15 @@ def read_by_program(name: str, repository: Repository) -> bool:
     if _OF_OTHERS.fullmatch(name) or of_one_machine(name) or of_every_image(name):
         return False
     building = [*_of_cmake(repository), *repository.named("setup.py")]
-    files = nearest([file for file in repository.suffixed(*_PROGRAMS) if not places.vendored(file.path)])[:MAX_READERS]
-    return not _reading(name, building, repository) and _reading(name, files, repository)
+    return not _reading(name, building, repository) and _reading(name, repository.once(_programs), repository)
+
+
+def _programs(repository: Repository) -> list[File]:
+    return nearest([file for file in repository.suffixed(*_PROGRAMS) if not places.vendored(file.path)])[:MAX_READERS]
 
 
 def _of_cmake(repository: Repository) -> list[File]:
-    return [file for file in _readers(repository) if file.name.endswith((".txt", ".cmake"))]
+    return [file for file in repository.once(_readers) if file.name.endswith((".txt", ".cmake"))]
 
 
 def _is_read(name: str, repository: Repository) -> bool:
@@ -110,7 +113,7 @@ def _is_read(name: str, repository: Repository) -> bool:
 
     if name in build_variables():
         return True
-    return _reading(name, _readers(repository), repository)
+    return _reading(name, repository.once(_readers), repository)
 
 
 def _readers(repository: Repository) -> list[File]:
