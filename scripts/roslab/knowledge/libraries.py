@@ -136,9 +136,15 @@ def cmake_packages(ubuntu: str | None) -> str:
 @cache
 def packaged(ubuntu: str | None) -> frozenset[str]:
     """Return the packages of libraries that an Ubuntu is known to have."""
-    entries = (_entries(naming, name) for naming in _TABLES for name in _table(naming)[1])
-    found = (_of_ubuntu(each, ubuntu) for each in entries)
-    return frozenset(apt for row in found if row for apt in row["apt"].split())
+    found: set[str] = set()
+    for naming in _TABLES:
+        head, by_name = _table(naming)
+        apt, only = head.index("apt"), head.index("ubuntu")
+        for lines in by_name.values():  # of a thousand names no other cell is wanted
+            certain = [line[apt] for line in lines if ubuntu in line[only].split()]
+            others = (line[apt] for line in lines if not line[only])
+            found.update((certain[0] if certain else next(others, "")).split())
+    return frozenset(found)
 
 
 @cache

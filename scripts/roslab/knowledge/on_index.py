@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from roslab.knowledge.not_on_index import not_on_index
-from roslab.knowledge.table import rows
+from roslab.knowledge.table import cells, rows
 from roslab.values.name import canonicalize_name
 
 _TABLES = ("prebuilt", "wheels", "often_brought", "all_brought")
@@ -25,7 +25,8 @@ def named_like(module: str) -> str | None:
 def _known() -> frozenset[str]:
     found = {canonicalize_name(row["pip"]) for table in _TABLES for row in rows(table) if _of_index(row)}
     found |= {canonicalize_name(name) for row in rows("all_brought") for name in row["brings"].split()}
-    other = {canonicalize_name(row["pip"]) for row in rows("imports") if row["pip"]}
+    head, *lines = cells("imports")
+    other = {canonicalize_name(pip) for pip in {line[head.index("pip")] for line in lines} if pip}
     return frozenset(found - other - not_on_index().keys())
 
 

@@ -63,8 +63,8 @@ class Finder:
 class _Module(ModuleType):
     """A module that has no ``__getattr__`` of its own, as none of the program has.
 
-    Each ``from … import`` asks a module for its ``__path__``, which only packages have. Until Python 3.12 a module's own
-    way of looking for an attribute writes a message then that nobody sees; a plan would have some eight thousand.
+    Each ``from … import`` asks a module for its ``__path__``, which only packages have. Until Python 3.12 a module then
+    writes a message that nobody sees; a plan would have some eight thousand of them.
     """
 
     __getattribute__ = object.__getattribute__

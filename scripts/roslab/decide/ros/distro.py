@@ -14,7 +14,6 @@ from roslab.decide.ros.gazebo import by_gazebo, without_library
 from roslab.decide.ros.on_machines import on_machines
 from roslab.decide.ros.required_versions import with_older
 from roslab.decide.ros.source_names import plain
-from roslab.decide.ros.unnamed import of_unnamed
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.code_fits import misfits, unincluded, unlaunchable
 from roslab.decide.system.names import Target
@@ -75,6 +74,8 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unknown = {name: missing | excluded[name] for name, missing in unknown.items()}
     reasons += _nearest(reasons, unknown, lacking) or _fitting(reasons, unknown)
     if not reasons:
+        from roslab.decide.ros.unnamed import of_unnamed  # noqa: PLC0415 - most trees name theirs
+
         return _after_ended(evidence, ros, unknown) or of_unnamed(evidence, kind, unknown)
     best = max(reasons, key=_order)
     if (became := _became(evidence, best, unknown)) is not None:

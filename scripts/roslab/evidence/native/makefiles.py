@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterable
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.makefile import Makefile
-from roslab.evidence.native import qmake, recursive_make
+from roslab.evidence.native import recursive_make
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -73,7 +73,7 @@ def read(repository: Repository, mentions: Iterable[Mention] = ()) -> tuple[Make
         return ()
     if _number(repository, ".py") > _number(repository, *_SOURCES):
         return ()
-    from roslab.evidence.native import compile_scripts  # noqa: PLC0415 - CMake or ROS builds most trees
+    from roslab.evidence.native import compile_scripts, qmake  # noqa: PLC0415 - CMake or ROS builds most trees
 
     found = [each for file in _files(repository) if (each := _makefile(file, repository))]
     called = {folder for each in found for folder in each.parts if each.folder not in each.parts}

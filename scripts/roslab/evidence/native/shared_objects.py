@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import elf, made_elsewhere
+from roslab.evidence.native import made_elsewhere
 from roslab.knowledge.shared_objects import package_of, ubuntus_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
@@ -69,6 +69,8 @@ def _needed_of(repository: Repository, without: tuple[str, ...]) -> tuple[tuple[
         data = repository.read_bytes(file, limit=MAX_SIZE)
         if data[:4] != _MAGIC or data[18:20] not in _MACHINES:
             continue
+        from roslab.evidence.native import elf  # noqa: PLC0415 - few trees hold libraries
+
         names = elf.needed(data)
         if names is None:  # all names of that form, of which one may be the file's own
             names = tuple(name.decode() for name in _NEEDED.findall(data))

@@ -49,7 +49,6 @@ from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.script_folders import elsewhere
 from roslab.evidence.prose.shells import leads_elsewhere
-from roslab.evidence.prose.synopses import with_synopses
 from roslab.evidence.prose.telling import Signs, lines_with, signs_in, telling
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
@@ -212,7 +211,11 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     only the lines of fenced blocks in which it is found.
     """
     shown = with_examples(with_first_choice(without_remarks(text)))
-    lines = with_synopses(shown.split("\n")) if "[-" in shown else shown.split("\n")
+    lines = shown.split("\n")
+    if "[-" in shown:
+        from roslab.evidence.prose.synopses import with_synopses  # noqa: PLC0415 - few pages have one
+
+        lines = with_synopses(lines)
     signs = signs_in(shown) if not also else ()
     signed = lines_with(shown, (*signs, *IN_SENTENCES)) if not also else frozenset()
     titles: dict[int, str] = {}

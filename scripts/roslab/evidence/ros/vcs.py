@@ -14,7 +14,7 @@ from functools import cache
 from roslab.evidence import git_modules, places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.fixtures import of_tests
-from roslab.evidence.ros import gitman, handed_lists
+from roslab.evidence.ros import handed_lists
 from roslab.evidence.ros.stale_modules import fate, named
 from roslab.knowledge.compiled import public_hosts
 from roslab.repository.checkout import File, Repository
@@ -185,6 +185,7 @@ def _is_list(repository: Repository, file: File) -> bool:
 
 def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
     from roslab.evidence.lex.yaml import load  # noqa: PLC0415 - few trees have one
+    from roslab.evidence.ros import gitman  # noqa: PLC0415 - as above
 
     text = repository.read(file)
     data = load(text)
