@@ -94,6 +94,7 @@ from roslab.evidence.python import (
     pixi,
     programs,
     project,
+    reached,
     removed,
     requirements,
     said_in_code,
@@ -167,6 +168,7 @@ def gather(repository: Repository) -> Evidence:
     names |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
     files = {posixpath.basename(file): file for each in by_pip for file in each.script_files}
     started = programs.read(repository)
+    imported = imports.read(repository)
     below = {name: each.folder for each in by_pip for name, _ in each.scripts}
     by_name = readme.named(own, dict.fromkeys(names, "") | files, below)
     sources = (
@@ -204,7 +206,7 @@ def gather(repository: Repository) -> Evidence:
         code=(
             *cpp.read(repository, signs, intrinsics, nowhere),
             *nowhere.all(signs),
-            *imports.read(repository),
+            *imported,
             *called.read(own),
             *loggers.read(own),
             *plugins.read(repository),
@@ -238,6 +240,7 @@ def gather(repository: Repository) -> Evidence:
             *((*on_machines.read(own), *own_setup.read(own), *handed_lists.read(own)) if manifests else ()),
             *from_root.read(own, prose.mentions),
             *at_top.read(own, prose.mentions),
+            *(() if manifests else reached.read(own, imported, started, prose.mentions)),
             *listens.read(own, prose.mentions, started),
             *siblings.read(own, python_projects),
             *stopped_setup.folders(stopped),

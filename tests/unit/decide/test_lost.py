@@ -10,7 +10,8 @@ from roslab.decide.decision import Decision
 
 Tree = Callable[[dict[str, str]], Decision]
 SETUP = "from setuptools import setup\nsetup(name='play', install_requires=['numpy'])\n"
-PAGE = {"README.md": "# Run\n```\npython play.py\n```\n"}
+PAGE = {"README.md": "# Run\n```\npython run.py\n```\n", "run.py": "import numpy\n"}
+"""What its program imports is tried by its own name; play.py is none of that."""
 
 
 def test_a_package_behind_a_login_is_told_where_the_code_imports_it(tree: Tree) -> None:

@@ -11,11 +11,11 @@ from roslab.knowledge.on_index import named_like
 
 Tree = Callable[[dict[str, str]], Decision]
 INDEX = f"https://pypi{chr(46)}org/project/"
-PAGE = "# Run\n```\npython play.py\n```\n"
+PAGE = "# Run\n```\npython run.py\n```\n"
 
 
 def guessed(tree: Tree, code: str, **files: str) -> list[str]:
-    found = tree({"play.py": f"import numpy\n{code}", "README.md": PAGE, **files})
+    found = tree({"play.py": f"import numpy\n{code}", "run.py": "import numpy\n", "README.md": PAGE, **files})
     told = any("no table knows" in warning.message for warning in found.warnings)
     names = [each.written for each in found.python.pip_guessed if each.key != "numpy"]
     assert told is not bool(names)

@@ -13,6 +13,7 @@ from roslab.values.origin import Place
 from roslab.values.requirement import Requirement
 
 _WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
+_BY_NAME = "imported by what a command starts, declared nowhere and in no table: the package of its name is tried"
 _ALONE = "conda alone has it: it comes from there, with the Python"
 
 
@@ -31,6 +32,7 @@ def reasons_of(chosen: Chosen, alone: Iterable[Requirement]) -> Iterator[Reason]
         why = (
             "imported, only an extra declares it" if asked.group else _WHY.get(asked.origin, "named in an install line")
         )
+        why = _BY_NAME if asked.key in chosen.by_name and asked.origin == "import" else why
         yield because("dependencies", asked.text, why, asked, weight=Weight.GUESS)
     if chosen.conda:
         place = Place(file=chosen.conda, line=1)

@@ -10,6 +10,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.python.agreeing import agreeing
 from roslab.decide.python.beside_nodes import Loose, beside_nodes
 from roslab.decide.python.bounds import decide_bounds
+from roslab.decide.python.by_own_name import with_unknown_modules
 from roslab.decide.python.chosen_reasons import reasons_of
 from roslab.decide.python.conda_alone import conda_alone
 from roslab.decide.python.conda_channels import default_channels, further_channels, in_brackets, no_channels, told
@@ -33,7 +34,7 @@ from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.kept_by_build_types import kept_by_build_types
 from roslab.decide.python.left_frameworks import left_frameworks
 from roslab.decide.python.locked import locked_releases, of_what_is_installed
-from roslab.decide.python.lost import lost, with_told_links, without_history
+from roslab.decide.python.lost import lost, without_history
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts
 from roslab.decide.python.named_frameworks import named_frameworks
@@ -80,7 +81,7 @@ def decide_python(
     ``ubuntu`` is the base's, ``None`` on Debian; ``cuda`` is the version that the frameworks need.
     """
     own = of_ubuntu(own, kind, ubuntu)
-    chosen, number = with_told_links(evidence, kind, own.answer.chosen), own.answer.version
+    chosen, number = with_unknown_modules(evidence, config, kind, own.answer), own.answer.version
     if newer := from_pip(evidence, kind, ubuntu, chosen.projects):
         chosen = with_guess(chosen, newer)
     alone = conda_alone(evidence, own.answer)

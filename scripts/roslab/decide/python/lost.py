@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
-from roslab.decide.python.guesses import known_names, known_requirements
+from roslab.decide.python.guesses import known_names
+from roslab.decide.python.may_bring import (
+    SHORTEST,
+    absent,
+    begins_like,
+    declares,
+    excuses,
+    extras_of,
+    names_there,
+    parts_of,
+)
 from roslab.decide.python.on_index import on_index
 from roslab.decide.python.packages import Chosen
 from roslab.decide.reasons import warn
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import ros_modules
@@ -21,15 +31,12 @@ from roslab.knowledge.python2_packages import of_python2, system_package
 from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
-from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
 MOST = 8
 """Most modules that are named in one warning."""
 _OF_ROS = frozenset({"ros1", "ros2"})
 _MESSAGES = ("_msgs", "_srvs", "_interfaces")
-SHORTEST = 4
-"""Fewest letters of a beginning that two names have in common by more than chance."""
 
 
 def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> Iterator[Warning_]:
@@ -43,21 +50,50 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> 
         if not (row.instead or (ubuntu and system_package(used.name, ubuntu))):
             then = f"install it with `pip`, `custom` or `source` in roslab.yaml ({row.source})"
             yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}; {then}", used)
+    yield from _tried(chosen)
     unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen)]
-    if unknown:
-        names = ", ".join(_placed(each) for each in unknown[:MOST]) if unknown[1:] else unknown[0].name
-        names += ", …" if unknown[MOST:] else ""
-        message = f"imported and declared nowhere, and no table knows which package brings it: {names}"
-        installed = {each.url for each in chosen.guessed}
-        others = [
-            *(["a declared package"] if _declares(chosen) else []),
-            *(["a submodule"] if _absent(evidence) else []),
-            *(f"{git.name} ({git.url})" for git in _told(evidence) if f"git+{https(git.url)}" in installed),
-            *dict.fromkeys(f"{git.name} ({https(git.url)})" for git in _may_bring(evidence, unknown[:MOST])),
-        ]
-        unless = f"unless {' or '.join(others)} brings it, " if others else ""
-        name = "name the package under `pip`" + (" or its repository under `source`" if kind in _OF_ROS else "")
-        yield warn(f"{message}; {unless}{name} in roslab.yaml if it is needed", unknown[0])
+    places = {each.value: each for each in chosen.stopping}
+    stopping = [used for used in unknown if used.name in places]
+    for at, found in ((places, stopping), ({}, [used for used in unknown if used.name not in places])):
+        if found:
+            first = at.get(found[0].name, found[0])
+            yield warn(_of_no_table(found, at, evidence, kind, chosen), first)
+
+
+def _of_no_table(
+    unknown: Sequence[Dependency], at: Mapping[str, Mention], evidence: Evidence, kind: Kind, chosen: Chosen
+) -> str:
+    """Return what is told of modules of no table; ``at``: where the default command imports them, if it does."""
+    placed = [
+        f"{used.name} ({(at.get(used.name) or used).file}:{(at.get(used.name) or used).line})" for used in unknown
+    ]
+    names = ", ".join(placed[:MOST]) if unknown[1:] else unknown[0].name
+    names += ", …" if unknown[MOST:] else ""
+    message = f"imported and declared nowhere, and no table knows which package brings it: {names}"
+    installed = {each.url for each in chosen.guessed}
+    others = [
+        *(["a declared package"] if declares(chosen) else []),
+        *(["a submodule"] if absent(evidence) else []),
+        *(f"{git.name} ({git.url})" for git in _told(evidence) if f"git+{https(git.url)}" in installed),
+        *dict.fromkeys(f"{git.name} ({https(git.url)})" for git in _may_bring(evidence, unknown[:MOST])),
+    ]
+    unless = f"unless {' or '.join(others)} brings it, " if others else ""
+    stops = "the default command stops at this import: " if at else ""
+    needed = "" if at else " if it is needed"
+    name = "name the package under `pip`" + (" or its repository under `source`" if kind in _OF_ROS else "")
+    return f"{message}; {unless}{stops}{name} in roslab.yaml{needed}"
+
+
+def _tried(chosen: Chosen) -> Iterator[Warning_]:
+    """Yield a warning for what is only tried: the image has another package of that name, or none."""
+    stopping = {canonicalize_name(each.value) for each in chosen.stopping}
+    for asked in (each for each in chosen.guessed if each.key in chosen.by_name):
+        what = "the default command stops at this import" if asked.key in stopping else "what imports it stops there"
+        yield warn(
+            f"{asked.name} is imported and declared nowhere, and no table knows it: pip's package of that name is "
+            f"tried; where it is another one, or there is none, {what}: name the right one under `pip` in roslab.yaml",
+            asked,
+        )
 
 
 def without_history(evidence: Evidence) -> Iterator[Warning_]:
@@ -91,17 +127,13 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     found = [used for used in _imported(evidence, kind, chosen) if canonicalize_name(used.name) not in not_on_index()]
     found = [used for used in found if used.name not in imports() and not on_index(evidence, used)]
     told = {bare_name(git.name) for git in _told(evidence)}
-    found = [used for used in found if not _of_ros(used.name) or _begins_like(used.name, told)]
-    if found and (_declares(chosen) or _absent(evidence)):
-        known = _known(_without_left(evidence), chosen)
+    found = [used for used in found if not _of_ros(used.name) or begins_like(used.name, told)]
+    if found and (declares(chosen) or absent(evidence)):
+        known = names_there(_without_left(evidence), chosen)
         stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
         stems -= _of_itself(evidence, chosen)
-        found = [each for each in found if not _begins_like(each.name, stems) or _begins_like(each.name, told)]
+        found = [each for each in found if not excuses(stems, each.name) or begins_like(each.name, told)]
     return found
-
-
-def _placed(used: Dependency) -> str:
-    return f"{used.name} ({used.file}:{used.line})"
 
 
 def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Dependency]:
@@ -117,7 +149,7 @@ def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Depend
     own = {manifest.name for manifest in evidence.manifests if manifest.name}
     own |= {project.name for project in evidence.cmake if project.name}  # called after what it needs: px4_mpc
     own = {canonicalize_name(name) for name in own}
-    known = _known(evidence, chosen) | _parts({canonicalize_name(name) for name in named} - own)
+    known = names_there(evidence, chosen) | parts_of({canonicalize_name(name) for name in named} - own)
     stems = {part for part in known if len(part) >= SHORTEST}
     for used in evidence.code:
         name = canonicalize_name(used.name)
@@ -125,7 +157,7 @@ def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Depend
         if not _always(used) or name in known | own or tabled:
             continue
         longer = name.startswith(tuple(own))
-        if not (longer or _of_ros(used.name) or used.name.endswith(_MESSAGES) or _begins_like(used.name, stems)):
+        if not (longer or _of_ros(used.name) or used.name.endswith(_MESSAGES) or excuses(stems, used.name)):
             yield used
 
 
@@ -139,14 +171,10 @@ def _of_itself(evidence: Evidence, chosen: Chosen) -> set[str]:
     Not of one that compiles: its modules may have any name.
     """
     own = {canonicalize_name(each.name) for each in evidence.python if each.name and not each.extensions}
-    asked = (*chosen.declared, *chosen.guessed, *_extras(evidence))
+    asked = (*chosen.declared, *chosen.guessed, *extras_of(evidence))
     others = {each.key for each in asked} | {canonicalize_name(git.name) for git in evidence.sources}
     others |= known_names(evidence, chosen.files, chosen.projects, chosen.conda) - own
-    return _parts(own) - _parts(others)
-
-
-def _parts(names: set[str]) -> set[str]:
-    return {part for name in names for part in (*name.split("-"), name, bare_name(name))}
+    return parts_of(own) - parts_of(others)
 
 
 def _refused(evidence: Evidence, chosen: Chosen) -> Iterator[Dependency]:
@@ -156,7 +184,7 @@ def _refused(evidence: Evidence, chosen: Chosen) -> Iterator[Dependency]:
     """
     used = [each for each in evidence.code if canonicalize_name(each.name) in not_on_index()]
     if used := [each for each in used if _always(each)]:
-        known = _known(_without_left(evidence), chosen)
+        known = names_there(_without_left(evidence), chosen)
         yield from (each for each in used if canonicalize_name(each.name) not in known)
 
 
@@ -167,33 +195,10 @@ def _always(used: Dependency) -> bool:
 
 def _imported(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Dependency]:
     """Yield what the code always imports and nothing brings under its own name."""
-    known = _known(_without_left(evidence), chosen) if kind in {"cuda", "python"} else set()
+    known = names_there(_without_left(evidence), chosen) if kind in {"cuda", "python"} else set()
     for used in evidence.code if kind in {"cuda", "python"} else ():
         if _always(used) and canonicalize_name(used.name) not in known:
             yield used
-
-
-def _known(evidence: Evidence, chosen: Chosen) -> set[str]:
-    """Return the names of what is installed, of what the tree has, and their parts."""
-    known = known_names(evidence, chosen.files, chosen.projects, chosen.conda) | {
-        asked.key for asked in (*chosen.declared, *chosen.guessed, *_extras(evidence))
-    }
-    known |= {canonicalize_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind != "link"}
-    folders = (asked.url.partition("#subdirectory=")[2] for asked in chosen.guessed)
-    known |= {canonicalize_name(part) for folder in folders for part in folder.split("/") if part}
-    return known | _parts(known - _own(evidence, chosen)) | {name.replace("-", "") for name in known}
-
-
-def _own(evidence: Evidence, chosen: Chosen) -> set[str]:
-    """Return the names of the tree's own projects that nothing else has: each is called after what it needs.
-
-    The tree's own modules are no imports of others. Not of one that compiles: its modules may have any name.
-    """
-    own = {canonicalize_name(each.name) for each in evidence.python if each.name and not each.extensions}
-    asked = {each.key for each in (*chosen.declared, *chosen.guessed, *_extras(evidence))}
-    return (
-        own - asked - {each.key for each in known_requirements(evidence, chosen.files, chosen.projects, chosen.conda)}
-    )
 
 
 def _without_left(evidence: Evidence) -> Evidence:
@@ -208,30 +213,9 @@ def _may_bring(evidence: Evidence, unknown: Sequence[Dependency]) -> Iterator[Gi
     """Yield what pages only clone and the beginning of whose name one of the modules has."""
     for git in evidence.sources:
         name = {bare_name(part) for part in (git.name, canonicalize_name(git.name).split("-")[0])}
-        if _only_cloned(git) and not git.itself and any(_begins_like(each.name, name) for each in unknown):
+        if _only_cloned(git) and not git.itself and any(begins_like(each.name, name) for each in unknown):
             yield git
 
 
 def _only_cloned(git: GitSource) -> bool:
     return git.kind == "clone" and not (git.installed or git.beside)
-
-
-def _declares(chosen: Chosen) -> bool:
-    declared = bool(chosen.files or chosen.conda or chosen.declared)
-    return declared or any(project.requirements for project in chosen.projects)
-
-
-def _absent(evidence: Evidence) -> bool:
-    return any(git.kind == "submodule" and git.absent for git in evidence.sources)
-
-
-def _extras(evidence: Evidence) -> Iterator[Requirement]:
-    """Yield what the projects ask for in extras: who needs such a module knows where it comes from."""
-    for project in evidence.python:
-        yield from (asked for asked in project.requirements if asked.role == "extra")
-
-
-def _begins_like(module: str, stems: Set[str]) -> bool:
-    """Tell whether a module has the beginning of a package's name, or that of it."""
-    name = bare_name(module)
-    return any(len(stem) >= SHORTEST and (name.startswith(stem) or stem.startswith(name)) for stem in stems)

@@ -15,7 +15,7 @@ from roslab.decide.python.guesses import guesses, known_names, known_requirement
 from roslab.decide.python.manifests import projects, requirement_files
 from roslab.decide.python.of_nodes import of_nodes
 from roslab.decide.python.pins import DEVELOPMENT, Pin
-from roslab.evidence.facts import Evidence, RequirementFile
+from roslab.evidence.facts import Evidence, Mention, RequirementFile
 from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
@@ -38,6 +38,10 @@ class Chosen:
     options: tuple[str, ...] = ()
     conda: str | None = None
     """Path of the conda environment."""
+    by_name: tuple[str, ...] = ()
+    """Of the guessed packages, those of which nothing is known but that a module is called so."""
+    stopping: tuple[Mention, ...] = ()
+    """Modules of no table that the default command imports before it does anything, each with its place."""
 
     @property
     def built_with(self) -> frozenset[str]:

@@ -12,6 +12,9 @@ from roslab.values.pattern import pattern
 _FROM = pattern(r"^from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+(\([^()]*\)|[^\n#;]*)", re.MULTILINE)
 _IMPORT = pattern(r"^import[ \t]+([A-Za-z_][^\n#;]*)", re.MULTILINE)
 _INIT = "__init__"
+_LISTS = ("listdir(", "scandir(", "iter_modules(", "walk_packages(", "glob(")
+_BY_NAME = ("__import__(", "import_module(")
+"""Calls of a package that lists its folder and imports what lies there by its name."""
 
 
 def through_modules(nodes: Iterable[Module], others: Iterable[Module]) -> frozenset[str]:
@@ -21,28 +24,53 @@ def through_modules(nodes: Iterable[Module], others: Iterable[Module]) -> frozen
     from the folder above its outermost package, or beside the file that imports it.
     """
     nodes = tuple(nodes)
-    by_file = {module.file.path: module for module in (*nodes, *others)}
-    packages = {module.file.folder for module in by_file.values() if module.file.name == f"{_INIT}.py"}
-    by_name: dict[str, list[str]] = {}
-    for path in by_file:
-        by_name.setdefault(_importable(path, packages), []).append(path)
-    queue = [module.file.path for module in nodes]
-    reached: set[str] = set()
-    while queue:
-        file = queue.pop()
-        for name in _imported(by_file[file].text, posixpath.dirname(file)):
-            for found in _found(name, file, by_file, by_name):
-                if found not in reached:
-                    reached.add(found)
-                    queue.append(found)
-    return frozenset(reached)
+    return Modules((*nodes, *others)).reached(module.file.path for module in nodes)
+
+
+class Modules:
+    """The modules of a tree by the names under which others import them."""
+
+    def __init__(self, modules: Iterable[Module]) -> None:
+        self.by_file = {module.file.path: module for module in modules}
+        packages = {module.file.folder for module in self.by_file.values() if module.file.name == f"{_INIT}.py"}
+        self._by_name: dict[str, list[str]] = {}
+        for path in self.by_file:
+            self._by_name.setdefault(_importable(path, packages), []).append(path)
+        self._imports: dict[str, tuple[str, ...]] = {}
+
+    def reached(self, starts: Iterable[str], folder: str | None = None) -> frozenset[str]:
+        """Return the files that these import at their top, by whichever way; ``folder``: where a program looks too."""
+        queue = [*starts]
+        reached: set[str] = set()
+        while queue:
+            file = queue.pop()
+            for name in self._imported_by(file):
+                for found in _found(name, file, self.by_file, self._by_name, folder):
+                    if found not in reached:
+                        reached.add(found)
+                        queue.append(found)
+        return frozenset(reached)
+
+    def _imported_by(self, file: str) -> tuple[str, ...]:
+        if file not in self._imports:
+            text, folder = self.by_file[file].text, posixpath.dirname(file)
+            self._imports[file] = (*_imported(text, folder), *self._beside(file))
+        return self._imports[file]
+
+    def _beside(self, file: str) -> Iterator[str]:
+        """Yield the modules beside the ``__init__.py`` of a package that imports all that lies in its folder."""
+        (folder, name), text = posixpath.split(file), self.by_file[file].text
+        whole = name == f"{_INIT}.py" and any(call in text for call in _LISTS)
+        for path in self.by_file if whole and folder and any(call in text for call in _BY_NAME) else ():
+            if posixpath.dirname(path) == folder and path != file:
+                yield f"{path.removesuffix('.py')}/"
 
 
 def _importable(path: str, packages: Collection[str]) -> str:
     """Return the name by which a module is imported: with those of the packages around it."""
     folder, name = posixpath.split(path.removesuffix(".py"))
     parts = [] if name == _INIT else [name]
-    while folder in packages:
+    while folder and folder in packages:
         folder, name = posixpath.split(folder)
         parts.insert(0, name)
     return ".".join(parts)
@@ -66,16 +94,19 @@ def _imported(text: str, folder: str) -> Iterator[str]:
         yield from (f"{posixpath.normpath(posixpath.join(base, name.replace('.', '/')))}/" for name in names)
 
 
-def _found(name: str, file: str, by_file: Collection[str], by_name: dict[str, list[str]]) -> Iterator[str]:
+def _found(
+    name: str, file: str, by_file: Collection[str], by_name: dict[str, list[str]], folder: str | None
+) -> Iterator[str]:
     """Yield the files that an import runs: the module, and the packages around it."""
     if name.endswith("/"):
         yield from (path for path in (f"{name[:-1]}.py", f"{name}{_INIT}.py") if path in by_file)
         return
-    beside = posixpath.join(posixpath.dirname(file), name.replace(".", "/"))
-    near = [path for path in (f"{beside}.py", f"{beside}/{_INIT}.py") if path in by_file and path != file]
-    if near:
-        yield from near
-        return
+    for place in (posixpath.dirname(file), *(() if folder is None else (folder,))):
+        whole = posixpath.join(place, name.replace(".", "/"))
+        near = [path for path in (f"{whole}.py", f"{whole}/{_INIT}.py") if path in by_file and path != file]
+        if near:
+            yield from near
+            return
     parts = name.split(".")
     for end in range(1, len(parts) + 1):
         yield from by_name.get(".".join(parts[:end]), ())
