@@ -10,6 +10,7 @@ from roslab.config.model import Kind
 from roslab.decide.candidate import Candidate
 from roslab.decide.contained import contained
 from roslab.decide.demanded_arguments import launched_by, with_demands
+from roslab.decide.first_command import helps
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
@@ -24,6 +25,7 @@ from roslab.decide.unmade_nodes import with_unmade
 from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.evidence.prose.pointed import offered
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
@@ -51,7 +53,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     yield from contained(evidence, kind, compiled=compiled)
     yield from () if any(each.strong for each in said) else in_sessions(evidence, kind, compiled=compiled)
     if not compiled and not any(each.strong for each in said):
-        yield from _explained(evidence)
+        yield from _explained(evidence, ros=ros)
     if ros:
         launched = tuple(_launched(evidence, kind, calls))
         nodes = tuple(_nodes(evidence, kind))
@@ -68,9 +70,14 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         yield from _installed(evidence, examples=not said)
 
 
-def _explained(evidence: Evidence) -> Iterator[Candidate]:
-    """Yield the programs of Python of which a page at the root says what they show, or that they are the main one."""
+def _explained(evidence: Evidence, *, ros: bool) -> Iterator[Candidate]:
+    """Yield the programs of Python of which a page at the root says what they show, or that they are the main one.
+
+    Beside nodes, not those of which it only says what they can be used for.
+    """
     for said in evidence.mentions:
+        if ros and said.topic == "pointed" and offered(said.text, said.value):
+            continue
         if said.topic == "pointed" and said.value.endswith(".py") and not said.value.endswith(".launch.py"):
             yield Candidate(
                 argv=("python3", said.value),
@@ -203,12 +210,14 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
             continue
         aside = places.vendored(path) or (library and _TOOLS.match(path))
         if program.kind == "main" and path.count("/") <= 1 and not aside:
-            why = "it has a __main__ guard"
+            why = (
+                "it has a __main__ guard" if program.guarded else "it is called like a program, and its statements run"
+            )
             argv = ("python3", *(_as_module(path) if (path, path.partition("/")[0]) in imported else (path,)))
             each = Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
             if places.example(path):
                 shown.append(replace(each, cut=True))
-            elif whole and _TRIALS.match(path):
+            elif (whole and _TRIALS.match(path)) or (not program.guarded and helps(each)):
                 yield replace(each, cut=True)
             else:
                 found = True

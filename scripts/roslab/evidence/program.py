@@ -9,10 +9,12 @@ from roslab.values.dataclass import dataclass
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Program:
-    """A Python program that can be started: it has a ``__main__`` guard or lies in a folder for programs."""
+    """A Python program that can be started: it has a ``__main__`` guard, or statements at its top."""
 
     file: str
     line: int
     kind: Literal["main", "console", "node"]
     inside: str = ""
     """The folder that it has to be started in, by what it puts on Python's path."""
+    guarded: bool = True
+    """It has such a guard; else its statements run whenever it is imported."""

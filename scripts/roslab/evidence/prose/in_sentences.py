@@ -23,7 +23,8 @@ _CLONED = pattern(
 )
 """A sentence that has the reader clone a repository by its address."""
 _NAMED_PYTHON = pattern(
-    r"\b(?:run|runn?ing|start|launch|execute|use)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
+    r"(?<!\bnot )(?<!n't )(?<!\bnever )\b(?:run|runn?ing|start|launch|execute|use)\b"
+    r"(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
     r"`{1,3}([\w./-]+\.py(?: [^`\n]{0,200})?)`{1,3}(?!`|\s+as\b)",
     re.IGNORECASE,
 )

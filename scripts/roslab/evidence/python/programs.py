@@ -10,6 +10,7 @@ from roslab.evidence.program import Program
 from roslab.evidence.python.modules import modules
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
+from roslab.evidence.python.top_level import called_like_one, first_statement
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -18,7 +19,10 @@ _NODE = pattern(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", r
 
 
 def read(repository: Repository) -> tuple[Program, ...]:
-    """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node."""
+    """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node.
+
+    Without a guard, what lies at the root, is called ``main_….py``, ``run_….py`` or ``demo_….py``, and does something.
+    """
     return repository.once(_programs)
 
 
@@ -42,4 +46,7 @@ def _programs(repository: Repository) -> tuple[Program, ...]:
                     inside=own_folder(repository, module),
                 )
             )
+        elif not file.folder and called_like_one(file.name) and (line := first_statement(text)):
+            node = module.names_ros and bool(_NODE.search(text))
+            found.append(Program(file=file.path, line=line, kind="node" if node else "main", guarded=False))
     return tuple(sorted(found, key=lambda script: script.file))
