@@ -60,7 +60,11 @@ def python(value: str) -> Mention:
         (Evidence(requirements=(asked("torch==2.0.1"),), mentions=(said("11.8"),)), "11.7"),
         (Evidence(requirements=(asked("torch"),), mentions=(said("11.3"),)), "11.3"),
         (Evidence(requirements=(asked("torch"),), mentions=(said("9.0", "CUDA 9.0 or above"),)), "12.8"),
-        (Evidence(requirements=(asked("torch"),), mentions=(python("3.6"),)), "11.1"),
+        (
+            Evidence(requirements=(asked("torch"),), mentions=(python("3.6"),)),
+            "11.3",
+        ),  # the newest for GPUs since Ampere
+        (Evidence(requirements=(asked("torch<2.1"),), mentions=(python("3.8"),)), "11.7"),
         (Evidence(requirements=(asked("torch"),), mentions=(python("3.8"),)), "12.1"),
         (Evidence(cuda_files=("a.cu",)), "11.8"),
     ],

@@ -39,12 +39,24 @@ def test_it_is_of_the_wheels_of_an_old_day(tmp_path: Path) -> None:
     assert [each.written for each in decision.python.bounds if each.key == "torch"] == ["torch==1.12.*"]
 
 
-@pytest.mark.parametrize(("day", "cuda"), [("2022-07-10", "cu116"), ("2023-06-01", None)])
-def test_a_free_torch_of_an_old_day_knows_the_gpus_of_the_image(tmp_path: Path, day: str, cuda: str | None) -> None:
+@pytest.mark.parametrize(
+    ("day", "cuda", "index", "said"),
+    [
+        ("2022-07-10", "11.6", "cu116", "of 2022-07-10 for Python 3.8 is torch 1.12 with CUDA 11.6"),
+        ("2023-06-01", "11.7", None, "is torch 2.0 with CUDA 11.7"),
+        ("2020-09-01", "11.0", None, "is torch 1.6 with CUDA 10.2, of which no image exists: it brings its own"),
+    ],
+)
+def test_the_image_has_the_cuda_of_a_free_torch_of_its_day(
+    tmp_path: Path, day: str, cuda: str, index: str | None, said: str
+) -> None:
     decision = of_day(tmp_path, {**FREE, "README.md": "Python 3.8\n"}, day)
-    assert decision.cuda == "12.1"
-    options = (f"--extra-index-url https://download.pytorch.org/whl/{cuda}",) if cuda else ()
+    assert decision.cuda == cuda
+    assert decision.base_image.startswith(f"nvidia/cuda:{cuda}.")
+    options = (f"--extra-index-url https://download.pytorch.org/whl/{index}",) if index else ()
     assert decision.python.options == options
+    assert any(said in each.reason for each in decision.reasons if each.question == "cuda")
+    assert not decision.warnings
 
 
 IMPORTED = {"train.py": "import torch\nif __name__ == '__main__':\n    print(torch)\n"}

@@ -100,7 +100,7 @@ def test_what_is_compiled_for_torch_gets_the_cuda_of_its_day(tmp_path: Path) -> 
     assert "cuda:11.7" in plan.base_image
     assert plan.python.bounds == ("torch==1.13.*", "numpy<2")
     (tmp_path / "free").mkdir()
-    assert "cuda:12" in committed(tmp_path / "free", TORCH, "2022-12-01").plan.base_image, "the wheel brings its own"
+    assert "cuda:11.7" in committed(tmp_path / "free", TORCH, "2022-12-01").plan.base_image, "that of the wheel"
 
 
 def test_ros_installs_its_pip_packages_of_the_day(tmp_path: Path) -> None:

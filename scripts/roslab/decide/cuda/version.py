@@ -11,6 +11,7 @@ from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.for_libtorch import CUDNN, for_libtorch
 from roslab.decide.cuda.imported import imported
 from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
+from roslab.decide.cuda.of_wheel import of_wheel
 from roslab.decide.cuda.weight import Weight
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
@@ -130,9 +131,7 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
     for pin in (*pins, *imported(evidence, pins)):
         if pin.requirement.role == "conda" and pin.requirement.file in of_conda:
             continue  # conda has it for the CUDA that the same file names
-        # The wheels of torch bring the CUDA of their day: the image needs it only where something is compiled for them
-        of = None if tabled(pin.name) == "torch" and not compiles else day
-        yield from _of_pin(pin, of, python, lowest.get(tabled(pin.name)))
+        yield from _of_pin(pin, day, python, lowest.get(tabled(pin.name)), compiles=compiles)
     locked = None if compiles else cuda_of_lock(evidence)
     yield from (each for each in _of_indexes(evidence) if not above(each[0].answer, locked))
     yield from _of_conda(evidence)
@@ -181,10 +180,11 @@ def _of_indexes(evidence: Evidence) -> Iterator[Candidate]:
             yield because("cuda", local, f"pip uses {asked.written}", asked, weight=weight), ()
 
 
-def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None) -> Iterator[Candidate]:
+def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None, *, compiles: bool) -> Iterator[Candidate]:
     """Yield the CUDA that a wheel names, or the one of its release: the newest of ``day`` that ``python`` runs.
 
-    That is ``below`` the first release which lacks what the code uses.
+    That is ``below`` the first release which lacks what the code uses, or which the requirement excludes. A wheel of
+    torch brings its CUDA: nothing but what ``compiles`` needs the same one in the image.
     """
     asked, table = pin.requirement, framework_on_cuda(pin.name)
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
@@ -210,12 +210,22 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None) ->
         table
         and not release
         and asked.role != "listed"
-        and (newest := newest_framework(table, day, python, below))
+        and (newest := newest_framework(table, day, python, _lower(below, asked.below)))
         and not without_gpu(pin.name, newest.first)
     ):
         of, runs = f" of {day}" if day else "", f" for Python {python}" if python else ""
-        why = f"{pin.name} is not pinned: its newest wheel{of}{runs} is for this CUDA"
-        yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]
+        why = f"{pin.name} is not pinned: its newest wheel{of}{runs}"
+        if table == "torch" and not compiles:
+            answer, what = of_wheel(newest)
+            why = f"{why} is {newest.package} {newest.first} with {what}"
+            yield because("cuda", answer, why, asked, weight=Weight.UNPINNED), ()
+        else:
+            why = f"{why} is for this CUDA"
+            yield because("cuda", newest.cuda[0], why, asked, weight=Weight.UNPINNED), newest.cuda[1:]
+
+
+def _lower(below: str | None, other: str | None) -> str | None:
+    return min((each for each in (below, other) if each), key=Version, default=None)
 
 
 def _of_dockerfiles(evidence: Evidence) -> Iterator[Candidate]:

@@ -164,7 +164,8 @@ def _sentences(text: str) -> Iterator[_Sentence]:
         if not (line.fenced or line.heading or line.elsewhere or len(line.text) > MAX_LINE)
         and not _COMMAND.search(line.text)
     ]
-    for line, after in zip(lines, (*lines[1:], None), strict=True):
+    for place, line in enumerate(lines, 1):
+        after = lines[place] if place < len(lines) else None
         goes_on = after and after.number == line.number + 1 and after.text.strip() and not _NEXT_ITEM.match(after.text)
         whole = f"{line.text.rstrip()} {after.text.strip()}" if after and goes_on else line.text
         yield _Sentence(line.number, line.text, " / ".join(line.titles.values()), whole)
