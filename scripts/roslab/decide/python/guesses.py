@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 
 from roslab.config.model import Kind
 from roslab.decide.notebooks import opened
+from roslab.decide.python.built_here import built_here
 from roslab.decide.python.extras import for_developers
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.on_index import on_index
@@ -47,6 +48,7 @@ def guesses(
     own = {canonicalize_name(project.name).replace("-", "") for project in evidence.python if project.name}
     urls = {_repository(pin.requirement.url) for pin in pins if pin.trust >= 2}
     urls = {*urls, _repository(f"git+{https(evidence.origin)}")} - {""}  # the origin's own address is the tree itself
+    built = built_here(evidence)
     for pin in sorted((pin for pin in pins if pin.trust == 1), key=_specific):
         aside = bool(_FOR_DEVELOPERS.search(pin.requirement.file))
         if (
@@ -56,6 +58,7 @@ def guesses(
             or (pin.requirement.vcs and pin.name.replace("-", "") in own)
             or (pin.requirement.vcs and _had(pin.name, evidence, found))
             or pin.name == "pip"
+            or (pin.requirement.role in {"listed", "bounded"} and pin.name in built)
             or (pin.name in tooling("installers") and not pin.release)
             or (aside and pin.name in tooling("developers"))
         ):
@@ -76,7 +79,7 @@ def guesses(
                 found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
             continue
         name = canonicalize_name(package) if package else ""
-        covered = name in known or name in found or any(same_module(name, other) for other in (*known, *found))
+        covered = name in {*known, *found, *built} or any(same_module(name, other) for other in (*known, *found))
         if not package or covered or name in tools or (heavy and name in FRAMEWORKS):
             continue
         by_apt = bool(apt) or dependency.name in ros_modules()

@@ -22,6 +22,8 @@ _HEADING = pattern(r"^\s{0,3}#{1,6}\s+(.*?)\s*#*$")
 _UNDERLINE = pattern(r"^\s{0,3}([=~^\"'`+#*-])\1{3,}\s*$")
 _ITEM = pattern(r"^\s{0,8}(?:[-*+]|\d{1,2}[.)])\s+(.*)$")
 _MARKUP = pattern(r"[*`]{1,3}|(?<!\w)_{1,3}|_{1,3}(?!\w)|\[([^\[\]\n]{1,80})\]\([^()\s]{0,300}\)")
+_OF_BRANCH = pattern(r"\]\([^()\s]{1,300}\)[\s*`_]{0,4}={1,2}[\s*`_]{0,4}(?!v\d)[A-Za-z]")
+"""A link with a branch or a commit behind it, and no version: its repository is meant, no package of the index."""
 _NAMED = pattern(
     r"^\W{0,8}(?:\w+\s+){0,2}(?:requirements?|dependenc(?:y|ies)|prerequisites?)\s{0,3}:\s+(\S.*)$", re.IGNORECASE
 )
@@ -167,7 +169,8 @@ def _lines(text: str) -> Iterator[tuple[int, str, str | None, bool]]:
             titled, of_python = bool(_TITLE.search(title)), bool(_PYTHON.search(title))
         elif item is None and not line.startswith((" ", "\t")) and line.rstrip().endswith(":"):
             titled, of_python = bool(_TITLE.search(line)), bool(_PYTHON.search(line))
-        yield number, line, _plain(item[1][:MAX_LINE]) if item and titled else None, of_python
+        named = item and titled and not _OF_BRANCH.search(line)
+        yield number, line, _plain(item[1][:MAX_LINE]) if item and named else None, of_python
 
 
 def _fence(line: str) -> bool:
