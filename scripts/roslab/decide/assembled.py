@@ -246,7 +246,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         lacking=() if of.own.answer else of.missing.answer.lacking,
         undeclared=of.missing.answer.undeclared,
         workspace=of.layout.answer.workspace,
-        set_up_inside=of.layout.answer.set_up_inside,
+        set_up_links=of.layout.answer.set_up_links,
         git_folder=not config.compatible and any(m.topic == "git_folder" for m in evidence.mentions),
         cmake_folder=of.layout.answer.cmake_folder,
         program_folders=of.layout.answer.program_folders,

@@ -34,18 +34,20 @@ def decide_author_folders(
     Only those that files of packages name which are built: the rest of a tree may be of another machine altogether.
     Of a tree without packages those of which it has all that a path names.
     """
-    if config.compatible or (build_tool in _PLAIN and evidence.manifests) or not evidence.author_paths:
+    made = _MADE.get(build_tool) if layout.workspace != "none" else None
+    mounted = tuple(_mounted(layout.mounted, made)) if made and not config.compatible else ()
+    if config.compatible or (build_tool in _PLAIN and evidence.manifests) or not (evidence.author_paths or mounted):
         return Choice(answer=())
     built = tuple(each.file.rpartition("/")[0] for each in packages.built)
     inside = tuple(f"{folder}/" if folder else "" for folder in built)
     named = (p for p in evidence.author_paths if any(_holds(folder, p.file) for folder in inside))
     if not evidence.manifests:
         named = (p for p in evidence.author_paths if p.there and not places.aside(p.file))
-    made = _MADE.get(build_tool) if layout.workspace != "none" else None
+    named = (p for p in named if not (mounted and f"{p.path}/".startswith(f"{layout.mounted}/")))
     found = [each for each in _folders(named) if not each.made or each.folder == made][:MOST]
     why = "a file names it, and the tree has what is meant: a link there leads to it"
     return Choice(
-        answer=tuple(sorted((p.prefix, _target(p)) for p in found)),
+        answer=tuple(sorted((*((p.prefix, _target(p)) for p in found), *mounted))),
         reasons=tuple(
             because("workspace", p.prefix, why, Place(file=p.file, line=p.line), weight=LINKED) for p in found
         ),
@@ -87,6 +89,13 @@ def absent_paths(
             file=first.file,
             line=first.line,
         )
+
+
+def _mounted(above: str, made: str) -> Iterator[tuple[str, str]]:
+    """Yield the links that make the author's workspace, as whose ``src`` the repository was mounted."""
+    if above:
+        yield f"{above}/src", "source"
+        yield f"{above}/{made}", f"workspace/{made}"
 
 
 def _holds(folder: str, file: str) -> bool:

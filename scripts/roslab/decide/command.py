@@ -36,6 +36,7 @@ from roslab.decide.own_commands import own
 from roslab.decide.reasons import because, configured
 from roslab.decide.released_pages import without_copied_packages
 from roslab.decide.required_options import behind_whole
+from roslab.decide.ros.as_sources import as_mounted
 from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
@@ -123,7 +124,7 @@ def decide_command(
     ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
     ports = ports or (ports_of_page(page, evidence) if page and not dockerfile else ()) or ports_in(command, evidence)
     whole = launched(inside or page, evidence) if page else None
-    command = whole.argv if whole else command
+    command = as_mounted(whole.argv if whole else command, evidence)
     within = folder_of(page, authored) if page and authored and not started(authored) else None
     chosen = Command(
         command=there(whole or inside or page, within) if page and (inside or within) else command,

@@ -204,8 +204,8 @@ class Decision:
     """Packages that manifests of rosbuild name and this ROS no longer has."""
     workspace: Literal["none", "overlay", "root"] = "none"
     """``overlay``: the repository is a folder of ``ws/src``; ``root``: the repository itself is the workspace."""
-    set_up_inside: bool = False
-    """Scripts of the repository look for the setup script of the workspace in the repository's own folder."""
+    set_up_links: tuple[Literal["inside", "beside"], ...] = ()
+    """Where links to what the build of the workspace writes stand: in the repository's folder, beside it."""
     git_folder: bool = False
     """The code asks git for the repository's folder."""
     cmake_folder: str = ""

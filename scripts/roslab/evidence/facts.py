@@ -133,7 +133,7 @@ class Mention:
         "cloned_head", "at_top", "sibling", "contained", "weights", "port", "listens", "own_package", "opened", "above",
         "companion", "home_archive", "compiled_for", "torch_on_gpu", "index_link", "template", "patched",
         "single_header", "unpackaged", "said_run", "session", "required", "calls", "guide", "of_other_index",
-        "matlab", "master", "git_folder", "installed_here", "make", "asked_option", "reached",
+        "matlab", "master", "git_folder", "installed_here", "make", "asked_option", "reached", "as_sources",
     ]  # fmt: skip
     value: str
     source: Literal[

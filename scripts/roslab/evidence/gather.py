@@ -53,6 +53,7 @@ from roslab.evidence.prose import (
     home_archives,
     included,
     install_scripts,
+    laid_as_sources,
     large_files,
     launchers,
     linked,
@@ -237,7 +238,11 @@ def gather(repository: Repository) -> Evidence:
             *container_starts.read(own, dockerfiles),
             *sessions.read(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
-            *((*on_machines.read(own), *own_setup.read(own), *handed_lists.read(own)) if manifests else ()),
+            *(
+                (*on_machines.read(own), *own_setup.read(own), *handed_lists.read(own), *laid_as_sources.read(own))
+                if manifests
+                else ()
+            ),
             *from_root.read(own, prose.mentions),
             *at_top.read(own, prose.mentions),
             *(() if manifests else reached.read(own, imported, started, prose.mentions)),

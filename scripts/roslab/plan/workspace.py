@@ -129,9 +129,13 @@ def workspace(
         if in_workspace and name not in (WORKSPACE, "catkin_ws"):
             links.append((name, folder))
     build = ros_build(decision, config, sisters) if ros and (in_workspace or sisters) else None
-    if build and decision.set_up_inside and folder.startswith(f"{WORKSPACE}/src/") and not config.compatible:
+    if build and folder.startswith(f"{WORKSPACE}/src/") and not config.compatible:
         written = build.setup.removeprefix(f"{WORKSPACE}/").partition("/")[0]
-        links.append((f"{folder}/{written}", f"../../{written}"))
+        where = {
+            "inside": (f"{folder}/{written}", f"../../{written}"),
+            "beside": (f"{WORKSPACE}/src/{written}", f"../{written}"),
+        }
+        links += [where[place] for place in decision.set_up_links]
     return Workspace(
         folder=folder,
         underlay=ros,

@@ -9,6 +9,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.linking_projects import linking
 from roslab.decide.programs import beside_top, compiled, folders_of, top_of
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.as_sources import mounted_in, signs_of_sources
 from roslab.decide.ros.not_built import warn_of_the_other_ros
 from roslab.decide.ros.other_workspaces import warn_of_others
 from roslab.decide.ros.source_names import address, plain
@@ -39,8 +40,11 @@ class Layout:
     """Where its programs are: ``source/…``, relative to the repository's root, or ``build/…``."""
     installed: bool = False
     """A page installs it, or other projects of the tree need its library."""
-    set_up_inside: bool = False
-    """Scripts of the tree look for the workspace's setup script in the repository's folder."""
+    set_up_links: tuple[Literal["inside", "beside"], ...] = ()
+    """Where the tree looks for what the build of the workspace writes: in the repository's folder, as scripts of it
+    do, or beside that, for the repository is the ``src`` of its author's workspace."""
+    mounted: str = ""
+    """That workspace in the author's container, ``""`` where it is not known."""
 
 
 def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[Layout]:
@@ -73,7 +77,15 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
     if sourced:
         link = "a script of the tree sources it: a link to that of the workspace"
         reasons.append(because("workspace", sourced.value, link, sourced, weight=LAYOUT))
-    layout = Layout(workspace="overlay", set_up_inside=sourced is not None)
+    signs = signs_of_sources(evidence, _WRITTEN[kind])
+    is_src = "the repository is the src of its author's workspace: what the build writes is linked beside it"
+    reasons += [because("workspace", "overlay", is_src, sign, weight=LAYOUT) for sign in signs]
+    links: tuple[tuple[Literal["inside", "beside"], object], ...] = (("inside", sourced), ("beside", signs))
+    layout = Layout(
+        workspace="overlay",
+        set_up_links=tuple(place for place, found in links if found),
+        mounted=mounted_in(evidence),
+    )
     return Choice(answer=layout, reasons=tuple(reasons), warnings=others)
 
 
