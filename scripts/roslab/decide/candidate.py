@@ -9,6 +9,9 @@ from typing import Literal
 
 from roslab.values.dataclass import dataclass
 
+LAUNCHERS = ("roslaunch", "rosrun", "ros2")
+"""What starts something of a package."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Candidate:
@@ -56,6 +59,8 @@ class Candidate:
     """A page has the reader run it to see whether it works."""
     makes: tuple[str, ...] = ()
     """Folders that the page makes right before it."""
+    names: tuple[str, ...] = ()
+    """What the whole is called: the repository, as far as git knows it, and its only package."""
     of_python: bool = False
     """It is a shell script that starts a program of Python."""
 

@@ -14,6 +14,7 @@ from roslab.decide.first_command import helps
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
+from roslab.decide.purposes import names_of_whole
 from roslab.decide.reasons import page_of
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import NOTEBOOK
@@ -46,10 +47,11 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     files = {calls[each.file]: each for each in evidence.launch if each.file in calls}
     said = written(evidence, kind, ros=ros, compiled=compiled)
     unmade = with_unmade(evidence)
+    names = tuple(names_of_whole(evidence))
     stops = [calls[file] for file in unmade if file in calls]
     for each in said:
         told = with_demands(_below(each, evidence) if compiled else each, files)
-        yield replace(told, unmade=_starts(each, stops))
+        yield replace(told, unmade=_starts(each, stops), names=names)
     yield from contained(evidence, kind, compiled=compiled)
     yield from () if any(each.strong for each in said) else in_sessions(evidence, kind, compiled=compiled)
     if not compiled and not any(each.strong for each in said):

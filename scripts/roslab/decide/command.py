@@ -18,14 +18,14 @@ from roslab.decide.author_command import (
     there_in,
 )
 from roslab.decide.brought_launches import brought
-from roslab.decide.candidate import Candidate, is_python, program_of, there
+from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of, there
 from roslab.decide.candidates import candidates_of
 from roslab.decide.contained import only_contained
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.demanded_arguments import told as lacking_arguments
 from roslab.decide.demanded_arguments import without_lacking
 from roslab.decide.entry_scripts import stops, told
-from roslab.decide.first_command import LAUNCHERS, first_of, helps, serves
+from roslab.decide.first_command import first_of, helps, serves
 from roslab.decide.gone_programs import gone_programs
 from roslab.decide.included import included
 from roslab.decide.launched import launched

@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterable, Sequence
 
 from roslab.decide.absent import variant
-from roslab.decide.candidate import Candidate, is_python, program_of
+from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import without_chores
+from roslab.decide.purposes import of_purpose
 from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running, shows, starts
 from roslab.decide.upkeep import upkeep
@@ -74,7 +75,6 @@ _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya
 """An argument that names a file."""
 _PLANS = pattern(r"(?:^|/)(?:plans?|specs|superpowers|roadmaps?|backlog)/", re.IGNORECASE)
 """A folder with what is, or was, to be done."""
-LAUNCHERS = ("roslaunch", "rosrun", "ros2")
 _HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s)$")
 _TOPIC = pattern(r"(?!\w*(?:file|path|dir|folder|map|bag|conf|data|world|model|urdf|weight|vocab))\w+:=(?:/\w+)+")
 """An argument that names a topic or a namespace of ROS: ``image:=/camera/color/image_raw``."""
@@ -100,7 +100,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     rest = [c for c in written if not _after(c)] or [
         c for c in written if is_python(c) or (_meant(c) > 0 and not _named(c, _AFTER))
     ]
-    rest = rest or [c for c in written if _purpose(c)]
+    rest = rest or [c for c in written if _purpose(c)] or _only_launched(written)
     if before := _before_all(written, rest):
         return before[0]
     whole = {program_of(c.argv) for c in rest if not c.cut}
@@ -229,19 +229,13 @@ def serves(candidate: Candidate) -> bool:
 
 def helps(candidate: Candidate) -> bool:
     """Tell whether a program only prepares what the one that is meant needs: it converts, downloads, sets up a bus."""
-    if _of_its_package(candidate) or _tried(candidate):
+    found = _found(candidate, _SERVES)
+    if _tried(candidate) or (found and of_purpose(candidate, found[0])):
         return False
     if _INTERFACE.search(program_of(candidate.argv)[-1]):
         return True
     python = is_python(candidate)
-    return _named(candidate, _SERVES) or (python and (_named(candidate, _DATASET) or _named(candidate, _FORMAT)))
-
-
-def _of_its_package(candidate: Candidate) -> bool:
-    """Tell whether the service in a node's name is in its package's too: the package is there for it."""
-    words = program_of(candidate.argv)
-    found = _SERVES.search(_stem(words)) if words[0] in LAUNCHERS else None
-    return found is not None and found[0].strip("_.-") in words[-2].split("_")
+    return found is not None or (python and (_named(candidate, _DATASET) or _named(candidate, _FORMAT)))
 
 
 def _after(candidate: Candidate) -> bool:
@@ -257,9 +251,9 @@ def _after(candidate: Candidate) -> bool:
         return True
     if _named(candidate, _TRAINS):
         return False
-    if _named(candidate, _AFTER):
-        return True
-    return not candidate.of_python and _named(candidate, _SHOWS if python else _TEST)
+    if found := _found(candidate, _AFTER) or (python and _found(candidate, _SHOWS)):
+        return not of_purpose(candidate, found[0])
+    return not (candidate.of_python or python) and _named(candidate, _TEST)
 
 
 def _purpose(candidate: Candidate) -> bool:
@@ -268,8 +262,19 @@ def _purpose(candidate: Candidate) -> bool:
     return words[0] in LAUNCHERS and bare_name(words[-1]).startswith(bare_name(words[-2]))
 
 
+def _only_launched(written: Sequence[Candidate]) -> list[Candidate]:
+    """Return the launch file that the README runs in a section about use, where it runs no other: that is the use."""
+    launched = [c for c in written if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
+    said = [c for c in launched if "/" not in c.file and of_readme(c.file) and about_running(c.heading) > 0]
+    return said[:1] if len({program_of(c.argv) for c in launched}) == 1 else []
+
+
 def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:
-    return bool(names.search(_stem(program_of(candidate.argv))))
+    return _found(candidate, names) is not None
+
+
+def _found(candidate: Candidate, names: re.Pattern[str]) -> re.Match[str] | None:
+    return names.search(_stem(program_of(candidate.argv)))
 
 
 def _stem(words: tuple[str, ...]) -> str:

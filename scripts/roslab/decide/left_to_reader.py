@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.decide.candidate import Candidate, is_python, program_of
+from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import prepared_before
 from roslab.decide.decision import Warning_
 from roslab.decide.demanded_arguments import filled_in
 from roslab.decide.filled_in import filled
-from roslab.decide.first_command import LAUNCHERS
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.pattern import pattern

@@ -8,8 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.brought_launches import Brings, all_brought
-from roslab.decide.candidate import Candidate
-from roslab.decide.first_command import LAUNCHERS
+from roslab.decide.candidate import LAUNCHERS, Candidate
 from roslab.decide.launch_calls import demanded, launch_calls, started_launch
 from roslab.decide.reasons import page_of
 from roslab.decide.scripts import NOTEBOOK, RUNS

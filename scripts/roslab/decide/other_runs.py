@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.config.model import Kind
-from roslab.decide.candidate import Candidate
-from roslab.decide.first_command import LAUNCHERS
+from roslab.decide.candidate import LAUNCHERS, Candidate
 from roslab.decide.written_commands import calls_of
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.dataclass import replace

@@ -1,0 +1,60 @@
+"""Words of a program's name that say what its package or its repository is there for: ``x_teleop/teleop.launch``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslab.decide.candidate import LAUNCHERS, Candidate, program_of
+from roslab.evidence.facts import Evidence
+from roslab.values.pattern import pattern
+
+FEWEST = 4
+"""Fewest letters that two words share: ``eval`` and ``evaluate``."""
+ENDING = 2
+"""Most letters at the end in which they differ: ``calibrate`` and ``calibration``, ``generate`` and ``generator``."""
+_BREAK = pattern(r"[^A-Za-z0-9]+|(?<=[a-z])(?=[A-Z])")
+_BESIDE = pattern(r"_(?:msgs|srvs|interfaces|description)$")
+_UPKEEP = pattern(
+    r"install\w*|set|setup|up|build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|udev\w*|reset|kill\w*|"
+    r"stop|shut|down|v?env|conda|environment|create|get|add|init\w*|sync|pull|source|load|activate|git|repos?|"
+    r"repositor(?:y|ies)|sub|modules?|submodules?|dep(?:s|endenc(?:y|ies))|data|datasets?|weights?|models?|assets?",
+    re.IGNORECASE,
+)
+"""Words that say nothing of a purpose, whatever the repository is called."""
+
+
+def of_purpose(candidate: Candidate, found: str) -> bool:
+    """Tell whether a word ``found`` in a program's name is one of its package's or of the whole tree's, too.
+
+    Of one package of several only where it is the same: that may be there to serve the others.
+    """
+    words = program_of(candidate.argv)
+    package = words[-2] if words[0] in LAUNCHERS else ""
+    if found.strip("_.-") in package.split("_"):
+        return True
+    there = [word for name in candidate.names for word in _words(name)]
+    first = next((word for word in _words(found) if not _UPKEEP.fullmatch(word)), "")  # the rest is what it is done to
+    return any(_same(first, other) for other in there) if first else False
+
+
+def names_of_whole(evidence: Evidence) -> Iterator[str]:
+    """Yield what the whole is called: the repository, and the only package beside those of messages."""
+    if evidence.origin:
+        yield evidence.origin.rstrip("/").rpartition("/")[2].removesuffix(".git")
+    names = {manifest.name for manifest in evidence.manifests if manifest.name}
+    own = {name for name in names if not _BESIDE.search(name)}
+    yield from own if len(own) == 1 else ()
+
+
+def _words(name: str) -> Iterator[str]:
+    yield from (word.lower() for word in _BREAK.split(name) if word)
+
+
+def _same(one: str, other: str) -> bool:
+    """Tell whether two words are forms of one: the beginning of the longer is the shorter, but for its ending."""
+    if one == other:
+        return True
+    shorter, longer = sorted((one, other), key=len)
+    root = shorter[: max(FEWEST, len(shorter) - ENDING)]
+    return len(shorter) >= FEWEST and longer.startswith(root)
