@@ -8,6 +8,7 @@ from roslab.decide.filled_in import PLACEHOLDER
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.numbered import first_of_its_kind, numbered
 
 MOST = 5
 
@@ -20,7 +21,8 @@ def decide_absent_launches(evidence: Evidence, kind: Kind) -> Choice[None]:
     for mention in evidence.mentions:
         if mention.topic == "unlaunched":
             program, package, name = mention.value.split()
-            if program == start and package in own and not PLACEHOLDER.search(name):
+            names = _names(package, evidence)
+            if program == start and package in own and not (PLACEHOLDER.search(name) or numbered(name, names)):
                 found.setdefault((package, name), mention)
     if not found:
         return Choice(answer=None)
@@ -28,9 +30,13 @@ def decide_absent_launches(evidence: Evidence, kind: Kind) -> Choice[None]:
 
     told = []
     for (package, name), mention in [*found.items()][:MOST]:
-        names = [each.file.rpartition("/")[2] for each in evidence.launch if each.package == package]
+        names = _names(package, evidence)
         near = get_close_matches(name, names, n=1)
-        hint = f"; it has {near[0]}" if near else ""
+        hint = f"; it has {first_of_its_kind(near[0], names)}" if near else ""
         message = f"the page starts {name} of the package {package}, which has no such launch file{hint}"
         told.append(warn(message, mention))
     return Choice(answer=None, warnings=tuple(told))
+
+
+def _names(package: str, evidence: Evidence) -> list[str]:
+    return [each.file.rpartition("/")[2] for each in evidence.launch if each.package == package]

@@ -133,7 +133,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         ros_distro=distro,
     )
     whole = of.own.answer or config.compatible or not ros
-    alone = () if whole else spare(config, of.command.answer, of.packages, {*of.left_out, *failing})
+    alone = () if whole else spare(evidence, config, of.command.answer, of.packages, {*of.left_out, *failing})
     system = of.system if of.own.answer else _as_needed(of, evidence, needed)
     choices = (
         of.day,

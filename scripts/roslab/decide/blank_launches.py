@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.numbered import numbered
 from roslab.values.pattern import pattern
 
 _BLANK = pattern(r"[xX]{2,}|(?<![A-Za-z])[A-Z]{3,}(?:_[A-Z]+)*(?![A-Za-z])")
@@ -49,13 +50,16 @@ def with_a_launch_file(argv: tuple[str, ...], launched: Mapping[str, frozenset[s
     """Return a command with the first launch file, by its name, that fits the blank in it; others as they are.
 
     ``launched`` are the launch files of each package. What is left of the name without the blank has to tell something.
-    A name without its last ending gets that of the only file that is called so.
+    A name without its last ending gets that of the only file that is called so; one letter may stand for a number, of
+    which the lowest is taken: ``demox.launch``.
     """
     at = _place(argv)
     if not at or len(argv) <= at or argv[at] in (names := launched.get(argv[at - 1], frozenset())):
         return argv
     if LAUNCH.search(argv[at]) and (whole := [name for name in names if name in _endings(argv[at])]):
         return (*argv[:at], *whole, *argv[at + 1 :]) if len(whole) == 1 else argv
+    if number := numbered(argv[at], names):
+        return (*argv[:at], number, *argv[at + 1 :])
     said = LAUNCH.sub("", argv[at])
     parts = _BLANK.split(said)
     if len(parts) < 2 or not any(part.strip("_-.") for part in parts):

@@ -16,6 +16,7 @@ from roslab.values.words import line_of
 _STARTED = pattern(r"\b(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*)(?= )")
 _LAUNCHED = pattern(r"\b(?:roslaunch|ros2 launch) [^;&|'\"]{1,2000}")
 """The call of a launch file, also where a shell makes it."""
+_SHELL = "bash"
 _WORD = pattern(r"[\w./-]+\.(?:py|(?:ba)?sh)\b")
 
 
@@ -32,7 +33,7 @@ def must_build(
 
     Of the latter those of the workspace, and those that a clone may bring: what the distribution has is installed where
     a clone's does not build. ``left_out``: those that are not built anyway, or may fail: a launch file starts its other
-    nodes without them, and what they lack is told.
+    nodes without them, and what they lack is told. Where a shell is started, those that the page at the root launches.
     """
     line = line_of(command)
     own = {manifest.name for manifest in packages.built} - {*left_out}
@@ -42,7 +43,15 @@ def must_build(
         for name in _launched(evidence, line)
         if name not in left_out and (name in there or (name not in has and sources.may_hold(name)))
     )
-    return tuple(dict.fromkeys((*_STARTED.findall(line), *_called(evidence, line, packages), *launched)))
+    said = (name for name in of_pages(evidence) if line == _SHELL and name in own)
+    return tuple(dict.fromkeys((*_STARTED.findall(line), *_called(evidence, line, packages), *launched, *said)))
+
+
+def of_pages(evidence: Evidence) -> Iterator[str]:
+    """Yield the packages of which the page at the root launches something, even a file that they do not have."""
+    for said in evidence.mentions:
+        if said.topic in {"command", "unlaunched"} and said.source == "readme" and "/" not in said.file:
+            yield from (match[1] for match in [_STARTED.match(said.value)] if match)
 
 
 def _called(evidence: Evidence, line: str, packages: Packages) -> Iterator[str]:

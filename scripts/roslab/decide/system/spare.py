@@ -12,6 +12,8 @@ from roslab.config.model import Config
 from roslab.decide.command import Command
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import folders_of
+from roslab.decide.system.must_build import of_pages
+from roslab.evidence.facts import Evidence
 
 FEWEST = 6
 """Of fewer packages each is most likely what the repository is about."""
@@ -19,12 +21,19 @@ SHARE = 3
 """One of so many of them may fail: where more do, something else is wrong."""
 
 
-def spare(config: Config, command: Command, packages: Packages, left_out: Collection[str]) -> tuple[str, ...]:
-    """Return the folders of those that no other one needs, where a shell is started and nothing is tested."""
+def spare(
+    evidence: Evidence, config: Config, command: Command, packages: Packages, left_out: Collection[str]
+) -> tuple[str, ...]:
+    """Return the folders of those that no other one needs, where a shell is started and nothing is tested.
+
+    None of which the page at the root launches something, even by a wrong name.
+    """
     built = [m for m in packages.built if m.name and m.name not in left_out and not m.metapackage]
     if command.command != Command().command or command.given or config.command or config.test or len(built) < FEWEST:
         return ()
-    needed = {d.name for m in packages.built for d in m.dependencies if d.role not in {"test", "doc"}}
+    needed = {*of_pages(evidence)} | {
+        d.name for m in packages.built for d in m.dependencies if d.role not in {"test", "doc"}
+    }
     alone = tuple(m.name for m in built if m.name and m.name not in needed)
     return folders_of(packages, alone) if len(alone) >= FEWEST // 2 else ()
 

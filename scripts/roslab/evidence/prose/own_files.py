@@ -14,6 +14,7 @@ from roslab.evidence.prose.started_in import beside_build, ends, script_in, star
 from roslab.evidence.ros import vcs
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.numbered import numbered
 from roslab.values.pattern import pattern
 from roslab.values.words import joined, written
 
@@ -21,6 +22,7 @@ _SHORTEST = 4
 """Fewest letters by which the name of a fork is known."""
 _ELSEWHERE = pattern(r"~/|/(?:home|root|path/to)/|\$\{?\w+\}?/|…/")
 """What a path begins with that leads to the reader's own folders."""
+_NUMBERED = (".py", ".sh", ".yaml", ".yml")
 _SHEBANG = pattern(r"#![^\n]*?\b(python[23]?|bash|sh)\b")
 _BEFORE = pattern(r"^(?:\.{1,2}/)+")
 
@@ -44,6 +46,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = only(path, repository) or path
         path = _by_its_program(words[0], _with_ending(path, repository) if index else path, repository)
+        path = _with_number(path, repository)
         beside = (
             folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
         )
@@ -86,6 +89,14 @@ def _with_ending(path: str, repository: Repository) -> str:
     stem, dot, ending = path.rpartition(".")
     other = {"yml": "yaml", "yaml": "yml"}.get(ending, "")
     return f"{stem}{dot}{other}" if other and not repository.has(path) and repository.has(f"{stem}.{other}") else path
+
+
+def _with_number(path: str, repository: Repository) -> str:
+    """Return the path of the tree's first file where one letter stands for a number: ``config/robotN.yaml``."""
+    ending = path[path.rfind(".") :] if "." in path else ""
+    if ending not in _NUMBERED or repository.has(path):
+        return path
+    return numbered(path, (file.path for file in repository.suffixed(ending))) or path
 
 
 def _folder_of(mention: Mention, words: list[str], repository: Repository) -> str:
