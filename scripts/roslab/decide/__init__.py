@@ -138,6 +138,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         command.answer.command,
         ros_distro=distro,
         build_tool=build_tool.answer,
+        installed=everything,
     )
     system = decide_system(
         evidence,

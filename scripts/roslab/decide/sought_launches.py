@@ -1,6 +1,8 @@
-"""Packages that only launch files find and nothing brings, looked for at the repository's owner under their names."""
+"""Packages that launch files find, or nodes import, and nothing brings, looked for at the repository's owner."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
 from roslab.decide.decision import Choice
@@ -11,12 +13,14 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought import MOST, PACKAGE, folder_for, public_owner, tried
+from roslab.decide.ros.sought_imports import modules_of_owner
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
+from roslab.values.requirement import Requirement
 
 
 def with_found_by_launches(
@@ -27,11 +31,13 @@ def with_found_by_launches(
     *,
     ros_distro: str | None,
     build_tool: BuildTool,
+    installed: Iterable[Requirement] = (),
 ) -> Choice[Sources]:
     """Return the sources with a repository of the same owner for each package that only other launch files need.
 
     ``command``: the default one, whose launch file's packages are looked for already. Not for the old formats, whose
-    images never had them, nor a package that others published, nor one a slip away from a package of the tree.
+    images never had them, nor a package that others published, nor one a slip away from a package of the tree. So it is
+    with modules that nodes import and nothing brings; ``installed``: what pip installs.
     """
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     owner = public_owner(evidence)
@@ -46,7 +52,8 @@ def with_found_by_launches(
     reasons = []
     owners = {each.file: each.package for each in evidence.launch}
     needed = lacking_elsewhere(evidence, started_launch(evidence, command), sources, ros_distro)
-    for name, asked in needed.items():
+    imported = {asked.name: asked for asked in modules_of_owner(evidence, installed)}
+    for name, asked in (needed | imported).items():
         url = f"{owner}/{name}"
         known = name in where or not PACKAGE.fullmatch(name) or ever_released(name) or meant(name, own)
         of_others = ever_released(owners.get(asked.file) or "")  # what was published is not the owner's
@@ -62,6 +69,7 @@ def with_found_by_launches(
             place=place,
         )
         found.append(source)
-        why = f"only launch files need {name}, and nothing known brings it: it may be there, and is left out where not"
+        who = "nodes import" if name in imported else "only launch files need"
+        why = f"{who} {name}, and nothing known brings it: it may be there, and is left out where not"
         reasons.append(because("source", source.name, why, asked, weight=Weight.SOUGHT))
     return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))

@@ -200,7 +200,7 @@ def gather(repository: Repository) -> Evidence:
         locked=locks.read(own),
         unsafe_hosts=fetched.hosts,
         dockerfiles=(dockerfiles := author_dockerfile.read(own)),
-        launch=launch.read(repository),
+        launch=(launched := launch.read(repository)),
         programs=started,
         notebooks=notebooks.alone(own),
         tests=tests.read(repository),
@@ -244,7 +244,7 @@ def gather(repository: Repository) -> Evidence:
                 else ()
             ),
             *from_root.read(own, prose.mentions),
-            *at_top.read(own, prose.mentions),
+            *at_top.read(own, prose.mentions, launched),
             *(() if manifests else reached.read(own, imported, started, prose.mentions)),
             *listens.read(own, prose.mentions, started),
             *siblings.read(own, python_projects),

@@ -176,3 +176,27 @@ def test_what_a_clone_of_before_hid_is_there_once_it_is_asked_for(tmp_path: Path
     assert passed == ["group", "mine", "quad_x", "quad_y"]
     assert "roslab: no longer hidden: quad_plan\nroslab: no longer hidden: quad_viewer\n" in said
     assert "is not needed: the workspace has quad_plan" in said
+
+
+@pytest.mark.parametrize(
+    ("options", "branch", "found"),
+    [(("--ros1",), "feature/noetic", True), (("--ros1",), "feature/other", False), ((), "feature/noetic", False)],
+)
+def test_a_branch_for_the_other_ros(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: tuple[str, ...], branch: str, found: bool
+) -> None:
+    folder = tmp_path / "remote"
+    _manifest(folder, "torch_tools")
+    text = (folder / "package.xml").read_text()
+    for name, tool, called in ((branch, "catkin", "torch_tools"), ("main", "ament_cmake", "torch_tools_2")):
+        _git(folder, "init", "--quiet")
+        _git(folder, "checkout", "--quiet", "-B", name)
+        made = text.replace("torch_tools", called).replace(
+            "</package>", f"<buildtool_depend>{tool}</buildtool_depend></package>"
+        )
+        (folder / "package.xml").write_text(made)
+        _git(folder, "add", ".")
+        _git(folder, "commit", "--quiet", "--message", name)
+    monkeypatch.setenv("ROS_DISTRO", "noetic")
+    said, there, _ = _run(tmp_path, *options, folder.as_uri(), f"{tmp_path}/ws/src/remote", "torch_tools")
+    assert (bool(there), f"its branch {branch} is taken" in said) == (found, found)

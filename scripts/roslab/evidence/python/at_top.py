@@ -1,26 +1,63 @@
-"""What a program that a page runs imports at its top: without it, it does not start."""
+"""What a program imports at its top: without it, it does not start."""
 
 from __future__ import annotations
 
+import posixpath
+import re
 from collections.abc import Iterable, Iterator
+from typing import Literal
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.python.imports import modules_of, statements
-from roslab.evidence.python.modules import modules, run_by_pages
+from roslab.evidence.python.modules import Module, modules, run_by_pages
+from roslab.evidence.python.through_modules import through_modules
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 64 * 1024
 
 
-def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mention]:
-    """Yield the modules that each of these programs imports under no condition, with the place of the first import."""
+_INSTALLED = pattern(r"\b(?:catkin_install_python|install)[ \t]*\(\s*PROGRAMS\b([^()]{1,4000})\)", re.IGNORECASE)
+_PROGRAM = pattern(r"[\w./-]+\.py\b")
+
+
+def read(repository: Repository, mentions: Iterable[Mention], launched: Iterable[LaunchFile]) -> Iterator[Mention]:
+    """Yield the modules that programs import under no condition, with the place of the first import in each.
+
+    Of those that pages run what they import themselves; of nodes, which launch files start or CMake installs, what
+    modules of the tree import for them, too.
+    """
     run = run_by_pages(mentions)
     for module in modules(repository) if run else ():
-        if module.file.path not in run:
-            continue
-        found: dict[str, int] = {}
-        for match in statements(module.text):
-            for name in modules_of(match) if not match["indent"] else ():
-                found.setdefault(name, module.text.count("\n", 0, match.start()) + 1)
-        for name, line in found.items():
-            yield Mention(
-                topic="at_top", value=name, source="code", file=module.file.path, line=line, text=f"import {name}"
-            )
+        if module.file.path in run:
+            yield from _of(module, "at_top")
+    nodes = {*_started(launched), *_installed(repository)}
+    starting = [module for module in modules(repository) if module.file.path in nodes] if nodes else []
+    reached = nodes | through_modules(starting, modules(repository)) if starting else frozenset()
+    for module in modules(repository) if reached else ():
+        if module.file.path in reached:
+            yield from _of(module, "node_import")
+
+
+def _of(module: Module, topic: Literal["at_top", "node_import"]) -> Iterator[Mention]:
+    found: dict[str, int] = {}
+    for match in statements(module.text):
+        for name in modules_of(match) if not match["indent"] else ():
+            found.setdefault(name, module.text.count("\n", 0, match.start()) + 1)
+    for name, line in found.items():
+        yield Mention(topic=topic, value=name, source="code", file=module.file.path, line=line, text=f"import {name}")
+
+
+def _started(launched: Iterable[LaunchFile]) -> Iterator[str]:
+    """Yield the programs of Python that launch files start."""
+    for launch in launched:
+        yield from (file for file in launch.loaded if file.endswith(".py") and file != launch.file)
+
+
+def _installed(repository: Repository) -> Iterator[str]:
+    """Yield the programs of Python that CMake installs."""
+    for file in repository.named("CMakeLists.txt"):
+        text = repository.read(file, limit=MAX_SIZE)
+        for match in _INSTALLED.finditer(text) if "PROGRAMS" in text else ():
+            yield from (posixpath.normpath(posixpath.join(file.folder, name)) for name in _PROGRAM.findall(match[1]))

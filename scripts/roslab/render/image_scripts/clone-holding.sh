@@ -1,16 +1,22 @@
 #!/bin/bash
-# usage: clone-holding [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE...
+# usage: clone-holding [--ros1|--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE...
 # Clones to a folder of the workspace a repository that may hold packages which nothing else brings. What does not answer,
 # or holds none of those that the workspace lacks, is named and left out. Of the others in it, only those that these need
 # are compiled.
+#   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
 #   --ref REF        a branch, tag or commit
 #   --branch BRANCH  a branch, which may be gone
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD); a tag or commit stays as it is
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-ref='' branch='' day=''
+ref='' branch='' day='' ros=''
 while [[ "$1" = --* ]]; do
   case "$1" in
+    --ros[12])
+      ros="${1#--ros}"
+      shift
+      continue
+      ;;
     --ref) ref="$2" ;;
     --branch) branch="$2" ;;
     --before) day="$2" ;;
@@ -53,6 +59,7 @@ if [ -n "${day}" ] && { [ -z "${ref}" ] || git -C "${folder}" rev-parse --quiet 
   commit="$(git -C "${folder}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" HEAD)"
   git -C "${folder}" -c advice.detachedHead=false checkout "${commit:-HEAD}"
 fi
+if [ -n "${ros}" ] && [ -z "${ref}${branch}" ]; then take-ros-branch "${ros}" "${url}" "${folder}" "${day}"; fi
 look() { mapfile -t kept < <(workspace-packages needed "${folder}" "${lacking[@]}" | cut --fields=1); }
 # Tells whether a submodule may hold one: it shares a word with it, or all packages of the repository are in submodules
 beneath() {

@@ -60,38 +60,10 @@ elif [ -n "${ref}" ]; then
   git -C "${folder}" -c advice.detachedHead=false checkout "${ref}"
 fi
 
-take() { git -C "${folder}" -c advice.detachedHead=false checkout --quiet "$1" --; }
-of_day() { # BRANCH
-  if [ -z "${day}" ]; then
-    echo "$1"
-    return
-  fi
-  commit="$(git -C "${folder}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" "$1")"
-  echo "${commit:-$1}"
-}
-if [ -n "${day}" ]; then take "$(of_day HEAD)"; fi
-
-has() { git -C "${folder}" grep --quiet --extended-regexp "$1" "$2" -- 'package.xml' '*/package.xml'; }
-catkin='<buildtool_depend[^>]*>\s*catkin' ament='ament|<build_type>\s*cmake' ours='' theirs=''
-if [ "${ros}" = 1 ]; then
-  ours="${catkin}" theirs=ament
-elif [ "${ros}" = 2 ]; then
-  ours="${ament}" theirs="${catkin}"
+if [ -n "${day}" ]; then
+  commit="$(git -C "${folder}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" HEAD)"
+  git -C "${folder}" -c advice.detachedHead=false checkout --quiet "${commit:-HEAD}" --
 fi
-if [ -n "${ros}" ] && has "${theirs}" HEAD && ! has "${ours}" HEAD; then
-  said="${url} has packages of ROS $((3 - ros)) alone at $(git -C "${folder}" rev-parse --short HEAD)"
-  named=("ros${ros}" ${ROS_DISTRO:+"${ROS_DISTRO}" "${ROS_DISTRO}-devel" "ros${ros}-${ROS_DISTRO}"} "ros${ros}-devel" "ros${ros}-master")
-  for other in "${named[@]}"; do
-    if ! git -C "${folder}" rev-parse --quiet --verify "origin/${other}" >/dev/null; then continue; fi
-    at="$(of_day "origin/${other}")"
-    if has "${ours%%|*}" "${at}"; then
-      take "${at}"
-      said+=": its branch ${other} is taken"
-      break
-    fi
-  done
-  if [[ "${said}" != *taken ]]; then said+=", and no branch for ROS ${ros}: what needs it cannot be built"; fi
-  echo "roslab: ${said}"
-fi
+if [ -n "${ros}" ]; then take-ros-branch "${ros}" "${url}" "${folder}" "${day}"; fi
 if ! try -C "${folder}" submodule update --init --recursive; then leave_out "submodules of ${url}"; fi
 chown --recursive --reference="$(dirname "${folder}")" "${folder}"

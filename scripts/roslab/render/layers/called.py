@@ -11,7 +11,8 @@ MANIFEST = "read-manifest"
 CALLED = {
     PACKAGES: (MANIFEST,),
     "build-needed": (PACKAGES,),
-    "clone-holding": (PACKAGES, "checkout-branch"),
+    "clone-holding": (PACKAGES, "checkout-branch", "take-ros-branch"),
+    "clone-listed": ("checkout-branch", "take-ros-branch"),
     "clone-unknown": ("clone-holding", PACKAGES, MANIFEST),
     "declare-needs": ("required-by-cmake", MANIFEST),
     "leave-out-doubles": (MANIFEST,),

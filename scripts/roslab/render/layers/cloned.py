@@ -43,7 +43,7 @@ def sister_sources(plan: Plan) -> str:
     sure_runs = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sure]
     runs = ["# Sister packages, from their source", *sure_runs] if sure else []
     runs += _all_listed(plan, listed)
-    tried = [shell.run(_tried(s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
+    tried = [shell.run(_tried(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
     if tried:
         why = "# Packages that nothing known brings: what is not there is told and stops nothing"
         runs += [why, *(shell.copy_script(name).rstrip() for name in with_called([HOLDING])), *tried]
@@ -59,10 +59,9 @@ def _all_listed(plan: Plan, sources: list[Source]) -> list[str]:
     """Return the instructions that clone what lists and pages name; root notes what is left out."""
     if not sources:
         return []
-    scripts = [LISTED, shell.CHECKOUT] if any(map(_is_branch, sources)) else [LISTED]
+    scripts = with_called([LISTED])
     why = "# What lists and pages name: what only its author can clone is told and left out"
-    script = f"{LISTED} --{plan.kind}" if plan.kind in {"ros1", "ros2"} else LISTED
-    runs = [shell.run(_called(script, s), secrets=secrets.for_git(plan)) for s in sources]
+    runs = [shell.run(_called(_for_ros(LISTED, plan), s), secrets=secrets.for_git(plan)) for s in sources]
     return [why, "USER root", *(shell.copy_script(name).rstrip() for name in scripts), *runs, "USER ${NB_USER}"]
 
 
@@ -70,9 +69,14 @@ def _is_branch(source: Source) -> bool:
     return bool(source.ref and BRANCH.fullmatch(source.ref))
 
 
-def _tried(source: Source) -> str:
+def _for_ros(script: str, plan: Plan) -> str:
+    """Return the call of a script that takes branches for the ROS of the image."""
+    return f"{script} --{plan.kind}" if plan.kind in {"ros1", "ros2"} else script
+
+
+def _tried(plan: Plan, source: Source) -> str:
     """Return the call of the script that keeps a repository where it holds what the workspace lacks."""
-    return f"{_called(HOLDING, source)}{words(source.holding)}"
+    return f"{_called(_for_ros(HOLDING, plan), source)}{words(source.holding)}"
 
 
 def _called(script: str, source: Source) -> str:

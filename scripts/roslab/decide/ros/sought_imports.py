@@ -1,0 +1,50 @@
+"""Modules that nodes import, that no table knows, and that may be packages of the repository's owner."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.decide.python.on_index import on_index
+from roslab.decide.ros.sought import PACKAGE
+from roslab.decide.ros.source_names import plain
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.frameworks import imports
+from roslab.knowledge.guesses import ros_modules, same_module
+from roslab.knowledge.not_on_index import not_on_index
+from roslab.knowledge.python2_packages import of_python2
+from roslab.knowledge.released import ever_released
+from roslab.values.name import bare_name, canonicalize_name
+from roslab.values.requirement import Requirement
+
+
+def modules_of_owner(evidence: Evidence, installed: Iterable[Requirement]) -> Iterator[Dependency]:
+    """Yield the modules at the top of nodes that nothing brings, each once, as packages of ROS.
+
+    Only what has a name of several words, as packages of ROS have: of one word there are modules of everything.
+    ``installed``: what pip installs. What a package.xml, a page or a clone names has an answer already, right or wrong.
+    """
+    asked = {each.name for manifest in evidence.manifests for each in manifest.dependencies}
+    asked |= {each.name for each in evidence.prose} | {each.name for each in evidence.manifests if each.name}
+    asked |= {plain(git.name) for git in evidence.sources} | {each.key for each in installed}
+    named = {canonicalize_name(name) for name in asked}
+    foreign = {each.name: each for each in evidence.code if each.namespace == "import" and each.strength == "used"}
+    told: set[str] = set()
+    for said in evidence.mentions:
+        name = said.value
+        if said.topic != "node_import" or name in told or name not in foreign or places.aside(said.file):
+            continue
+        told.add(name)
+        known = name in imports() or canonicalize_name(name) in not_on_index() or of_python2(name)
+        known = known or name in ros_modules() or ever_released(name) or on_index(evidence, foreign[name]) is not None
+        brought = canonicalize_name(name) in named or any(same_module(canonicalize_name(name), n) for n in named)
+        parts = any(bare_name(name).startswith(bare_name(each)) for each in named if len(bare_name(each)) >= _SHORTEST)
+        if "_" in name and PACKAGE.fullmatch(name) and not (known or brought or parts):
+            yield Dependency(
+                namespace="ros", name=name, strength="declared", file=said.file, line=said.line, role="exec"
+            )
+
+
+_SHORTEST = 4
+"""Fewest letters of a beginning that two names have in common by more than chance."""
