@@ -12,6 +12,7 @@ from roslab.evidence.native.generated import package_of
 from roslab.evidence.native.limits import Signs, conditional, tells
 from roslab.evidence.native.message_headers import MessageHeaders
 from roslab.evidence.native.nowhere import Nowhere
+from roslab.evidence.native.reached_code import without_unreached
 from roslab.evidence.native.where_found import where_found
 from roslab.knowledge.libraries import library, only_missed
 from roslab.knowledge.windows import opens
@@ -168,7 +169,7 @@ def _sources(repository: Repository) -> list[File]:
         for file in repository.suffixed(*SUFFIXES)
         if file.size < MAX_SIZE and not places.vendored(file.path) and not places.test(file.path)
     ]
-    return nearest(files)[:MAX_SOURCES]
+    return nearest(without_unreached(repository, files))[:MAX_SOURCES]
 
 
 def _local(repository: Repository, name: str) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from functools import cached_property
 
 from roslab.evidence import places
+from roslab.evidence.copied_libraries import folders_of_copies, in_copy
 from roslab.evidence.facts import Mention
 from roslab.knowledge.hints import words_of
 from roslab.repository.checkout import File, Repository, nearest
@@ -67,9 +68,11 @@ def _setup_scripts(repository: Repository) -> tuple[Module, ...]:
 
 
 def _all(repository: Repository) -> tuple[Module, ...]:
+    copies = folders_of_copies(repository)
     kept = [
         file
         for file in repository.suffixed(".py")
         if not places.vendored(file.path) and not places.documentation(file.path) and file.size < 16 * MAX_READ
+        if not in_copy(file.path, copies)
     ]
     return tuple(Module(file=file, repository=repository) for file in nearest(kept)[:MAX_MODULES])
