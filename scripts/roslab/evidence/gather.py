@@ -117,6 +117,7 @@ from roslab.evidence.ros import (
     named_in_code,
     nested,
     on_machines,
+    only_in_manifest,
     own_setup,
     package_xml,
     plugins,
@@ -133,6 +134,7 @@ MENTIONED = (
     *(started_by_scripts.calls, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""
+OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read)
 PROSE = (
     author_dockerfile.prose,  # the author's own image: the most reliable
     containers.read,  # what the author's containers run
@@ -238,11 +240,8 @@ def gather(repository: Repository) -> Evidence:
             *container_starts.read(own, dockerfiles),
             *sessions.read(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
-            *(
-                (*on_machines.read(own), *own_setup.read(own), *handed_lists.read(own), *laid_as_sources.read(own))
-                if manifests
-                else ()
-            ),
+            *(mention for reader in (OF_ROS if manifests else ()) for mention in reader(own)),
+            *only_in_manifest.read(own, manifests),
             *from_root.read(own, prose.mentions),
             *at_top.read(own, prose.mentions, launched),
             *(() if manifests else reached.read(own, imported, started, prose.mentions)),

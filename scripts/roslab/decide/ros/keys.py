@@ -26,6 +26,8 @@ _GOES_ON = ", and goes on without it where it is not there"
 _LOOKS = f"the build looks for it in {{}}{_GOES_ON}"
 _STOPS = "the build looks for it in {}, and stops where it is not there"
 _STOPS_AT = ", and stops without it at {}, which the default command needs and whose code includes its headers"
+_HARMLESS = "nothing else of its package names it, so that it does no harm; remove it there"
+_HARMLESS_ALL = "nothing else of their packages names them, so that they do no harm; remove them there"
 _NOWHERE = "nothing here says where it comes from"
 _MOST_MEANT = 3
 """Most names that a warning proposes for one."""
@@ -137,8 +139,10 @@ def translate(
             return Translated(skip=True, warning=warn(f"{message}: {hint}", key))
         message = f"rosdep has no key {name} for ROS {target.ros_distro}"
         folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
-        hint = _hint(name, target, cloned=cloned, folder=folder, tried=tried)
-        return Translated(warning=warn(f"{message}: {hint}", key), unknown=not (cloned or folder or tried))
+        brought = bool(cloned or folder or tried)
+        alone = not brought and any(m.topic == "only_in_manifest" and m.value == name for m in evidence.mentions)
+        hint = _HARMLESS if alone else _hint(name, target, cloned=cloned, folder=folder, tried=tried)
+        return Translated(warning=warn(f"{message}: {hint}", key), unknown=not (brought or alone))
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(
@@ -193,7 +197,11 @@ def together(warnings: Iterable[Warning_]) -> Iterator[Warning_]:
             yield from (warning for warning, _ in found)
             continue
         names = [name for _, name in found]
-        plural = hint.replace(" hold it", " hold them").replace("correct the name", "correct the names")
+        plural = (
+            _HARMLESS_ALL
+            if hint == _HARMLESS
+            else hint.replace(" hold it", " hold them").replace("correct the name", "correct the names")
+        )
         keys = f"{', '.join(names[:-1])} and {names[-1]}"
         yield replace(first, message=f"rosdep has no keys {keys} for ROS {named}: {plural}")
 

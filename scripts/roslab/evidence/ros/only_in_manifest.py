@@ -1,0 +1,82 @@
+"""Names that a package.xml has and nothing else of its package: a key left over from a template, or from older code."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.evidence.facts import Mention, PackageManifest
+from roslab.evidence.lex.xml_comments import without_xml_comments
+from roslab.knowledge.released import ever_released, rosdep_keys
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 128 * 1024
+MOST = 1_500
+"""Most files of one package that are read; of a larger one nothing is told."""
+_CODE = (".cpp", ".cc", ".cxx", ".c", ".cu", ".h", ".hpp", ".hh", ".cuh")
+_XML = (".launch", ".xml", ".xacro", ".urdf", ".world", ".sdf")
+_OTHERS = (".cmake", ".py", ".yaml", ".yml", ".msg", ".srv", ".action", ".cfg", ".sh", ".bash", ".txt", ".test")
+_WITHOUT_ENDING = "scripts/"
+_WORDS = pattern(r"[A-Za-z][\w-]*")
+_NAME = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+_OF_BUILD = frozenset({"build", "buildtool"})
+_HASH = pattern(r"#[^\n]*")
+_SLASHES = pattern(r"//[^\n]*|/\*[\s\S]*?\*/")
+_TAKES_ALL = pattern(r"\bcatkin_simple\b|\bament_auto_find_build_dependencies\b|\bament_cmake_auto\b")
+"""What has CMake look for all that the package.xml names."""
+
+
+def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterator[Mention]:
+    """Yield each such name that neither rosdep nor any distribution has, once, if it is so in every package.
+
+    It has to be one for the build, as packages of ROS have: what is only started may be so by others' files.
+    """
+    manifests = tuple(manifests)
+    folders = sorted((each.file.rpartition("/")[0] for each in manifests), key=len, reverse=True)
+    first: dict[str, Mention] = {}
+    used: set[str] = set()
+    for manifest in manifests:
+        named = [d for d in manifest.dependencies if _NAME.fullmatch(d.name)]
+        unknown = {d.name: d for d in reversed(named) if not (d.name in rosdep_keys() or ever_released(d.name))}
+        used |= unknown.keys() - {d.name for d in named if d.role in _OF_BUILD}
+        if not unknown or manifest.metapackage or not manifest.file.endswith("package.xml"):
+            used |= {*unknown}
+            continue
+        folder = manifest.file.rpartition("/")[0]
+        found = _words(repository, folder, [each for each in folders if each != folder and _below(each, folder)])
+        used |= {name for name in unknown if found is None or any(name in word for word in found)}
+        for name, asked in unknown.items():
+            text = f"<depend>{name}</depend>"
+            at = Mention(
+                topic="only_in_manifest", value=name, source="manifest", file=asked.file, line=asked.line, text=text
+            )
+            first.setdefault(name, at)
+    yield from (each for name, each in first.items() if name not in used)
+
+
+def _below(path: str, folder: str) -> bool:
+    return not folder or path.startswith(f"{folder}/")
+
+
+def _words(repository: Repository, folder: str, others: list[str]) -> set[str] | None:
+    """Return the words of a package's files without their comments, ``None`` where these may be more than is read."""
+    own = [f for f in _files(repository) if _below(f.path, folder) and not any(_below(f.path, each) for each in others)]
+    if len(own) > MOST:
+        return None
+    found: set[str] = set()
+    for file in own:
+        text = repository.read(file, limit=MAX_SIZE)
+        if file.name == "CMakeLists.txt" and _TAKES_ALL.search(_HASH.sub("", text)):
+            return None
+        if file.path.endswith(_XML):
+            text = without_xml_comments(text)
+        else:
+            text = (_SLASHES if file.path.endswith(_CODE) else _HASH).sub("", text)
+        found |= {*_WORDS.findall(text)}
+    return found
+
+
+def _files(repository: Repository) -> tuple[File, ...]:
+    named = repository.suffixed(*_CODE, *_XML, *_OTHERS)
+    scripts = [file for file in repository.files if "." not in file.name and _WITHOUT_ENDING in file.path]
+    return (*(file for file in named if file.name not in {"package.xml", "manifest.xml"}), *scripts)
