@@ -66,7 +66,12 @@ END: tuple[Block, ...] = (
     final.environment,
     final.start,
 )
-AFTER: tuple[Block, ...] = (workspace.set_up_inside, program.install_program, git_folder.made)
+AFTER: tuple[Block, ...] = (
+    workspace.folders_of_data,
+    workspace.set_up_inside,
+    program.install_program,
+    git_folder.made,
+)
 """What needs what was compiled, where that comes from a stage of its own."""
 TODAY = Order(
     base=(base.start, base.package_sources, base.snapshots, base.repositories),  # 1. sources of packages, the user

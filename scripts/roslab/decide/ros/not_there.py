@@ -1,8 +1,8 @@
-"""What packages install and the repository does not have, at which ``cmake --install`` ends."""
+"""What packages install, or keep data in, and the repository does not have: git keeps no empty folders."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from roslab.config.model import BuildTool, Config
 from roslab.decide.decision import Choice, Warning_
@@ -10,7 +10,7 @@ from roslab.decide.programs import owner
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.cmake_project import CMakeProject
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.installed_path import InstalledPath
 from roslab.values.origin import Place
 
@@ -23,16 +23,33 @@ def decide_not_there(
 ) -> Choice[tuple[str, ...]]:
     """Return the folders, each with a ``/`` behind it, and files that are made, empty, before the build.
 
-    Only where the tool installs what it builds: catkin's devel space needs none of them.
+    What is installed only where the tool installs what it builds, for ``cmake --install`` ends there: catkin's devel
+    space needs none of it. But it finds packages where their source lies, with the folders in which code has data.
     """
     installs = build_tool == "colcon" or any(word in {"install", "--install"} for word in config.build_args)
-    if config.compatible or not installs:
-        return Choice(answer=())
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name not in left_out}
+    if config.compatible:
+        return Choice(answer=())
+    data = tuple(_of_data(evidence, folders)) if build_tool.startswith("catkin") else ()
+    made = tuple(f"{each.value}/" for each in data)
+    if not installs:
+        return Choice(answer=made, warnings=tuple(map(_lost, data)))
     found = [
         (project, each) for project in evidence.cmake if owner(project.file, folders) for each in project.not_there
     ]
-    return Choice(answer=tuple(sorted({_written(each) for _, each in found})), warnings=tuple(_warnings(found)))
+    answer = tuple(sorted({*made, *(_written(each) for _, each in found)}))
+    return Choice(answer=answer, warnings=(*map(_lost, data), *_warnings(found)))
+
+
+def _of_data(evidence: Evidence, folders: Mapping[str, str | None]) -> Iterator[Mention]:
+    """Yield the folders of data of the packages that are built."""
+    lost = (m for m in evidence.mentions if m.topic == "lost_folder")
+    yield from (m for m in lost if any(not folder or m.value.startswith(f"{folder}/") for folder in folders))
+
+
+def _lost(folder: Mention) -> Warning_:
+    why = "git keeps no empty folders, and its code has files there: made empty"
+    return warn(f"the repository does not have {folder.value}/ ({why})", folder)
 
 
 def _written(each: InstalledPath) -> str:

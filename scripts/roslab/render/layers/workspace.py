@@ -143,6 +143,16 @@ def set_up_inside(plan: Plan) -> str:
     return f"# Scripts of the repository source the workspace from there\n{shell.run(*commands)}"
 
 
+def folders_of_data(plan: Plan) -> str:
+    """Make the folders in which code of the repository has data, where its source is copied again after the build."""
+    build = plan.workspace.ros
+    lost = [each for each in build.not_there if each.endswith("/")] if build and build.tool.startswith("catkin") else []
+    if not lost:
+        return ""
+    made = " ".join(quote.shell_with_user(f"{source_folder(plan)}/{each.rstrip('/')}") for each in lost)
+    return f"# Folders that git does not keep and in which programs write\n{shell.run(f'mkdir --parents {made}')}"
+
+
 def own_projects(plan: Plan) -> str:
     """Give the user what pip wrote beside the projects that root installed."""
     return own_home(plan) if plan.workspace.python_projects else ""

@@ -1,0 +1,77 @@
+"""Folders of data that git did not keep are made in the image."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+MANIFEST = (
+    "<package format='2'><name>demo</name><version>0.1.0</version><description>d</description>"
+    "<maintainer email='a@b.c'>a</maintainer><license>MIT</license>"
+    "<buildtool_depend>{}</buildtool_depend></package>"
+)
+CMAKE = "project(demo)\nfind_package({} REQUIRED)\nadd_executable(demo src/demo.cpp)\n"
+WRITES = 'std::ofstream f(ros::package::getPath("demo") + "{}");\n'
+
+
+def lost(folder: Path, files: dict[str, str], tool: str = "catkin") -> tuple[list[str], str]:
+    """Return the folders that warnings name, and the Dockerfile."""
+    base = {
+        "README.md": "ROS Noetic\n" if tool == "catkin" else "ROS 2 Humble\n",
+        "demo/package.xml": MANIFEST.format(tool),
+        "demo/CMakeLists.txt": CMAKE.format(tool),
+        "demo/src/demo.cpp": "int main() {}\n",
+    }
+    for path, text in {**base, **files}.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
+    planned = plan_repository(folder)
+    told = [w.message.split()[5] for w in planned.decision.warnings if "its code has files there" in w.message]
+    return told, dockerfile(planned.plan)
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "found"),
+    [
+        ("demo/src/demo.cpp", WRITES.format("/results/path.bin"), "demo/results"),
+        ("demo/src/demo.cpp", WRITES.format("/results/maps/"), "demo/results/maps"),
+        ("other.cpp", WRITES.format("/results/path.bin"), "demo/results"),
+        ("demo/scripts/a.py", "open(rospkg.RosPack().get_path('demo') + '/results/a.csv', 'w')\n", "demo/results"),
+        (
+            "demo/scripts/a.py",
+            "open(os.path.join(rospack.get_path('demo'), 'results/a.csv'), 'w')\n",
+            "demo/results",
+        ),
+        (
+            "demo/launch/a.launch",
+            "<launch><param name='a' value='$(find demo)/results/a.bin'/></launch>\n",
+            "demo/results",
+        ),
+        ("demo/launch/a.launch", "<launch><param name='a' value='$(find demo)/results/a.yaml'/></launch>\n", ""),
+        (
+            "demo/launch/a.launch",
+            "<launch><!-- <arg name='a' default='$(find demo)/results/a.bin'/> --></launch>\n",
+            "",
+        ),
+        ("demo/src/demo.cpp", WRITES.format("/src/path.bin"), ""),
+        ("demo/src/demo.cpp", WRITES.format("/path.bin"), ""),
+        ("demo/src/demo.cpp", WRITES.format("/../results/path.bin"), ""),
+        ("demo/src/demo.cpp", "// " + WRITES.format("/results/path.bin"), ""),
+        ("demo/src/demo.cpp", WRITES.format("/results/a.bin").replace('"demo"', '"others"'), ""),
+    ],
+)
+def test_it_is_made_and_told(tmp_path: Path, file: str, text: str, found: str) -> None:
+    root = tmp_path / "whole"
+    told, written = lost(root, {file: text})
+    assert told == ([f"{found}/"] if found else [])
+    line = f"mkdir --parents /home/${{NB_USER}}/ws/src/whole/{found}"
+    assert written.count(line) == (2 if found else 0), "before the build, and where the source is copied again after it"
+
+
+def test_of_ros_2_nothing_is_found_where_the_source_lies(tmp_path: Path) -> None:
+    told, written = lost(tmp_path / "whole", {"demo/src/demo.cpp": WRITES.format("/results/a.bin")}, "ament_cmake")
+    assert (told, "ws/src/whole/demo/results" in written) == ([], False)
