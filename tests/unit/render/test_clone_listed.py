@@ -166,3 +166,28 @@ def test_it_is_told_for_which_ros(plan: Callable[..., Plan], kind: str, option: 
         f"RUN clone-listed {option}--branch devel https://example.org/quad.git /home/${{NB_USER}}/ws/src/quad" in text
     )
     assert "COPY --from=scripts /checkout-branch /usr/local/bin/" in text
+
+
+@pytest.mark.parametrize(
+    ("options", "files", "said"),
+    [
+        (("--ros1",), ("CMakeLists.txt",), "with build: cmake"),
+        (("--ros1", "--plain"), ("CMakeLists.txt",), "it is compiled by CMake as a library"),
+        (("--ros1", "--plain"), ("doc.md",), "so that the workspace builds none of it\n"),
+        (("--ros1",), ("CMakeLists.txt", "inner/package.xml"), ""),
+        (("--ros2",), ("CMakeLists.txt",), ""),
+        (("--ros2",), ("doc.md",), "so that the workspace builds none of it\n"),
+        ((), ("doc.md",), ""),
+    ],
+)
+def test_a_clone_without_a_package_is_told(
+    tmp_path: Path, remote: Path, options: tuple[str, ...], files: tuple[str, ...], said: str
+) -> None:
+    for name in files:
+        (remote / name).parent.mkdir(exist_ok=True)
+        (remote / name).write_text("")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "third")
+    answer = _run(*options, remote.as_uri(), str(tmp_path / "copy"))
+    assert answer.returncode == 0
+    assert (said in answer.stdout) if said else ("has no package" not in answer.stdout)

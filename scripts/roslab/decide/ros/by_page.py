@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from roslab.decide.ros.misnamed import library_called
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 
@@ -11,10 +12,11 @@ from roslab.evidence.facts import Evidence
 def by_page(asked: Iterable[Dependency], evidence: Evidence) -> frozenset[str]:
     """Return the names of what a package of apt of their name has (``drake-dev``), or what is compiled and installed.
 
-    ``asked``: names of packages in a manifest.
+    ``asked``: names of packages in a manifest. Of what is compiled, not those that a table knows as libraries: it says
+    how they are built.
     """
     apt = {each.name for each in evidence.prose if each.namespace == "apt"}
-    built = {git.name for git in evidence.sources if git.installed}
+    built = {git.name for git in evidence.sources if git.installed and library_called(git.name, None) is None}
     return frozenset(each.name for each in asked if each.name in built or not apt.isdisjoint(packages_of(each.name)))
 
 

@@ -13,6 +13,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import library
+from roslab.knowledge.recipes import recipe_at
 
 
 def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
@@ -142,7 +143,7 @@ def linked(
     packages = of_one_ros(packages_of(evidence), evidence, "ros1" if ros == 1 else "ros2")
     aside = tuple(f"{folder}/" for folder in packages.doubles)
     found = [git for git in evidence.sources if git.kind == "link" and not places.vendored(git.file)]
-    found = [git for git in found if not git.file.startswith(aside)]
+    found = [git for git in found if not git.file.startswith(aside) and not _library(git, evidence)]
     found.sort(key=lambda git: (git.file.count("/"), git.file, git.line))
     lacking = {plain(asked.name): asked for asked in needed if asked.name not in known and _built_with(asked)}
     for exact in (True, False):
@@ -154,6 +155,12 @@ def linked(
                 yield git, lacking[meant[0]]
             for each in meant:
                 del lacking[each]
+
+
+def _library(git: GitSource, evidence: Evidence) -> bool:
+    """Tell whether a repository is a plain library: a recipe compiles it, or a page does so and installs it."""
+    url = address(git.url)
+    return recipe_at(url) is not None or any(each.installed and address(each.url) == url for each in evidence.sources)
 
 
 def _declared(asked: Dependency) -> bool:

@@ -187,9 +187,8 @@ class _Chosen:
     def clone(self, git: GitSource, asked: Dependency, elsewhere: frozenset[str]) -> None:
         """Add what a page or a manifest clones; warn if rosdep has a package of that name too."""
         new = self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
-        if new and self.build_tool.startswith("catkin") and asked.role != "exec" and called_like(git, asked):
-            name = next(reversed(self.sources))
-            self.sources[name] = replace(self.sources[name], unread=True)  # it may be plain CMake
+        if new:
+            self._may_be_cmake(git, asked)
         self.others |= {address(tabled.repo) for tabled in ros_sources(asked.name, self.ros)[-1:]} - {address(git.url)}
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
@@ -197,6 +196,12 @@ class _Chosen:
             if asked.name not in {git.name, plain(git.name)}:  # its key stays
                 more = "rosdep has a package of the same name, which is installed, too: the build may find either"
             self.warnings.append(warn(f"{message}; {more}", asked))
+
+    def _may_be_cmake(self, git: GitSource, asked: Dependency) -> None:
+        """Mark what was added last where it may be plain CMake: the build asks for it by its name, for catkin."""
+        if self.build_tool.startswith("catkin") and asked.role != "exec" and called_like(git, asked):
+            name = next(reversed(self.sources))
+            self.sources[name] = replace(self.sources[name], unread=True)
 
     def in_tree(self, evidence: Evidence, config: Config) -> None:
         """Report the submodules, and what a page clones into the tree; what is not there is cloned in the image."""
@@ -272,8 +277,9 @@ class _Chosen:
         """Add what pages link to for packages that are needed and that nothing brings so far."""
         others = [each for each in needed if each.name not in self.packages]
         for git, asked in linked(evidence, others, known | {*self.sources}, self.ros):
-            if not itself_in(git, itself):
-                self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and {git.file} links to it")
+            why = f"{asked.file}:{asked.line} needs {asked.name}, and {git.file} links to it"
+            if not itself_in(git, itself) and self.add(git, why):
+                self._may_be_cmake(git, asked)
 
     def choice(self, files: tuple[str, ...]) -> Choice[Sources]:
         """Return the sources with their reasons and warnings."""

@@ -1,18 +1,25 @@
 #!/bin/bash
-# usage: clone-listed [--ros1|--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
+# usage: clone-listed [--ros1|--ros2] [--plain] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
 # Clones to a folder of the workspace, as its owner's, a repository that a list or a page names. Where its host asks for a
 # password or has no such repository, it is named and left out, as are such submodules; what else fails stops the build.
+# Of one in which the workspace finds nothing to build, that is told.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
+#   --plain          it is compiled by CMake where it has no package.xml
 #   --ref REF        a tag or commit
 #   --branch BRANCH  a branch, which may be gone; for that of another distribution (kinetic-devel) its own is taken, if there is one
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD)
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-ref='' branch='' day='' ros=''
+ref='' branch='' day='' ros='' plain=''
 while [[ "$1" = --* ]]; do
   case "$1" in
     --ros[12])
       ros="${1#--ros}"
+      shift
+      continue
+      ;;
+    --plain)
+      plain=yes
       shift
       continue
       ;;
@@ -66,4 +73,16 @@ if [ -n "${day}" ]; then
 fi
 if [ -n "${ros}" ]; then take-ros-branch "${ros}" "${url}" "${folder}" "${day}"; fi
 if ! try -C "${folder}" submodule update --init --recursive; then leave_out "submodules of ${url}"; fi
+lacks() { [ -z "$(find "${folder}" -name .git -prune -o \( "$@" \) -print -quit)" ]; }
+manifests=(-name package.xml -o -name manifest.xml)
+if [ "${ros}" = 2 ]; then manifests=(-name package.xml -o -name CMakeLists.txt -o -name setup.py); fi
+if [ -n "${ros}" ] && lacks "${manifests[@]}"; then
+  said="${url} has no package at $(git -C "${folder}" rev-parse --short HEAD), so that the workspace builds none of it"
+  if [ -n "${plain}" ] && [ -f "${folder}/CMakeLists.txt" ]; then
+    said+=": it is compiled by CMake as a library"
+  elif [ -f "${folder}/CMakeLists.txt" ]; then
+    said+=": if it is a library, give it under source in roslab.yaml, with build: cmake"
+  fi
+  echo "roslab: ${said}"
+fi
 chown --recursive --reference="$(dirname "${folder}")" "${folder}"

@@ -61,7 +61,11 @@ def _all_listed(plan: Plan, sources: list[Source]) -> list[str]:
         return []
     scripts = with_called([LISTED])
     why = "# What lists and pages name: what only its author can clone is told and left out"
-    runs = [shell.run(_called(_for_ros(LISTED, plan), s), secrets=secrets.for_git(plan)) for s in sources]
+    script = _for_ros(LISTED, plan)
+    runs = [
+        shell.run(_called(f"{script} --plain" if s.unread else script, s), secrets=secrets.for_git(plan))
+        for s in sources
+    ]
     return [why, "USER root", *(shell.copy_script(name).rstrip() for name in scripts), *runs, "USER ${NB_USER}"]
 
 
