@@ -166,7 +166,9 @@ def test_a_dockerfile_deep_in_a_copy_of_another_project(tmp_path: Path, licence:
     ],
 )
 def test_a_value_that_only_the_author_gives(tmp_path: Path, text: str, lacks: str) -> None:
-    (tmp_path / "Dockerfile").write_text(f"FROM ros:noetic-ros-base\n{text}COPY . /ws/src/\n", encoding="utf-8")
+    (tmp_path / "Dockerfile").write_text(
+        f"FROM ros:noetic-ros-base\n{text}COPY . /ws/src/\nRUN catkin_make\n", encoding="utf-8"
+    )
     (tmp_path / "package.xml").write_text("<package><name>a</name></package>", encoding="utf-8")
     authored = gather(Repository.open(tmp_path)).dockerfiles[0]
     assert (authored.problem or "").startswith(lacks)

@@ -185,12 +185,20 @@ CMD ["bash"]
         ("ros:humble", "COPY . /ws/src/me\nRUN . /opt/ros/humble/setup.sh && colcon build", False),
         ("ros:humble", "COPY . /ws/src/me\nRUN bash /ws/src/me/compile.sh", False),
         ("ros:humble", 'COPY . /ws/src\nENTRYPOINT ["/ws/src/start.sh"]', False),
-        ("ros:humble", "COPY . /opt/me", False),
+        ("ros:humble", "COPY . /opt/me", True),
+        ("ros:humble", 'COPY . /opt/me\nCMD ["python3", "/opt/me/a.py"]', False),
+        ("ros:humble", "COPY ./package.xml ./\nWORKDIR /ws\n#RUN . /opt/ros/humble/setup.sh && colcon build", True),
+        ("ros:humble", "COPY . /opt/me\nCOPY start.sh /\nRUN . /opt/ros/humble/setup.sh && colcon build", False),
+        ("ros:humble", "COPY . /opt/me\nRUN colcon build\nCOPY start.sh /\nCMD bash", False),
+        ("ubuntu:22.04", "RUN make\nCOPY . /opt/me", True),
+        ("ubuntu:22.04", "COPY . /opt/me\nRUN g++ /opt/me/a.cpp", False),
+        ("ubuntu:22.04", "COPY start.sh /opt/me/", False),
         ("python:3.11", "COPY . /usr/src/app", False),
     ],
 )
 def test_copied_packages_are_built(tmp_path: Path, base: str, text: str, *, problem: bool) -> None:
     files = {"Dockerfile": f"FROM {base}\n{text}\n", "package.xml": "<package/>", "compile.sh": "", "start.sh": ""}
+    files |= {"CMakeLists.txt": "project(me)\n"} if base.startswith("ubuntu") else {}
     found = read(tmp_path, files)["Dockerfile"].problem
     assert (found is not None and "builds none of them" in found) is problem
 

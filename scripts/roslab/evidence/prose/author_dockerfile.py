@@ -207,11 +207,12 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.build_context import build_context  # noqa: PLC0415 - as above
     from roslab.evidence.prose.built_packages import built  # noqa: PLC0415 - as above
     from roslab.evidence.prose.composed import services  # noqa: PLC0415 - as above
-    from roslab.evidence.prose.dockerfile_purpose import builds_nothing, purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
+    from roslab.evidence.prose.dockerfile_purpose import purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import entry_script, started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
     from roslab.evidence.prose.stages import copied_from, entered, only_files, taken, unused  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.unbuilt_copies import unbuilt  # noqa: PLC0415 - as above
     from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
 
     known: dict[str, str] = {}
@@ -232,12 +233,12 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     last = reading.copied[-1][1] if reading.copied else 0
     if last and start.source and start.source == posixpath.normpath(start.workdir):
         missing = missing or removes_absent(repository, written, last)
-    after = [each.text for each in written if each.line > last and each.name in {"RUN", "CMD", "ENTRYPOINT"}]
-    if repository.named("package.xml") and builds_nothing(reading.base or "", start.source, after):
-        missing = missing or f"it copies the packages into {start.source} and builds none of them"
     if other_dockerfiles.named_otherwise(file):
         missing = missing or "it has a name of its own: it tells what the image needs, and none is made with it"
     service, taken_there = services(repository).get(file.path), taken(written, known)
+    missing = missing or unbuilt(
+        repository, reading.base or "", context or "", reading.copied, written, service=service
+    )
     apart = unused(written, known)
 
     def of_image(line: int) -> bool:

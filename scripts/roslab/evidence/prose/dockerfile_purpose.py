@@ -26,16 +26,7 @@ _INSTALLS = pattern(
     r"\b(?:make|ninja|setup\.py|pip\d?|catkin_make)\b[^;&|\n]*\binstall\b|--install\b|\b(?:cp|mv|colcon|catkin)[ \t]"
 )
 """What leaves something of a compilation outside its folder."""
-_OF_ROS = pattern(r"(?:^|/)ros2?(?:[-_:]|$)|^osrf/|[:-](?:ros|kinetic|melodic|noetic|humble|jazzy)(?:[-_]|$)")
-_WORKSPACE = pattern(r"/src/[^/]+/?$")
-_BUILDS = pattern(
-    r"\b(?:catkin\w*|colcon|ros\w*make|ament|make|cmake|ninja|build\w*|install|pip\d?|setup\.py|python\d?|just|bazel)\b"
-    r"|\.(?:sh|bash|py)\b|(?:^|\s)\./"
-)
-"""What may build a workspace, itself or by way of a script."""
 _REMOVES = pattern(r"[ \t]*rm((?:[ \t]+-\S+)*)((?:[ \t]+[\w.][\w./-]*)+)[ \t]*(?:$|[;\n]|&&)")
-_OF_SYSTEM = pattern(r"\b(?:apt(?:-get)?|rosdep)\b[^;&|]*|\S*/(?:setup|local_setup)\.(?:ba|z)?sh\b")
-"""What only installs packages of a system, or reads a workspace that is there."""
 
 
 def purpose_of(
@@ -76,16 +67,6 @@ def removes_its_copy(runs: Iterable[str], source: str | None) -> bool:
     # What a variable in the path holds is not known: it is compared as it is written.
     folder = (source.removeprefix("/") if "$" in source else source).rstrip("/")
     return bool(re.search(rf"\brm[ \t]+(?:-\S+[ \t]+)+[\"']?{re.escape(folder)}/?[\"']?(?=\s|[;&]|$)", text))
-
-
-def builds_nothing(base: str, source: str | None, after: Iterable[str]) -> bool:
-    """Tell whether a Dockerfile copies packages into a workspace of ROS that nothing in it builds.
-
-    ``source``: the folder of the copy, ``after``: the texts of what it runs from then on, also as it is started.
-    """
-    if not source or not _WORKSPACE.search(source) or not _OF_ROS.search(base):
-        return False
-    return not any(_BUILDS.search(_OF_SYSTEM.sub(" ", text)) for text in after)
 
 
 def removes_absent(repository: Repository, written: Iterable[Instruction], copied: int) -> str | None:

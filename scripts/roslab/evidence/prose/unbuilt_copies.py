@@ -1,0 +1,75 @@
+"""Dockerfiles that copy packages into the image and compile none of them: they set up an environment."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Collection, Iterable, Sequence
+
+from roslab.evidence.lex.dockerfile import Instruction
+from roslab.evidence.service import Service
+from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
+
+_OF_ROS = pattern(r"(?:^|/)ros2?(?:[-_:]|$)|^osrf/|[:-](?:ros|kinetic|melodic|noetic|humble|jazzy)(?:[-_]|$)")
+_BUILDS = pattern(
+    r"\b(?:catkin\w*|colcon|ros\w*make|ament|c?make|ninja|build\w*|install|pip\d?|setup\.py|python[\d.]*|just|bazel"
+    r"|scons|meson|conan|cargo|gcc|clang|waf|uv|poetry|conda|mamba)\b|\bg\+\+|\.(?:sh|bash|py)\b|(?:^|\s)\./"
+)
+"""What may build packages, itself or by way of a script."""
+_OF_SYSTEM = pattern(r"\b(?:apt(?:-get)?|rosdep)\b[^;&|]*|\S*/(?:setup|local_setup)\.(?:ba|z)?sh\b")
+"""What only installs packages of a system, or reads a workspace that is there."""
+_RELEASED = pattern(r"\bros-[a-z]+-([a-z][a-z0-9-]*)")
+_OF_PYTHON = ("setup.py", "setup.cfg", "pyproject.toml", "requirements.txt", "environment.yml")
+_RUNS = frozenset({"RUN", "CMD", "ENTRYPOINT"})
+
+
+def unbuilt(
+    repository: Repository,
+    base: str,
+    context: str,
+    copied: Iterable[tuple[str, int]],
+    written: Sequence[Instruction],
+    *,
+    service: Service | None,
+) -> str | None:
+    """Return why an image has nothing compiled though a Dockerfile copies packages into it, ``None`` where it may have.
+
+    On a base of ROS that are those with a package.xml, on others the project of CMake at the top, where no Python is
+    beside it. ``copied``: what it copies of its ``context``, each with its line; ``service``: how Docker Compose starts
+    it. What is commented out builds nothing. Where apt installs one of the packages, that is what the image starts.
+    """
+    of_ros = bool(_OF_ROS.search(base))
+    holding = _manifests(repository, of_ros=of_ros)
+    first = next((line for source, line in copied if _holds(f"{context}/{source}", holding)), None)
+    if first is None:
+        return None
+    steps = [each for each in written if each.name in _RUNS and (each.line > first or "type=bind" in each.text)]
+    if any(_installs(each.text, holding) for each in written if each.name == "RUN"):
+        return None
+    texts = [*(each.text for each in steps), *(service.command if service else ())]
+    if any(_BUILDS.search(_OF_SYSTEM.sub(" ", text)) for text in texts):
+        return None
+    what = "the packages" if of_ros else "the project of CMake"
+    return f"it copies {what} (line {first}) and builds none of them: it sets up an environment"
+
+
+def _manifests(repository: Repository, *, of_ros: bool) -> frozenset[str]:
+    """Return the files that tell what would be compiled."""
+    if of_ros:
+        return frozenset(file.path for file in repository.named("package.xml"))
+    alone = repository.has("CMakeLists.txt") and not any(map(repository.has, _OF_PYTHON))
+    return frozenset({"CMakeLists.txt"}) if alone else frozenset()
+
+
+def _holds(source: str, manifests: Collection[str]) -> bool:
+    """Tell whether a path of the tree, which is copied, is one of the files or a folder with one."""
+    path = posixpath.normpath(source.lstrip("/") or ".")
+    if path in {".", "*"}:
+        return bool(manifests)
+    return any(file == path or file.startswith(f"{path}/") for file in manifests)
+
+
+def _installs(text: str, manifests: Iterable[str]) -> bool:
+    """Tell whether a step installs one of the packages of ROS by apt, as it was released."""
+    names = {posixpath.basename(posixpath.dirname(file)).replace("_", "-") for file in manifests}
+    return any(match[1] in names for match in _RELEASED.finditer(text))
