@@ -7,7 +7,7 @@ import re
 import shlex
 from typing import Literal
 
-from roslab.decide.candidate import Candidate, is_python, program_of
+from roslab.decide.candidate import Candidate, is_python, program_of, there
 from roslab.evidence.entry_script import Taken
 from roslab.evidence.facts import AuthorDockerfile
 from roslab.knowledge.distros import codename_of
@@ -105,6 +105,13 @@ def given(candidate: Candidate, authored: AuthorDockerfile) -> tuple[str, ...]:
     words = candidate.argv[len(named) :]
     inside = (posixpath.normpath(posixpath.join(authored.source, w)) if w in candidate.files else w for w in words)
     return (*named, *inside)
+
+
+def listed_in(candidate: Candidate, authored: AuthorDockerfile) -> tuple[str, ...]:
+    """Return a command as a container of the image takes it: with the tree's files, or in its folder for a script."""
+    folder = folder_of(candidate, authored)
+    script = candidate.argv[0] in _SHELLS or is_python(candidate)
+    return ("bash", "-c", there(candidate, folder)) if script and folder else given(candidate, authored)
 
 
 def entry_point_of(authored: AuthorDockerfile) -> EntryPoint:

@@ -12,6 +12,7 @@ from roslab.decide.author_command import (
     folder_of,
     given,
     left_to_base,
+    listed_in,
     startable,
     started,
     taken_by,
@@ -108,7 +109,8 @@ def decide_command(
         if not starts_one(candidate, lacking) and (authored is None or there_in(candidate, authored)):
             by_argv.setdefault(candidate.argv, candidate)
     found = behind_whole(by_argv.values(), evidence)
-    candidates = tuple(by_argv)[:MAX_CANDIDATES]
+    by_image = (listed_in(each, authored) if authored else each.argv for each in by_argv.values())
+    candidates = tuple(dict.fromkeys(by_image))[:MAX_CANDIDATES]
     volumes = volumes_of(authored, config)
     if config.command is not None:
         text = line_of(config.command)

@@ -236,3 +236,32 @@ def test_the_shell_of_the_plan_is_what_a_container_starts(tmp_path: Path, base: 
     plan = plan_repository(tmp_path).plan
     assert plan.run.command == ("bash",)
     assert plan.run.given == (Given(command=("bash",), entrypoint=False) if given else None)
+
+
+@pytest.mark.parametrize(
+    ("image", "prefix"),
+    [
+        ("FROM ros:humble\nWORKDIR /ws\nCOPY . /ws/src\nRUN colcon build\n", "src/"),
+        ("FROM ros:humble\nWORKDIR /ws/src\nCOPY . /ws/src\nRUN colcon build\n", ""),
+    ],
+)
+def test_every_command_names_files_from_where_a_container_starts(tree: Tree, image: str, prefix: str) -> None:
+    build = "<buildtool_depend>ament_cmake</buildtool_depend>"
+    files = {
+        "estimator/package.xml": f"<package format='3'><name>estimator</name>{build}</package>",
+        "estimator/CMakeLists.txt": "project(estimator)\nfind_package(ament_cmake REQUIRED)\n"
+        "add_executable(flat a.cpp)\nadd_executable(round a.cpp)\n",
+        "config/a.yml": "a: 1\n",
+        "tools/show.py": "if __name__ == '__main__':\n    print(1)\n",
+        "README.md": RUN.format(
+            "ros2 run estimator flat --ros-args --params-file config/a.yml\n"
+            "ros2 run estimator round --ros-args --params-file config/a.yml\npython3 tools/show.py"
+        ),
+        "docker/Dockerfile": image,
+    }
+    decision = tree(files)
+    assert decision.dockerfile == "docker/Dockerfile"
+    end = ("--ros-args", "--params-file", f"{prefix}config/a.yml")
+    script = ("bash", "-c", "cd src && exec python3 tools/show.py") if prefix else ("python3", "tools/show.py")
+    runs = {("ros2", "run", "estimator", name, *end) for name in ("flat", "round")}
+    assert {*decision.command_candidates} >= {*runs, script}
