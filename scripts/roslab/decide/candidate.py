@@ -7,10 +7,14 @@ import shlex
 from collections.abc import Container, Mapping, Sequence
 from typing import Literal
 
+from roslab.evidence.prose.blanks import ARGUMENTS
 from roslab.values.dataclass import dataclass
 
 LAUNCHERS = ("roslaunch", "rosrun", "ros2")
 """What starts something of a package."""
+Demands = Literal["required", "open", "given", ""]
+"""What the program says of an option that was left out: it stops without it, or may; ``given``: the page writes
+``<args>`` or the like for what it is given."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -33,8 +37,7 @@ class Candidate:
     """Arguments that the reader fills in were left out, and they have no default."""
     lacking: tuple[str, ...] = ()
     """Arguments that its launch file demands and that it does not give: so it stops at once."""
-    demands: Literal["required", "open", ""] = ""
-    """What the program says of an option that was left out so: it stops without it, or may."""
+    demands: Demands = ""
     absent: tuple[str, ...] = ()
     """Arguments that name a file which neither the tree nor a download has, each after its option."""
     blanks: tuple[str, ...] = ()
@@ -79,6 +82,13 @@ def there(candidate: Candidate, within: str | None = None) -> str:
     before = f"cd {shlex.quote(goes)} && " if goes else ""
     before += f"mkdir -p {shlex.join(candidate.makes)} && " if candidate.makes else ""
     return f"{before}exec {shlex.join(words)}"
+
+
+def demanded(told: Container[str], said: str) -> Demands:
+    """Return what is known of arguments that were left out: of options the program tells, of ``<args>`` the page."""
+    if "required" in told:
+        return "required"
+    return "open" if "open" in told else "given" if f" {ARGUMENTS}" in said else ""
 
 
 def inside_of(argv: Sequence[str], page: str, beside: Container[str], made: Mapping[str, str]) -> str:

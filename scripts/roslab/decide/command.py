@@ -28,6 +28,7 @@ from roslab.decide.demanded_arguments import without_lacking
 from roslab.decide.entry_scripts import stops, told
 from roslab.decide.first_command import first_of, helps, serves
 from roslab.decide.gone_programs import gone_programs
+from roslab.decide.helpers_first import behind_helpers
 from roslab.decide.included import included
 from roslab.decide.launched import launched
 from roslab.decide.left_to_reader import left_to_reader
@@ -45,6 +46,7 @@ from roslab.decide.sections import about_running
 from roslab.decide.sessions import of_sessions
 from roslab.decide.unbuilt_packages import starts_one, unbuilt
 from roslab.decide.upkeep import upkeep
+from roslab.decide.wanted_arguments import without_wanting
 from roslab.decide.windows import opens_windows
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence.entry_script import Taken
@@ -196,7 +198,9 @@ def _obvious(
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]
         ours = [c for c in ours if kind != "cpp" or not is_python(c)]  # that image was made for what is compiled
+    ours = without_wanting(ours, found)
     first = first_of(ours)
+    first = behind_helpers(first, ours, evidence) if first else None
     if first and "/" in first.file and not dockerfile:
         first = listed(evidence, kind) or first
     if first:

@@ -141,7 +141,7 @@ def _stops(candidate: Candidate, others: Iterable[Candidate]) -> bool:
 
     One that may go on without it is only behind a program that is given files of the tree.
     """
-    if not candidate.demands:
+    if candidate.demands in {"", "given"}:
         return False
     whole = [c for c in others if c.file == candidate.file and not c.cut and not _lacks(c)]
     whole = [c for c in whole if is_python(c) or c.installed]

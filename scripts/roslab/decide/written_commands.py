@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from roslab.config.model import Kind
 from roslab.decide.absent import absent
 from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
-from roslab.decide.candidate import Candidate, inside_of, is_component, program_of
+from roslab.decide.candidate import Candidate, demanded, inside_of, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import (
     call_of,
@@ -139,7 +139,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
                 files=mention.files,
                 inside=inside_of(argv, mention.inside, beside, tree.made),
                 cut=bool(gap) and told != {"default"},
-                demands="required" if "required" in told else "open" if "open" in told else "",
+                demands=demanded(told, mention.value),
                 absent=absent(argv, mention.files, fetched),
                 blanks=blanks,
                 variables=mention.variables,

@@ -10,6 +10,9 @@ from roslab.values.pattern import pattern
 _RUN = pattern(r"\b(?:roslaunch|rosrun|ros2)\s")
 BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30}){1,12}>")
 """A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
+ARGUMENTS = "…arguments"
+"""What stands for ``<args>`` in a command: all that its program is given."""
+_ARGUMENTS = pattern(r"(?<=\s)[<\[](?:args?|arguments)(?:\s?\.{3})?[>\]](?=\s|$)", re.IGNORECASE)
 _BRACED = pattern(r"(?<![$\w{=-])\{[A-Za-z][\w -]{0,40}\}(?=[/\s]|$)")
 _CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
 """Values of which the reader chooses one: ``rviz:={true, false}``."""
@@ -66,6 +69,11 @@ _BRANCH = pattern(
     re.VERBOSE | re.IGNORECASE,
 )
 """A branch that is called after the reader's distribution of ROS: ``--branch <YOUR_ROS_VERSION>-devel``."""
+
+
+def with_arguments(text: str) -> str:
+    """Return a command with one word for ``<args>``, which no shell reads."""
+    return _ARGUMENTS.sub(ARGUMENTS, text) if "arg" in text.lower() else text
 
 
 def with_distro(text: str) -> str:

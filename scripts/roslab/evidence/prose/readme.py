@@ -32,7 +32,7 @@ from roslab.evidence.prose import (
     said_runs,
 )
 from roslab.evidence.prose.absent_launches import absent_launch
-from roslab.evidence.prose.blanks import BLANK, distros_of, with_examples
+from roslab.evidence.prose.blanks import BLANK, distros_of, with_arguments, with_examples
 from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.failing import of_failure
@@ -48,6 +48,7 @@ from roslab.evidence.prose.own_scripts import called, checked, of_python
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.prose.runners import started
 from roslab.evidence.prose.script_folders import elsewhere
+from roslab.evidence.prose.shell_functions import functions, meant
 from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import Signs, lines_with, signs_in, telling
 from roslab.repository.checkout import File, Repository
@@ -92,7 +93,9 @@ def read(repository: Repository) -> Prose:
     above = (mention for file, text in texts for mention in _exported(repository, file, text))
     made = (mention for file, text in texts for mention in generated.read(repository, file, text))
     read = merge(of_page(repository, file) for file in found)
-    return replace(read, mentions=(*read.mentions, *paths, *exported, *above, *made))
+    own = functions(repository)
+    called = meant(named(repository, dict.fromkeys(own, "")), own)
+    return replace(read, mentions=(*read.mentions, *paths, *exported, *above, *made, *called))
 
 
 def _exported(repository: Repository, file: File, text: str) -> Iterator[Mention]:
@@ -118,7 +121,7 @@ def named(
         text = text_of(repository, file)
         runs = any(name in text for name in programs) and called.search(text)
         for line, code, heading in _code(text, called) if runs else ():
-            for start, logical in logical_lines(BLANK.sub("$UNKNOWN", code), line):
+            for start, logical in logical_lines(BLANK.sub("$UNKNOWN", with_arguments(code)), line):
                 found += (
                     Mention(
                         topic="command",

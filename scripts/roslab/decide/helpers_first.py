@@ -1,0 +1,57 @@
+"""Programs that only help the one that a repository is called after: a page may start them first."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.sections import about_running
+from roslab.evidence.facts import Evidence
+from roslab.values.pattern import pattern
+
+_HELPS = pattern(
+    r"(?:^|_)(?:(?:robot_|joint_)?state_publisher|static_transform_publisher|transform_publisher|tf2?_publisher|teleop\w*|"
+    r"rviz2?|urdf|description|joy(?:stick)?)(?:_|$)",
+    re.IGNORECASE,
+)
+"""What tells others of a robot's frames, steers it or shows it, in the name of a package or a program.
+
+https://index.ros.org/p/robot_state_publisher/ and its like, 2026-11-27
+"""
+_WORD = pattern(r"[A-Z]?[a-z]{3,}|[A-Z]{3,}(?![a-z])")
+_LETTERS = 6
+"""Letters by which two words are one: ``estimation`` and ``estimator``."""
+_TITLE = " / "
+_LAUNCHERS = frozenset({"roslaunch", "rosrun", "ros2"})
+
+
+def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: Evidence) -> Candidate:
+    """Return what the page starts after a helper and shares most words with the repository's name or the page's title.
+
+    ``first`` where it is no helper, or nothing that is as much meant to be run shares more of them.
+    """
+    if first.argv[0] not in _LAUNCHERS or not any(map(_HELPS.search, _names(first))):
+        return first
+    title = first.heading.partition(_TITLE)[0]
+    words = _words(evidence.origin.rstrip("/").rpartition("/")[2].removesuffix(".git")) | _words(title)
+    best, most = first, _shared(first, words)
+    for each in candidates:
+        same = each.strong and each.file == first.file and each.argv[0] in _LAUNCHERS and not (each.cut or each.lacking)
+        meant = about_running(each.heading) >= about_running(first.heading)
+        if same and meant and not any(map(_HELPS.search, _names(each))) and (shared := _shared(each, words)) > most:
+            best, most = each, shared
+    return best
+
+
+def _names(candidate: Candidate) -> tuple[str, ...]:
+    """Return the names of the package and the program."""
+    return tuple(name.partition(".")[0] for name in program_of(candidate.argv)[-2:])
+
+
+def _shared(candidate: Candidate, words: set[str]) -> int:
+    return len(_words(" ".join(_names(candidate))) & words)
+
+
+def _words(name: str) -> set[str]:
+    return {word.lower()[:_LETTERS] for word in _WORD.findall(name.replace("_", " "))}
