@@ -12,6 +12,11 @@ BLANK = pattern(r"<[A-Za-z][^<>|&;\n]{0,60}>|<[\w.-]{1,30}(?:\s?\|\s?[\w.-]{1,30
 """A placeholder for the reader of a page to fill in, or to choose: ``<small | large>``."""
 ARGUMENTS = "…arguments"
 """What stands for ``<args>`` in a command: all that its program is given."""
+_PACKAGE = pattern(
+    r"\bcd[ \t]+[\"']?(?:\$\(|`)(?:rospack[ \t]+find|ros2[ \t]+pkg[ \t]+prefix(?:[ \t]+--share)?)[ \t]+([\w-]+)[)`]"
+    r"(?:/(?:share|lib)/\1(?![\w-]))?([\w./-]*)[\"']?"
+)
+"""A folder that is found by the name of a package: ``cd $(rospack find demo)/scripts``."""
 _ARGUMENTS = pattern(r"(?<=\s)[<\[](?:args?|arguments)(?:\s?\.{3})?[>\]](?=\s|$)", re.IGNORECASE)
 _BRACED = pattern(r"(?<![$\w{=-])\{[A-Za-z][\w -]{0,40}\}(?=[/\s]|$)")
 _CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
@@ -74,6 +79,11 @@ _BRANCH = pattern(
 def with_arguments(text: str) -> str:
     """Return a command with one word for ``<args>``, which no shell reads."""
     return _ARGUMENTS.sub(ARGUMENTS, text) if "arg" in text.lower() else text
+
+
+def with_packages(text: str) -> str:
+    """Return a command with ``roscd`` for a folder that the name of a package finds."""
+    return _PACKAGE.sub(r"roscd \1\2", text) if "cd " in text and ("rospack" in text or "pkg" in text) else text
 
 
 def with_distro(text: str) -> str:

@@ -89,7 +89,7 @@ class Collector:
         """Read one logical line."""
         if telling(text):
             text = text if "ROS_DISTRO" in self.variables else blanks.with_distro(text)
-            text = blanks.filled(blanks.with_arguments(text), of_page=self.source == "readme")
+            text = blanks.filled(blanks.with_packages(blanks.with_arguments(text)), of_page=self.source == "readme")
             for command in commands(text, line, self.variables):
                 for topic, value in steps(command, self.heading, self.folder):
                     self._mention(topic, value.replace(UNKNOWN, "…"), command)

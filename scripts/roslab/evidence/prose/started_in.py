@@ -78,8 +78,9 @@ def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] 
     """Return which word of a command is a script or launch file below where the page went, its path, that folder.
 
     A page may begin above the root, and may go to a folder again without having left it: the longest end of where it is
-    that has the script is meant. ``None`` where there is none: the script is at the root, or nowhere. One of a folder
-    right below ``install`` is what CMake installed, beside programs that the source does not have.
+    that has the script is meant, else the folder of a package that ``roscd`` goes to. ``None`` where there is none: the
+    script is at the root, or nowhere. One of a folder right below ``install`` is what CMake installed, beside programs
+    that the source does not have.
     """
     words = mention.value.split()
     position = min(_PLACES.get(words[0], 0), len(words) - 1)
@@ -87,12 +88,26 @@ def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] 
     bare = word.startswith("./") and "." not in posixpath.basename(word)
     if not (bare or word.endswith((".sh", ".launch", ".launch.py"))) or word.startswith(("/", "~")):
         return None
-    for folder in ends(mention.inside):
+    for folder in (*ends(mention.inside), *package_folders(mention.inside, repository)):
         path = posixpath.normpath(posixpath.join(folder, word))
         if repository.has(path):
             installed = f"/{mention.inside}".endswith(f"/{INSTALLED}/{folder}") and INSTALLED not in repository.folders
             return (position, path, folder) if folder and not installed else None
     return None
+
+
+def package_folders(inside: str, repository: Repository) -> Iterator[str]:
+    """Yield the folders of the tree that ``roscd PACKAGE/DIR`` may mean, ``inside`` being where the page went with it.
+
+    A package is known by its folder's name, else by that in its package.xml.
+    """
+    manifests = repository.named("package.xml") if inside else []
+    for end in ends(inside):
+        package, _, below = end.partition("/")
+        named = [each for each in manifests if package and posixpath.basename(each.folder) == package]
+        named = named or [each for each in manifests if package and f"<name>{package}</name>" in repository.read(each)]
+        if len(named) == 1:
+            yield posixpath.normpath(posixpath.join(named[0].folder, below))
 
 
 def ends(folder: str) -> Iterator[str]:
