@@ -104,6 +104,8 @@ class Source:
     """Patches of the repository that its author applies to it."""
     marked: tuple[str, ...] = ()
     """Folders of it that the author has the build tool pass over, ``""`` for all of it."""
+    instead: tuple[str, ...] = ()
+    """Packages with it that a page installs from a source which it adds to apt: it is built where apt has them not."""
     place: Place | None = None
 
 

@@ -26,6 +26,6 @@ def test_it_is_told_and_stops_nothing(tmp_path: Path, page: str, *, tolerated: b
         (tmp_path / path).parent.mkdir(exist_ok=True)
         (tmp_path / path).write_text(text)
     text = dockerfile(plan_repository(tmp_path).plan)
-    assert ("RUN clone-listed --ros1 https://github.com/acme/acme_msgs.git" in text) != tolerated
+    assert ("RUN clone-listed --ros1 --plain https://github.com/acme/acme_msgs.git" in text) != tolerated
     assert ("{ git clone https://github.com/acme/acme_msgs.git" in text) == tolerated
     assert ("roslab: left out: acme_msgs cannot be cloned" in text) == tolerated

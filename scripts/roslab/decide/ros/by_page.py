@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslab.decide.ros.misnamed import library_called
+from roslab.decide.system.apt_sources import NEAR, PPA
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 
@@ -25,6 +26,20 @@ def by_own_source(names: Iterable[str], evidence: Evidence) -> frozenset[str]:
     pages = {source.file for source in evidence.apt_sources}
     apt = {each.name for each in evidence.prose if each.namespace == "apt" and each.file in pages}
     return frozenset(name for name in names if not apt.isdisjoint(packages_of(name)))
+
+
+def installed_beside(name: str, evidence: Evidence) -> tuple[str, ...]:
+    """Return the packages of a library that a page installs below a source or a PPA which it adds to apt."""
+    added = {(source.file, source.line) for source in evidence.apt_sources}
+    added |= {(m.file, m.line) for m in evidence.mentions if m.topic == "step" and PPA in m.value}
+    found = (
+        each.name
+        for each in evidence.prose
+        if each.namespace == "apt"
+        and each.name in packages_of(name)
+        and any(file == each.file and 0 < each.line - line <= NEAR for file, line in added)
+    )
+    return tuple(dict.fromkeys(found))
 
 
 def packages_of(name: str) -> set[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.built_sources import Sources
-from roslab.decide.ros.by_page import by_own_source
+from roslab.decide.ros.by_page import by_own_source, installed_beside
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, built_by_hand, by_hand
@@ -59,6 +59,8 @@ def decide_libraries(
     tabled = as_written(
         recipes_for(wanted, target.ubuntu, (*evidence.limits, *required), own, evidence.pip_day), evidence
     )
+    if not config.compatible:
+        tabled = tuple((with_packages(each, evidence, system), asked) for each, asked in tabled)
     submodules = (git.name for git in evidence.sources if git.kind == "submodule")
     elsewhere = {plain(name) for name in (*submodules, *(source.name for source, _ in tabled))}
     taken = sources.names | packages.names | own | elsewhere
@@ -72,3 +74,9 @@ def decide_libraries(
     )
     built = with_offered((*tabled, *torch, *needing), built_by_hand(evidence), evidence, system.installed)
     return built if cuda or TOOLKIT in system.apt else without_cuda(built)
+
+
+def with_packages(library: Source, evidence: Evidence, system: SystemPackages) -> Source:
+    """Return a library with the packages of it that a page installs from a source of apt which it adds before."""
+    names = [name for name in installed_beside(library.name, evidence) if name in system.installed]
+    return replace(library, instead=tuple(names))

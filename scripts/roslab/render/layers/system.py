@@ -10,6 +10,7 @@ from roslab.plan.packages import asked_files, own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import caches, locks, patches, required, secrets, shell
+from roslab.render.layers.packaged import unless_packaged
 from roslab.values.pattern import pattern
 from roslab.values.secret import NETRC, SSH
 
@@ -146,15 +147,17 @@ def library_stages(plan: Plan) -> str:
         fetched, given = _fetch(plan, library), secrets.for_git(plan)
         reads = required.reads(library)
         if given.mounts or reads or library.patches:  # what is compiled has no part in them
-            lines.append(shell.run(*_told(library, fetched, "cloned"), secrets=patches.mounted(library, given)))
+            cloned = unless_packaged(library, _told(library, fetched, "cloned"))
+            lines.append(shell.run(*cloned, secrets=patches.mounted(library, given)))
             fetched = []
         if reads:
             lines.append(required.of_library(plan, library, f"{SOURCES}/{library.name}"))
         for script in (CONFIGURE,) * library.unread + (INSTALL_BY_MAKE,) * library.by_make:
             lines.append(shell.copy_script(script).rstrip())
+        compiled = _told(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")], "compiled")
         lines.append(
             shell.run(
-                *_told(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")], "compiled"),
+                *unless_packaged(library, compiled),
                 "mkdir --parents /installed",
                 secrets=secrets.for_pip(plan) if library.build == "pip" else secrets.NONE,
             )
