@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
+from roslab.decide.ros.credited import credited
 from roslab.decide.ros.source_names import SHORTEST, address, fixed, itself_in, moves, plain
 from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.workspace import of_one_ros, packages_of
@@ -145,7 +146,8 @@ def linked(
     found = [git for git in evidence.sources if git.kind == "link" and not places.vendored(git.file)]
     found = [git for git in found if not git.file.startswith(aside) and not _library(git, evidence)]
     found.sort(key=lambda git: (git.file.count("/"), git.file, git.line))
-    lacking = {plain(asked.name): asked for asked in needed if asked.name not in known and _built_with(asked)}
+    asking = [asked for asked in needed if asked.name not in known and _built_with(asked)]
+    lacking = {plain(asked.name): asked for asked in asking if not credited(asked.name, evidence)}
     for exact in (True, False):
         for git in found:
             name = plain(git.name)

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
+from roslab.decide.ros.credited import credited
 from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, left_over, library_called, of_installed, packaged
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
@@ -138,7 +139,7 @@ def translate(
             hint = "it is taken out of the manifest in the image, and rosmake stops where the code needs it"
             return Translated(skip=True, warning=warn(f"{message}: {hint}", key))
         message = f"rosdep has no key {name} for ROS {target.ros_distro}"
-        folder = next((path for path in submodules if path.rpartition("/")[2] == name), None)
+        folder = next((path for path in submodules if path.rpartition("/")[2] == name), credited(name, evidence))
         brought = bool(cloned or folder or tried)
         alone = not brought and any(m.topic == "only_in_manifest" and m.value == name for m in evidence.mentions)
         hint = _HARMLESS if alone else _hint(name, target, cloned=cloned, folder=folder, tried=tried)
@@ -245,7 +246,7 @@ def once(warnings: Iterable[Warning_], of_cmake: Iterable[Warning_]) -> Iterator
             yield warning
 
 
-def _hint(name: str, target: Target, *, cloned: bool, folder: str | None, tried: str) -> str:
+def _hint(name: str, target: Target, *, cloned: bool, folder: str, tried: str) -> str:
     from roslab.decide.ros.slips import meant  # noqa: PLC0415 - for a key that nobody knows
 
     if folder:

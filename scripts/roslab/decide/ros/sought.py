@@ -15,6 +15,7 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.clones import taken_apart
 from roslab.decide.ros.controllers import controllers
+from roslab.decide.ros.credited import credited
 from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.source_names import address, akin, drifts, fixed, plain
@@ -64,7 +65,8 @@ def with_sought(
     have, ``cloned``: what pages clone, ``refs``: the branch of a clone by its address; ``before``: the day of what has
     none. None for the old formats, whose images never had them; where a source whose packages are not known may hold
     them, only what pages clone, and the owner's repository of exactly a package's name where that source is most likely
-    another package alone. Nor what is one slip away from a known name that the repository has elsewhere.
+    another package alone. Nor what a submodule that is not checked out most likely has, or what is one slip
+    away from a known name that the repository has elsewhere.
     """
     sources = choice.answer
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
@@ -74,7 +76,7 @@ def with_sought(
     lacking = _lacking(needed, known | sources.names, own)
     named = known & {each.name for m in evidence.manifests for each in m.dependencies}
     named |= known & {each.name for project in evidence.cmake for each in project.dependencies}
-    lacking = {name: asked for name, asked in lacking.items() if not meant(name, named)}
+    lacking = {n: asked for n, asked in lacking.items() if not (meant(n, named) or credited(n, evidence))}
     nowhere = {name: asked for name, asked in lacking.items() if not sources.may_hold(name)}
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
     taken |= {address(git.url) for git in evidence.sources if git.into in known}  # itself, under another name

@@ -10,6 +10,7 @@ from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.clones import clones, for_unknown, linked, only_below, refs_of, unreleased, with_itself
+from roslab.decide.ros.credited import told_by_pages
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.imported_clones import with_imported
 from roslab.decide.ros.in_tree import in_tree, inside_packages, not_cloned
@@ -117,15 +118,10 @@ def decide_sources(
         build_tool=build_tool,
         needed=(*used, *launched),
         known=there,
-        cloned=[g for g in found if g.kind == "clone" and not (g.aside or twice(g, itself, own | _folders(evidence)))],
+        cloned=told_by_pages(found, evidence, itself, own),
         refs=refs_of(found, ros_distro),
         before=chosen.before,
     )
-
-
-def _folders(evidence: Evidence) -> set[str]:
-    """Return the names of the folders of packages: a clone of such a name is in the tree."""
-    return {plain(manifest.file.rpartition("/")[0]) for manifest in evidence.manifests} - {""}
 
 
 @dataclass

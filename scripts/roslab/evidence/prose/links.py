@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from roslab.evidence.dependency import GitSource
+from roslab.evidence.prose.headings import lines_of
 from roslab.evidence.prose.needed_items import LISTS, needed_items
 from roslab.repository.checkout import File
 from roslab.values.dataclass import replace
@@ -39,6 +40,9 @@ _NAMED_BRANCH = pattern(
     re.IGNORECASE,
 )
 """The branch behind a link: ``, branch: humble-devel)``, ``(humble-devel branch)``, but not ``(default branch)``."""
+_THANKS = pattern(r"acknowledg|\bthanks\b|\bcredits?\b", re.IGNORECASE)
+_THANKED = pattern(r"^\W*(?:acknowledg\w*|(?:special )?thanks(?: to)?|credits?)\b[^\w]*(?:and\b.*)?$", re.IGNORECASE)
+"""The title of a section that thanks others."""
 BEFORE = 240
 """Most characters of a sentence before a link."""
 _HOLDS = pattern(
@@ -75,11 +79,14 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
     for git in cloned:
         refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
     found: dict[str, GitSource] = {}
+    thanked = _thanked(text)
     listed = _listed(text) if "/" not in file.path else frozenset()
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
         url = match[0].partition("/tree/")[0].rstrip("/").removesuffix(".git")
         name = match[1].removesuffix(".git").rstrip(".")
         line = text.count("\n", 0, match.start()) + 1
+        if line in thanked:
+            continue
         pinned = _pinned(text, match.end())
         if url not in found or (pinned and not found[url].ref):
             said = refs.get(url, set())
@@ -118,6 +125,14 @@ def _listed(text: str) -> frozenset[int]:
     if not LISTS.search(text) or not _LINK.search(text):
         return frozenset()
     return frozenset(line.number for line in needed_items(text))
+
+
+def _thanked(text: str) -> frozenset[int]:
+    """Return the numbers of the lines in which a page thanks others, whose work its own came from or resembles."""
+    if not _THANKS.search(text):
+        return frozenset()
+    found = (line for line in lines_of(text) if not line.fenced)
+    return frozenset(line.number for line in found if any(map(_THANKED.search, line.titles.values())))
 
 
 def _holds(text: str, start: int) -> bool:
