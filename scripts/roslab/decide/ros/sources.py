@@ -12,6 +12,7 @@ from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.clones import clones, for_unknown, linked, only_below, refs_of, unreleased, with_itself
 from roslab.decide.ros.credited import told_by_pages
 from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.for_launches import only_for_launches
 from roslab.decide.ros.imported_clones import with_imported
 from roslab.decide.ros.in_tree import in_tree, inside_packages, not_cloned
 from roslab.decide.ros.itself import names_of_itself
@@ -141,6 +142,7 @@ class _Chosen:
     empty: list[Source] = field(default_factory=list)
     packages: set[str] = field(default_factory=set)
     """Packages that the table finds in these repositories."""
+    wanted: dict[str, list[tuple[str, Dependency]]] = field(default_factory=dict)
     private: frozenset[str] = frozenset()
     """Addresses of what pages call private."""
     itself: set[str] = field(default_factory=set)
@@ -248,6 +250,7 @@ class _Chosen:
                 self.add(git, f"{asked.name} is needed, and no distribution released {found.package}", tabled=True)
                 if name in self.sources:
                     self.packages.add(found.package)
+                    self.wanted.setdefault(name, []).append((asked.name, asked))
                     self._complete(name, found, asked, distro)
 
     def _complete(self, name: str, found: RosSource, asked: Dependency, distro: str) -> None:
@@ -281,7 +284,7 @@ class _Chosen:
         """Return the sources with their reasons and warnings."""
         return Choice(
             answer=Sources(
-                sources=tuple(self.sources.values()),
+                sources=only_for_launches(self.sources.values(), self.wanted),
                 vcs=files,
                 submodules=tuple(self.empty),
                 libraries=tuple(self.libraries.items()),

@@ -14,5 +14,5 @@ for file in "$@"; do
   sed --regexp-extended "
     \\,.*<${element}( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*(<.*)?\$,!d
     s,,\\2,
-    ${after}" "${file}"
+    ${after}" "${file}" | sed '$a\' # a file may end without an end of its last line
 done

@@ -2,7 +2,7 @@
 # usage: workspace-packages needed|hide|show FOLDER [--without PATH [--but PATH]...] NAME...
 # Of the packages below a folder, but those below a path that is left out, and not below what is left in it:
 #   needed  prints the named ones and what they need in turn, each with its package.xml behind a tab: what their package.xml
-#           names and what their launch files and models find
+#           names, what their launch files and models find, and what makes the plugins that the models load
 #   hide    puts the markers by which catkin and colcon pass by into all but the named ones, and prints their names
 #   show    takes these markers out of the named ones and of what they need in turn, and prints their names
 # What lies in a folder with another such marker is none of them.
@@ -21,6 +21,20 @@ found_by() {
     --include='*.launch' --include='*.launch.*' --include='*launch*.py' --include='*.xacro' --include='*.urdf' --include='*.sdf' --include='*.test' \
     "([$][(](find|find-pkg-share|find-pkg-prefix) +|package://|(pkg|package) *=|(FindPackageShare|FindPackagePrefix|get_package_share_directory|get_package_prefix|get_package_share_path)[(])${name}" \
     "$1" || true; } | sed --regexp-extended 's:.*[^A-Za-z0-9_-]::' | sort --unique
+}
+
+# Prints the packages whose CMake makes the plugins (libNAME.so) that models below a folder load
+makes_plugins_of() {
+  local library name
+  while read -r library; do
+    for name in "${!file_of[@]}"; do
+      if grep --quiet --no-messages --extended-regexp "add_library\([[:space:]]*${library}([[:space:])]|$)" "$(dirname "${file_of["${name}"]}")/CMakeLists.txt"; then
+        echo "${name}"
+      fi
+    done
+  done < <({ grep --recursive --no-filename --only-matching --extended-regexp \
+    --include='*.xacro' --include='*.urdf' --include='*.sdf' --include='*.gazebo' --include='*.world' \
+    'lib[A-Za-z0-9_]+[.]so' "$1" || true; } | sed 's/^lib//; s/[.]so$//' | sort --unique)
 }
 
 own='hidden by workspace-packages'
@@ -69,7 +83,8 @@ while [ "${#queue[@]}" -gt 0 ]; do
     named["${name}"]=yes
     if [ "${what}" = hide ]; then continue; fi
     printf '%s\t%s\n' "${name}" "${manifest}"
-    mapfile -t -O "${#more[@]}" more < <(read-manifest depends "${manifest}" && found_by "$(dirname "${manifest}")")
+    here="$(dirname "${manifest}")"
+    mapfile -t -O "${#more[@]}" more < <(read-manifest depends "${manifest}" && found_by "${here}" && makes_plugins_of "${here}")
   done
   queue=("${more[@]}")
 done

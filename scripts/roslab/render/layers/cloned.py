@@ -6,7 +6,7 @@ from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
-from roslab.render.layers.called import with_called
+from roslab.render.layers.called import PACKAGES, with_called
 from roslab.render.layers.system import BRANCH, CONFIGURE, fetch, prepared
 from roslab.render.layers.workspace import HOLDING, WS, source_folder, words
 from roslab.values.pattern import pattern
@@ -41,6 +41,8 @@ def sister_sources(plan: Plan) -> str:
     listed = [s for s in sources if _from_list(s)]
     sure = [s for s in sources if not s.holding and s not in listed]
     sure_runs = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sure]
+    hiding = with_called([PACKAGES]) if any(s.only for s in sure) else ()
+    sure_runs = [*(shell.copy_script(name).rstrip() for name in hiding), *sure_runs]
     runs = ["# Sister packages, from their source", *sure_runs] if sure else []
     runs += _all_listed(plan, listed)
     tried = [shell.run(_tried(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
@@ -133,6 +135,9 @@ def _at_commit(source: Source, folder: str) -> list[str]:
 def _fetched(plan: Plan, source: Source) -> list[str]:
     folder = quote.shell_with_user(f"{WS}/src/{source.name}")
     commands = prepared(plan, source, folder)
+    if source.only:  # launch files alone want them
+        needed = f"{PACKAGES} needed {folder}{words(source.only)} | cut --fields=1"
+        commands = [*commands, f"{PACKAGES} hide {folder} $({needed}) >/dev/null"]
     return [_or_left_out(commands, source)] if source.unasked else commands
 
 

@@ -1,0 +1,49 @@
+"""Of a repository that only launch files want something of, the rest is hidden from the build tool at once."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+
+PACKAGE = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend>{}</package>"
+LAUNCH = '<launch><include file="$(find rotors_description)/launch/a.launch"/></launch>'
+
+
+def _tree(tmp_path: Path, needs: str) -> str:
+    files = {
+        "package.xml": PACKAGE.format("demo", needs),
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+        "launch/demo.launch": LAUNCH,
+        "README.md": "ROS Noetic\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    return dockerfile(plan_repository(tmp_path).plan)
+
+
+@pytest.mark.parametrize(("needs", "hides"), [("", True), ("<depend>rotors_description</depend>", False)])
+def test_only_what_a_launch_file_wants_is_compiled(tmp_path: Path, needs: str, *, hides: bool) -> None:
+    text = _tree(tmp_path, needs)
+    assert "rotors_simulator.git" in text
+    call = r"workspace-packages hide \S+/rotors_simulator \$\(workspace-packages needed \S+ rotors_description"
+    assert bool(re.search(call, text)) is hides
+
+
+@pytest.mark.usefixtures("scripts_on_path")
+def test_what_makes_the_plugins_of_a_model_is_needed(tmp_path: Path) -> None:
+    for name, needs in {"model": "", "plugins": "<depend>comm</depend>", "comm": "", "viewer": ""}.items():
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(PACKAGE.format(name, needs))
+        (tmp_path / name / "CMakeLists.txt").write_text(f"add_library({name}_wheel a.cpp)\n")
+    (tmp_path / "model/a.xacro").write_text('<plugin filename="libplugins_wheel.so"/><plugin filename="libgone.so"/>')
+    done = subprocess.run(
+        ["workspace-packages", "needed", str(tmp_path), "model"], capture_output=True, text=True, check=True
+    )
+    assert [line.split("\t")[0] for line in done.stdout.splitlines()] == ["model", "plugins", "comm"]
