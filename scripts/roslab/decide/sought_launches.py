@@ -17,6 +17,7 @@ from roslab.decide.ros.sought_imports import modules_of_owner
 from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.holders import holders
 from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
@@ -35,13 +36,14 @@ def with_found_by_launches(
 ) -> Choice[Sources]:
     """Return the sources with a repository of the same owner for each package that only other launch files need.
 
-    ``command``: the default one, whose launch file's packages are looked for already. Not for the old formats, whose
-    images never had them, nor a package that others published, nor one a slip away from a package of the tree. So it is
-    with modules that nodes import and nothing brings; ``installed``: what pip installs.
+    Before these comes where a table knows such a package to be. ``command``: the default one, whose launch file's
+    packages are looked for already. Not for the old formats, whose images never had them, nor a package that others
+    published, nor one a slip away from a package of the tree. So it is with modules that nodes import and nothing brings;
+    ``installed``: what pip installs.
     """
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     owner = public_owner(evidence)
-    if build is None or config.compatible or not owner or not ros_distro:
+    if build is None or config.compatible or not ros_distro:
         return choice
     sources = choice.answer
     where = tried(sources.sought)
@@ -53,23 +55,29 @@ def with_found_by_launches(
     owners = {each.file: each.package for each in evidence.launch}
     needed = lacking_elsewhere(evidence, started_launch(evidence, command), sources, ros_distro)
     imported = {asked.name: asked for asked in modules_of_owner(evidence, installed)}
-    for name, asked in (needed | imported).items():
-        url = f"{owner}/{name}"
-        known = name in where or not PACKAGE.fullmatch(name) or ever_released(name) or meant(name, own)
-        of_others = ever_released(owners.get(asked.file) or "")  # what was published is not the owner's
-        if known or of_others or address(url) in taken or len(found) >= MOST:
+    free = {
+        name: asked
+        for name, asked in (needed | imported).items()
+        if not (name in where or not PACKAGE.fullmatch(name) or ever_released(name) or meant(name, own))
+        and not ever_released(owners.get(asked.file) or "")  # what was published is not the owner's
+    }
+    tabled = holders(free) if build.startswith("catkin") else {}
+    there = {name for held in tabled.values() for name in held}
+    guessed = {f"{owner}/{name}": (name,) for name in free if owner and name not in there}
+    for url, names in (tabled | guessed).items():
+        if address(url) in taken or len(found) >= MOST:
             continue
-        place = Place(file=asked.file, line=asked.line)
+        asked = free[names[0]]
         source = Source(
             name=folder_for(url, [*sources.sources, *found]),
             repo=f"{url}.git",
             build=build,
             before=date.value if date else "",
-            holding=(name,),
-            place=place,
+            holding=names,
+            place=Place(file=asked.file, line=asked.line),
         )
         found.append(source)
-        who = "nodes import" if name in imported else "only launch files need"
-        why = f"{who} {name}, and nothing known brings it: it may be there, and is left out where not"
-        reasons.append(because("source", source.name, why, asked, weight=Weight.SOUGHT))
+        who = "nodes import" if names[0] in imported else "only launch files need"
+        why = "and nothing known brings it: it may be there, and is left out where not"
+        reasons.append(because("source", source.name, f"{who} {', '.join(names)}, {why}", asked, weight=Weight.SOUGHT))
     return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))

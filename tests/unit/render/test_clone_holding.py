@@ -200,3 +200,18 @@ def test_a_branch_for_the_other_ros(
     monkeypatch.setenv("ROS_DISTRO", "noetic")
     said, there, _ = _run(tmp_path, *options, folder.as_uri(), f"{tmp_path}/ws/src/remote", "torch_tools")
     assert (bool(there), f"its branch {branch} is taken" in said) == (found, found)
+
+
+def test_a_clone_is_asked_for_all_that_is_missing(tmp_path: Path, remote: Path) -> None:
+    said, _, passed = _run(
+        tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_y", "--also", "quad_viewer", "other"
+    )
+    assert passed == ["quad_msgs", "quad_x"]
+    assert {"quad_y", "quad_viewer"} <= {*said.split()}
+
+
+def test_what_is_there_needs_no_clone_for_others_alone(tmp_path: Path, remote: Path) -> None:
+    _manifest(tmp_path / "ws/src/mine", "quad_y")
+    said, found, _ = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_y", "--also", "quad_viewer")
+    assert "is not needed: the workspace has quad_y" in said
+    assert found == ["mine"]

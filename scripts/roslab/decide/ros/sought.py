@@ -27,6 +27,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.frameworks import imports
+from roslab.knowledge.holders import holders
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
@@ -83,7 +84,10 @@ def with_sought(
     found: list[Source] = []
     reasons = []
     clones = _cloned(cloned, lacking, evidence)
-    addresses = clones | {url: names for url, names in _addresses(nowhere, evidence, known) if url not in clones}
+    tabled = holders(lacking) if build.startswith("catkin") else {}
+    guessed = {name: asked for name, asked in nowhere.items() if not any(name in held for held in tabled.values())}
+    likely = {**tabled, **dict(_addresses(guessed, evidence, known))}
+    addresses = clones | {url: names for url, names in likely.items() if url not in clones}
     alike = {name: asked for name, asked in lacking.items() if sources.hardly_holds(name)}
     for url, names in _addresses(alike, evidence, known):
         if called := tuple(name for name in names if url.endswith(f"/{name}")):

@@ -1,5 +1,5 @@
 #!/bin/bash
-# usage: clone-holding [--ros1|--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE...
+# usage: clone-holding [--ros1|--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE... [--also PACKAGE...]
 # Clones to a folder of the workspace a repository that may hold packages which nothing else brings. What does not answer,
 # or holds none of those that the workspace lacks, is named and left out. Of the others in it, only those that these need
 # are compiled.
@@ -7,6 +7,7 @@
 #   --ref REF        a branch, tag or commit
 #   --branch BRANCH  a branch, which may be gone
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD); a tag or commit stays as it is
+#   --also           other packages that nothing else brings: they are taken, too, where it is cloned for the first ones
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 ref='' branch='' day='' ros=''
@@ -25,24 +26,37 @@ while [[ "$1" = --* ]]; do
 done
 url="$1" folder="$2" workspace="$(dirname "$2")"
 shift 2
+packages=() also=()
+while [ "$#" -gt 0 ]; do
+  if [ "$1" = --also ]; then
+    also=("${@:2}")
+    break
+  fi
+  packages+=("$1")
+  shift
+done
+set -- "${packages[@]}"
 leave_out() {
   echo "roslab: left out: ${url}: $1"
   rm -rf "${folder}"
   exit 0
 }
 if [ -d "${workspace}" ]; then # a clone of before may have one, hidden because nothing needed it then
-  workspace-packages show "${workspace}" "$@" | sed 's/^/roslab: no longer hidden: /'
+  workspace-packages show "${workspace}" "$@" "${also[@]}" | sed 's/^/roslab: no longer hidden: /'
 fi
+lacks() { [ ! -d "${workspace}" ] || [ -z "$(workspace-packages needed "${workspace}" "$1")" ]; }
 lacking=()
 for package in "$@"; do
-  if [ ! -d "${workspace}" ] || [ -z "$(workspace-packages needed "${workspace}" "${package}")" ]; then
-    lacking+=("${package}")
-  fi
+  if lacks "${package}"; then lacking+=("${package}"); fi
 done
 if [ "${#lacking[@]}" -eq 0 ]; then
   echo "roslab: ${url} is not needed: the workspace has $*"
   exit 0
 fi
+
+for package in "${also[@]}"; do
+  if lacks "${package}"; then lacking+=("${package}"); fi
+done
 
 # Where a host has no such repository it asks for a password, which nobody is there to give
 export GIT_TERMINAL_PROMPT=0

@@ -11,8 +11,9 @@ case "$1" in
 esac
 shift
 for file in "$@"; do
+  # shellcheck disable=SC1003 # no quote is meant: sed ends the last line, which may have no end
   sed --regexp-extended "
     \\,.*<${element}( [^>]*)?>[[:space:]]*([^<]*[^<[:space:]])[[:space:]]*(<.*)?\$,!d
     s,,\\2,
-    ${after}" "${file}" | sed '$a\' # a file may end without an end of its last line
+    ${after}" "${file}" | sed '$a\'
 done

@@ -45,7 +45,8 @@ def sister_sources(plan: Plan) -> str:
     sure_runs = [*(shell.copy_script(name).rstrip() for name in hiding), *sure_runs]
     runs = ["# Sister packages, from their source", *sure_runs] if sure else []
     runs += _all_listed(plan, listed)
-    tried = [shell.run(_tried(plan, s), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
+    sought = tuple(dict.fromkeys(name for s in sources for name in s.holding))
+    tried = [shell.run(_tried(plan, s, sought), secrets=secrets.for_git(plan, "user")) for s in sources if s.holding]
     if tried:
         why = "# Packages that nothing known brings: what is not there is told and stops nothing"
         runs += [why, *(shell.copy_script(name).rstrip() for name in with_called([HOLDING])), *tried]
@@ -80,9 +81,15 @@ def _for_ros(script: str, plan: Plan) -> str:
     return f"{script} --{plan.kind}" if plan.kind in {"ros1", "ros2"} else script
 
 
-def _tried(plan: Plan, source: Source) -> str:
-    """Return the call of the script that keeps a repository where it holds what the workspace lacks."""
-    return f"{_called(_for_ros(HOLDING, plan), source)}{words(source.holding)}"
+def _tried(plan: Plan, source: Source, sought: tuple[str, ...]) -> str:
+    """Return the call of the script that keeps a repository where it holds what the workspace lacks.
+
+    ``sought``: what is looked for anywhere; it may hold more of that than its name tells.
+    """
+    more = tuple(name for name in sought if name not in source.holding)
+    return (
+        f"{_called(_for_ros(HOLDING, plan), source)}{words(source.holding)}{words(('--also', *more)) if more else ''}"
+    )
 
 
 def _called(script: str, source: Source) -> str:
