@@ -38,8 +38,8 @@ def with_found_by_launches(
 
     Before these comes where a table knows such a package to be. ``command``: the default one, whose launch file's
     packages are looked for already. Not for the old formats, whose images never had them, nor a package that others
-    published, nor one a slip away from a package of the tree. So it is with modules that nodes import and nothing brings;
-    ``installed``: what pip installs.
+    published, nor one a slip away from a package of the tree. So it is with modules that nodes import and nothing
+    brings; ``installed``: what pip installs.
     """
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     owner = public_owner(evidence)
