@@ -35,8 +35,38 @@ def test_a_file_of_any_name_that_a_page_gives_conda_is_the_environment(tree: Tre
     assert (python.conda_file, python.version, python.manager) == (path, "3.7", "conda")
 
 
-def test_a_file_of_such_a_name_is_no_environment_unless_a_page_says_so(tree: Tree) -> None:
-    assert tree({**CODE, "lab.yml": FILE, "README.md": "# Lab\n"}).python.conda_file is None
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("lab.yml", FILE),
+        ("sub_demo/toy.yaml", "channels: [conda-forge]\ndependencies:\n  - numpy\n"),
+        ("toy.yml", "name: a\ndependencies:\n  - numpy\n  - pip:\n    - einops\n"),
+    ],
+)
+def test_a_file_of_any_name_that_holds_what_an_environment_does_is_one(tree: Tree, path: str, text: str) -> None:
+    assert tree({**CODE, path: text, "README.md": "# Lab\n"}).python.conda_file == path
+
+
+def test_one_of_a_usual_name_comes_first(tree: Tree) -> None:
+    other = FILE.replace("3.7", "3.8")
+    assert tree({**CODE, "a.yml": FILE, "environment_gpu.yml": other}).python.conda_file == "environment_gpu.yml"
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("lab.yml", "name: a\ndependencies:\n  - numpy\n"),
+        ("lab.yml", "name: a\ndependencies: {python: 3}\n"),
+        ("lab.yml", "channels: [a]\nrefresh: 3\n"),
+        ("lab.yml", f"services: {{a: {{image: b}}}}\n{FILE}"),
+        ("Chart.yaml", f"apiVersion: v2\n{FILE}"),
+        ("recipe/meta.yaml", f"package: {{name: a}}\nchannels: [c]\n{FILE}"),
+        (".github/lab.yml", FILE),
+        ("tests/lab.yml", FILE),
+    ],
+)
+def test_yaml_of_other_programs_is_no_environment(tree: Tree, path: str, text: str) -> None:
+    assert tree({**CODE, path: text, "README.md": "# Lab\n"}).python.conda_file is None
 
 
 def test_a_list_of_conda_s_packages_is_the_environment_with_the_channels_of_the_page(tree: Tree) -> None:

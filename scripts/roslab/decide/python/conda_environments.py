@@ -11,6 +11,7 @@ from roslab.decide.python.parts import of_parts
 from roslab.evidence import places
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence
+from roslab.evidence.python.conda import usually_named
 from roslab.knowledge.tools import PIXI
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -49,6 +50,7 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
             bool(e.specs),
             e.exported,
             bool(OF_OTHER_SYSTEM.search(e.file)),
+            not usually_named(e.file) and not e.file.endswith(_LIST),
             e.file.count("/"),
             bool(VARIANT.search(e.file.rpartition(".")[0])),
             len(e.file),

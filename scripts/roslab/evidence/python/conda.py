@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable
 
 from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.python import conda_content
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package
 from roslab.values.pattern import pattern
@@ -30,7 +31,7 @@ MAX_SIZE = 256 * 1024
 def read(repository: Repository, asked: Iterable[Requirement] = ()) -> tuple[CondaEnvironment, ...]:
     """Return every conda environment of the tree, sorted by path.
 
-    Files have its usual names, or are asked, or are lists that conda wrote.
+    Files have its usual names, or are asked, or hold what only an environment does, or are lists that conda wrote.
     ``asked`` is what pages ask for: a file of any name that one gives conda is an environment.
     """
     asked = tuple(asked)
@@ -41,8 +42,10 @@ def read(repository: Repository, asked: Iterable[Requirement] = ()) -> tuple[Con
         if file.name.endswith(".txt"):
             if said or _LIST.search(file.name.lower()):
                 found.append(_list(repository, file, said, asked))
-        elif said or _NAME.match(file.name.lower()):
+        elif said or usually_named(file.path):
             found.append(_environment(repository, file))
+        elif conda_content.looked_at(file):
+            found.append(_environment(repository, file, by_content=True))
     return tuple(environment for environment in found if environment)
 
 
@@ -60,13 +63,20 @@ def _list(
     return conda_list.parse(text, file.path, channels)
 
 
-def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
+def usually_named(path: str) -> bool:
+    """Tell whether a file has a name that environments have: ``environment.yml``, ``conda_gpu.yaml``."""
+    return bool(_NAME.match(path.rpartition("/")[2].lower()))
+
+
+def _environment(repository: Repository, file: File, *, by_content: bool = False) -> CondaEnvironment | None:
     from roslab.evidence.lex.yaml import load  # noqa: PLC0415 - few trees have one
 
     text = repository.read(file, limit=MAX_SIZE)
-    if not _SHAPE.search(text):
+    if not _SHAPE.search(text) or (by_content and not conda_content.shaped(text)):
         return None
     data = load(text)
+    if by_content and not conda_content.is_environment(data):
+        return None
     entries = data.get("dependencies") if isinstance(data, dict) else None
     if not isinstance(entries, list):
         return None
