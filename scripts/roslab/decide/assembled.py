@@ -221,7 +221,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,
         inside_installed=() if of.own.answer else installed_inside(evidence, of.inside.answer),
-        python_path=python_path(evidence, config, of.kind.answer, of.python.answer.projects, of.command.answer.page),
+        python_path=python_path(evidence, config, of.kind.answer, of.python.answer, of.command.answer),
         variables=() if of.own.answer else of.variables.answer,
         scripts=() if of.own.answer else of.scripts.answer,
         downloads=() if of.own.answer else of.downloads.answer,

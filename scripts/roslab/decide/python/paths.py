@@ -2,29 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Iterable, Sequence
 
 from roslab.config.model import Config, Kind
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import program_of
+from roslab.decide.command import Command
+from roslab.decide.python.image_python import Python
+from roslab.decide.python.installed import installed
 from roslab.evidence.facts import Evidence
 
 
-def python_path(
-    evidence: Evidence, config: Config, kind: Kind, projects: Collection[str], command: Candidate | None
-) -> tuple[str, ...]:
+def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, command: Command) -> tuple[str, ...]:
     """Return the folders that belong on PYTHONPATH, each once; ROS and roslab.yaml have their own.
 
     The root, or ``src``, is one where the default ``command``, or a program that a page nearest to the root runs,
-    imports what lies there and the image installs no project of the root; ``projects`` are those that it installs, by
-    their folders.
+    imports what lies there and the image installs no project of the root. Behind these come the folders of which such
+    a program, or another one that is offered, imports a module by its bare name; none that has a module called like a
+    package that the image installs.
     """
     if config.compatible or kind not in {"python", "cuda"} or "PYTHONPATH" in dict(config.env):
         return ()
     said = tuple(dict.fromkeys(m.value for m in evidence.mentions if m.topic == "python_path"))
+    if "." in python.projects:
+        return said
     pages = [m for m in evidence.mentions if m.topic == "command" and m.source == "readme"]
     nearest = min((m.file.count("/") for m in pages), default=0)
     commands = [m.value.split() for m in pages if m.file.count("/") == nearest]
-    commands += [list(command.argv)] if command else []
-    run = {program[-1] for words in commands if (program := program_of(tuple(words)))[0] == "python3"}
-    needed = (m.inside or "." for m in evidence.mentions if m.topic == "from_root" and m.file in run)
-    return tuple(dict.fromkeys((*said, *needed))) if "." not in projects else said
+    commands += [list(command.page.argv)] if command.page else []
+    run = _programs(commands)
+    needed = [m.inside or "." for m in evidence.mentions if m.topic == "from_root" and m.file in run]
+    offered = run | _programs([*map(list, command.candidates), _words(command.command)])
+    packages = {each.key.replace("-", "_") for each in installed(evidence, python)}
+    beside = [m for m in evidence.mentions if m.topic == "sibling_folder" and m.file in offered]
+    needed += [m.inside for m in beside if packages.isdisjoint(m.files)]
+    return tuple(dict.fromkeys((*said, *needed)))
+
+
+def _programs(commands: Iterable[Sequence[str]]) -> set[str]:
+    """Return the files of Python that commands start."""
+    return {program[-1] for words in commands if words and (program := program_of(tuple(words)))[0] == "python3"}
+
+
+def _words(command: tuple[str, ...] | str) -> list[str]:
+    return command.split() if isinstance(command, str) else list(command)

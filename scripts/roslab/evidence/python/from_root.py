@@ -25,7 +25,7 @@ _OWN_FOLDER = pattern(
     r"\)?\)[ \t]*(?:#.*)?"
 )
 """A line that adds a program's own folder, which Python looks into anyway."""
-_LAYOUTS = ("src", "python", "lib")
+LAYOUTS = ("src", "python", "lib")
 """Folders for packages: https://packaging.python.org/en/latest/discussions/src-layout-vs-flat-layout/"""
 _TABLES = ("[project]", "[build-system]", "[tool.poetry]")
 
@@ -37,7 +37,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     it is started (https://docs.python.org/3/library/sys.html#sys.path, read 2026-11-25), unless the program or a module
     beside it adds to that path before. ``inside`` is the folder, ``""`` the root.
     """
-    if _installs(repository):
+    if installs_itself(repository):
         return
     run = run_by_pages(mentions)
     places_of = _places(repository)
@@ -59,7 +59,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
             )
 
 
-def _installs(repository: Repository) -> bool:
+def installs_itself(repository: Repository) -> bool:
     """Tell whether pip can install the repository itself, whose packages are found from anywhere then."""
     manifest = repository.read("pyproject.toml") if repository.has("pyproject.toml") else ""
     setup = repository.read("setup.py") if repository.has("setup.py") else ""
@@ -75,7 +75,7 @@ def _places(repository: Repository) -> dict[str, str]:
     """
     found: dict[str, str] = {}
     files = [file.path for file in repository.suffixed(".py") if not places.vendored(file.path)]
-    for place in ("", *_LAYOUTS):
+    for place in ("", *LAYOUTS):
         start = f"{place}/" if place else ""
         for path in files:
             name = path.removeprefix(start).partition("/")[0].removesuffix(".py")

@@ -54,7 +54,7 @@ class Modules:
     def _imported_by(self, file: str) -> tuple[str, ...]:
         if file not in self._imports:
             text, folder = self.by_file[file].text, posixpath.dirname(file)
-            self._imports[file] = (*_imported(text, folder), *self._beside(file))
+            self._imports[file] = (*imported(text, folder), *self._beside(file))
         return self._imports[file]
 
     def _beside(self, file: str) -> Iterator[str]:
@@ -76,7 +76,7 @@ def _importable(path: str, packages: Collection[str]) -> str:
     return ".".join(parts)
 
 
-def _imported(text: str, folder: str) -> Iterator[str]:
+def imported(text: str, folder: str) -> Iterator[str]:
     """Yield the whole names that a module imports at its top, and for relative ones their paths without an ending.
 
     What stands behind ``import`` may be a module or something in one.

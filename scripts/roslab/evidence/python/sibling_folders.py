@@ -1,0 +1,134 @@
+"""Modules that a program reaches by their bare name, and that lie in another folder than the program's own."""
+
+from __future__ import annotations
+
+import posixpath
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+
+from roslab.evidence import places
+from roslab.evidence.facts import Mention
+from roslab.evidence.python.from_root import LAYOUTS, installs_itself
+from roslab.evidence.python.modules import modules, run_by_pages
+from roslab.evidence.python.through_modules import imported
+from roslab.knowledge.frameworks import imports as known_imports
+from roslab.knowledge.standard_modules import standard_modules
+from roslab.repository.checkout import Repository
+
+_INIT = "__init__.py"
+_PATH = "sys.path"
+_CODE = (".py", ".pyx", ".so")
+DEEPEST = 1
+"""Folders above a program that may be offered as a command."""
+
+
+def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mention]:
+    """Yield each folder without which an import fails that a program reaches, also by the modules that it imports.
+
+    It is the only one of the tree that has a file of that name, and Python looks neither there nor in what is installed
+    under that name (https://docs.python.org/3/library/sys.html#sys.path, read 2026-11-27). None that has a module of
+    the standard library's or a known package's name, which it would hide, and none for a program that adds to Python's
+    path by itself. ``inside`` is the folder, ``files`` the modules in it.
+    """
+    if installs_itself(repository):
+        return
+    texts = {module.file.path: module.text for module in modules(repository)}
+    folders = _only_folders(repository, texts)
+    if not folders:
+        return
+    run = run_by_pages(mentions)
+    tree = _Tree(repository, texts, folders)
+    for module in modules(repository):
+        path = module.file.path
+        offered = path.count("/") <= DEEPEST and "__main__" in module.words and not places.test(path)
+        if path in run or offered:
+            yield from tree.needed_by(path)
+
+
+class _Tree:
+    """The modules of a repository, with what each imports at its top."""
+
+    def __init__(self, repository: Repository, texts: Mapping[str, str], folders: Mapping[str, str]) -> None:
+        self._repository, self._texts, self._folders = repository, texts, folders
+        self._imports: dict[str, tuple[str, ...]] = {}
+
+    def needed_by(self, program: str) -> Iterator[Mention]:
+        """Yield the folders that a program needs, in the order in which its imports come to them."""
+        searched = [posixpath.dirname(program), "", *LAYOUTS]
+        found: dict[str, Mention] = {}
+        seen, queue = {program}, [program]
+        while queue:
+            file = queue.pop(0)
+            if _PATH in self._texts[file]:
+                return
+            for name in self._imported(file):
+                reached, there = self._files(name, searched)
+                top = name.partition(".")[0]
+                if not there and top in self._folders:
+                    folder = self._folders[top]
+                    found.setdefault(folder, self._mention(top, file, folder, program))
+                    reached = [f"{folder}/{top}.py"]
+                queue += [path for path in dict.fromkeys(reached) if path not in seen]
+                seen.update(reached)
+        yield from found.values()
+
+    def _imported(self, file: str) -> tuple[str, ...]:
+        if file not in self._imports:
+            self._imports[file] = tuple(imported(self._texts[file], posixpath.dirname(file)))
+        return self._imports[file]
+
+    def _files(self, name: str, searched: Iterable[str]) -> tuple[list[str], bool]:
+        """Return the files that an import runs, and whether a folder has its module; a folder alone is one too."""
+        if name.endswith("/"):
+            return [path for path in (f"{name[:-1]}.py", f"{name}{_INIT}") if path in self._texts], True
+        parts = name.split(".")
+        for folder in searched:
+            whole = [posixpath.join(folder, *parts[:end]) for end in range(1, len(parts) + 1)]
+            if self._repository.has(f"{whole[0]}.py") or whole[0] in self._repository.folders:
+                files = (path for each in whole for path in (f"{each}/{_INIT}", f"{each}.py"))
+                return [path for path in files if path in self._texts], True
+        return [], False
+
+    def _mention(self, name: str, file: str, folder: str, program: str) -> Mention:
+        lines = self._texts[file].split("\n")
+        number = next((at for at, line in enumerate(lines, 1) if "import" in line and name in line), 1)
+        return Mention(
+            topic="sibling_folder",
+            value=name,
+            source="code",
+            file=program,
+            line=number if file == program else 1,
+            text=f"import {name}" if file == program else f"import {name} in {file}:{number}",
+            files=tuple(sorted(_modules_in(self._repository, folder))),
+            inside=folder,
+        )
+
+
+def _only_folders(repository: Repository, texts: Mapping[str, str]) -> dict[str, str]:
+    """Return the modules that one folder alone has, with it: no other, no folder and no compiled file is called so."""
+    found: dict[str, set[str]] = {}
+    for file in repository.suffixed(*_CODE):
+        found.setdefault(file.name.partition(".")[0], set()).add(file.folder)
+    named = {part for folder in repository.folders for part in folder.split("/")}
+    known = sys.stdlib_module_names | standard_modules() | known_imports().keys()
+    only: dict[str, str] = {}
+    hides: dict[str, bool] = {}
+    for name, folders in found.items():
+        folder = next(iter(folders))
+        if len(folders) > 1 or not folder or folder in LAYOUTS or name in known or name in named:
+            continue
+        path = f"{folder}/{name}.py"
+        if path not in texts or places.test(path) or "\nfrom ." in f"\n{texts[path]}":
+            continue
+        if folder not in hides:
+            hides[folder] = not known.isdisjoint(_modules_in(repository, folder))
+        if not hides[folder]:
+            only[name] = folder
+    return only
+
+
+def _modules_in(repository: Repository, folder: str) -> set[str]:
+    """Return the names that Python finds in a folder; a folder without ``__init__.py`` hides no installed package."""
+    found = {file.name.partition(".")[0] for file in repository.suffixed(*_CODE) if file.folder == folder}
+    packages = {file.folder for file in repository.named(_INIT)}
+    return (found | {path.rpartition("/")[2] for path in packages if path.rpartition("/")[0] == folder}) - {"__init__"}
