@@ -33,8 +33,10 @@ from roslab.decide.python.imported_submodules import imported, unread
 from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.kept_by_build_types import kept_by_build_types
 from roslab.decide.python.left_frameworks import left_frameworks
+from roslab.decide.python.listed_frameworks import as_listed
 from roslab.decide.python.locked import locked_releases, of_what_is_installed
 from roslab.decide.python.lost import lost, without_history
+from roslab.decide.python.machine_limits import machine_limits
 from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts
 from roslab.decide.python.named_frameworks import named_frameworks
@@ -81,9 +83,7 @@ def decide_python(
     ``ubuntu`` is the base's, ``None`` on Debian; ``cuda`` is the version that the frameworks need.
     """
     own = of_ubuntu(own, kind, ubuntu)
-    chosen, number = with_unknown_modules(evidence, config, kind, own.answer), own.answer.version
-    if newer := from_pip(evidence, kind, ubuntu, chosen.projects):
-        chosen = with_guess(chosen, newer)
+    chosen, number = _chosen(evidence, config, kind, own.answer, ubuntu), own.answer.version
     alone = conda_alone(evidence, own.answer)
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
     interpreter = _interpreter(runs := number or python_of_ubuntu().get(ubuntu or ""))
@@ -136,7 +136,8 @@ def decide_python(
         (*everything, *limits, *of_lock.answer) if manager != "system" else (),
         next((each for each in evidence.conda if each.file == conda), None),
     )
-    limits = (*limits, *of_lock.answer, *undeclared.answer.pip)
+    beside_guesses = machine_limits(evidence, chosen, (*everything, *limits))
+    limits = (*limits, *of_lock.answer, *undeclared.answer.pip, *beside_guesses.answer)
     numpy = numpy_limit(
         evidence,
         kind,
@@ -229,6 +230,7 @@ def decide_python(
             *in_conda.reasons,
             *of_lock.reasons,
             *undeclared.reasons,
+            *beside_guesses.reasons,
             *native.reasons,
         ),
         warnings=(
@@ -258,6 +260,14 @@ def decide_python(
             *contradicted((*everything, *installed_by_conda)),
         ),
     )
+
+
+def _chosen(evidence: Evidence, config: Config, kind: Kind, own: OwnPython, ubuntu: str | None) -> Chosen:
+    """Return what was chosen, with what only the chosen Python or base decides."""
+    own = replace(own, chosen=as_listed(evidence, own.chosen, own.version))
+    chosen = with_unknown_modules(evidence, config, kind, own)
+    newer = from_pip(evidence, kind, ubuntu, chosen.projects)
+    return with_guess(chosen, newer) if newer else chosen
 
 
 def _without(asked: Sequence[Requirement], of_conda: Sequence[Requirement]) -> tuple[Requirement, ...]:

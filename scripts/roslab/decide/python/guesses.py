@@ -11,7 +11,7 @@ from roslab.decide.python.built_here import built_here
 from roslab.decide.python.extras import for_developers
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.on_index import on_index
-from roslab.decide.python.other_lists import as_in_list
+from roslab.decide.python.other_lists import as_in_list, named_in_list
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
@@ -73,6 +73,7 @@ def guesses(
     offered, limits = _linked(evidence), _limits(evidence)
     for dependency in _imported(evidence, manifests=manifests):
         package, apt = imports().get(dependency.name) or (on_index(evidence, dependency), None)
+        package = package or (named_in_list(evidence, dependency) if dependency.name not in imports() else None)
         linked = _of_link(dependency, offered, ros=ros)
         if linked and not package and dependency.name not in imports() and not places.aside(dependency.file):
             if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:

@@ -6,8 +6,12 @@ from collections.abc import Iterator
 
 from roslab.decide.python.pins import of_conda
 from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.guesses import tooling
+from roslab.knowledge.not_on_index import not_on_index
 from roslab.values.dataclass import replace
+from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 
 
@@ -18,7 +22,7 @@ def as_in_list(guess: Requirement, evidence: Evidence) -> Requirement:
     """
     if guess.limited or guess.specifier or guess.url:
         return guess
-    said = [each for each in _listed(evidence) if each.key == guess.key]
+    said = [each for each in listed(evidence) if each.key == guess.key]
     closest = max((_shared(each.file, guess.file) for each in said), default=0)
     near = [each for each in said if _shared(each.file, guess.file) == closest]
     if len({each.written for each in near}) != 1:
@@ -26,13 +30,28 @@ def as_in_list(guess: Requirement, evidence: Evidence) -> Requirement:
     return replace(near[0], origin=guess.origin, role="", file=guess.file, line=guess.line)
 
 
-def _listed(evidence: Evidence) -> Iterator[Requirement]:
+def named_in_list(evidence: Evidence, used: Dependency) -> str | None:
+    """Return the package of a list of the tree that is called like a module which no table knows, ``None`` for none.
+
+    Also of a list that is not installed as a whole: its author had that package. Not one that pip's index lacks.
+    """
+    name = canonicalize_name(used.name)
+    if name in not_on_index() or name in tooling("ros"):
+        return None
+    return name if any(each.key == name for each in _entries(evidence)) else None
+
+
+def listed(evidence: Evidence) -> Iterator[Requirement]:
     """Yield what lists ask for in a version or from an address, wherever a program of the tree may run."""
+    yield from (each for each in _entries(evidence) if _says(each))
+
+
+def _entries(evidence: Evidence) -> Iterator[Requirement]:
     lists = [(file.file, file.requirements) for file in evidence.requirements if file.purpose == "run"]
     lists += [(each.file, (*each.requirements, *of_conda(each))) for each in evidence.conda]
     for file, asked in lists:
         if not places.vendored(file) and not places.aside(file):
-            yield from (each for each in asked if each.package and each.name and _says(each))
+            yield from (each for each in asked if each.package and each.name)
 
 
 def _says(asked: Requirement) -> bool:
