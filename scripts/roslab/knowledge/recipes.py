@@ -71,6 +71,12 @@ def beside(name: str) -> tuple[str, ...]:
 
 
 @cache
+def licence(name: str) -> str:
+    """Return what the user of a library has to get, and where to put it, ``""`` for nothing."""
+    return str((_table(name) or {}).get("licence", ""))
+
+
+@cache
 def releases(name: str) -> tuple[str, ...]:
     """Return the releases of a library that the table knows how to build; ``()`` where it names none."""
     return tuple((_table(name) or {}).get("releases", {}))

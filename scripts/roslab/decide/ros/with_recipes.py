@@ -15,7 +15,7 @@ from roslab.decide.system.libtorch_on_cpu import libtorch_on_cpu
 from roslab.decide.system.unbrought_options import without_unbrought
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.recipes import of_ros, recipe_at
+from roslab.knowledge.recipes import licence, of_ros, recipe_at
 from roslab.values.dataclass import replace
 
 
@@ -47,6 +47,10 @@ def with_recipes(
             if source.unasked and (asked.namespace != "link" or asked.role == BARE):
                 reason = why(source, asked)
                 warnings.append(told(source, asked))
+            if needed := licence(source.name):
+                warnings.append(
+                    warn(f"what links {source.name} starts only with {needed}, which no image brings", asked)
+                )
             if ros and of_ros(source.name):
                 message = (
                     f"{source.name} {source.ref} is built beside the release that packages of ROS are compiled with"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.by_page import by_own_source, installed_beside
@@ -9,7 +11,7 @@ from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, built_by_hand, by_hand
 from roslab.decide.system.libtorch import libtorch
-from roslab.decide.system.names import Target
+from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import TOOLKIT, needs
 from roslab.decide.system.offered import with_offered
 from roslab.decide.system.packages import SystemPackages
@@ -22,6 +24,7 @@ from roslab.decide.system.recipes import (
     too_new_here,
     too_old_here,
 )
+from roslab.decide.system.required import by_pip
 from roslab.decide.system.without_cuda import without_cuda
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -51,6 +54,7 @@ def decide_libraries(
     wanted = (
         *sources.libraries,
         *system.recipes,
+        *(_of_extensions(evidence, packages, target) if kind in {"python", "cuda"} else ()),
         *of_another_release(evidence, system.apt_guessed),
         *too_old_here(evidence, (*system.apt, *of_ros), target),
         *too_new_here(evidence, target),
@@ -80,3 +84,10 @@ def with_packages(library: Source, evidence: Evidence, system: SystemPackages) -
     """Return a library with the packages of it that a page installs from a source of apt which it adds before."""
     names = [name for name in installed_beside(library.name, evidence) if name in system.installed]
     return replace(library, instead=tuple(names))
+
+
+def _of_extensions(evidence: Evidence, packages: Packages, target: Target) -> Iterator[tuple[str, Dependency]]:
+    """Yield the libraries that the CMake of a project requires which pip compiles: without them pip stops there."""
+    for _, asked in by_pip(evidence, packages):
+        if name := resolve(asked, target).recipe:
+            yield name, asked
