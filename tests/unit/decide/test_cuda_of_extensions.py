@@ -74,3 +74,28 @@ def test_an_image_for_the_wheel_of_a_torch_that_is_only_imported(
     tmp_path: Path, more: dict[str, str], day: str, image: str
 ) -> None:
     assert of_day(tmp_path, {**IMPORTED, **more}, day).base_image.startswith(image)
+
+
+@pytest.mark.parametrize(
+    ("setup", "cmake", "image"),
+    [
+        ("ext_modules=[CMakeExtension('a')]", "project(a CXX)\nfind_package(Eigen3 REQUIRED)\n", "base"),
+        ("ext_modules=[CMakeExtension('a')]", "project(a CXX)\nfind_package(Torch REQUIRED)\n", "devel"),
+        ("ext_modules=[CMakeExtension('a')]", "project(a CXX)\nfind_package(CUDAToolkit)\n", "devel"),
+        ("ext_modules=[CMakeExtension('a')]", "project(a CXX CUDA)\n", "devel"),
+        ("ext_modules=[CMakeExtension('a')]", "project(a CXX)\nenable_language(CUDA)\n", "devel"),
+        ("ext_modules=[CMakeExtension('a')]", None, "devel"),
+        ("ext_modules=[Extension('a', ['a.cpp'])]", None, "base"),
+        ("ext_modules=cythonize('a.pyx')", None, "base"),
+        ("ext_modules=[CUDAExtension('a', ['a.cpp'])]", None, "devel"),
+        ("ext_modules=[Extension('a', ['a.cpp'], include_dirs=torch.include())]", None, "devel"),
+    ],
+)
+def test_the_compiler_of_cuda_for_an_extension_that_needs_it(
+    tree: Tree, setup: str, cmake: str | None, image: str
+) -> None:
+    imported = "import torch\n" if "torch." in setup else ""
+    text = f"{imported}from setuptools import setup\nsetup(name='a', install_requires=['torch==2.1.0'], {setup})\n"
+    decision = tree({"setup.py": text, "CMakeLists.txt": cmake} if cmake else {"setup.py": text})
+    assert decision.kind == "cuda"
+    assert f"-{image}-" in (decision.base_image or "")

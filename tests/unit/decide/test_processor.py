@@ -115,6 +115,7 @@ def test_copied_code_counts_where_options_are_passed(tree: Tree) -> None:
     ("flags", "platforms"),
     [
         ("-mavx2", (AMD64,)),
+        ("-mno-avx2", (AMD64,)),
         ("$(if $(filter x86_64,$(shell uname -m)),-mavx2)", (AMD64, ARM64)),
         ("-O2", (AMD64, ARM64)),
     ],

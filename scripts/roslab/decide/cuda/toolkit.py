@@ -8,12 +8,15 @@ from typing import Literal
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.pins import of_conda
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence, PythonProject
 from roslab.knowledge.compiled import without_nvcc
 from roslab.knowledge.frameworks import build_needs
 from roslab.values.name import of_fork
 from roslab.values.requirement import Requirement
 
+_OF_CUDA = frozenset({"CUDA", "CUDAToolkit", "Torch"})
+"""What a CMakeLists.txt finds to compile for the GPU."""
 Toolkit = Literal["devel", "runtime", "base"]
 _WITH_NVCC = frozenset({"pycuda", "tensorrt", "triton", "taichi", "nvidia-dali"})
 _BRING_CUDA = frozenset({"torch", "torchvision", "torchaudio"})
@@ -51,12 +54,32 @@ def by_script(evidence: Evidence) -> tuple[str, ...]:
 def _compiled(evidence: Evidence, chosen: Chosen, asked: Iterable[Requirement]) -> bool:
     """Tell whether CUDA sources are in the tree, or may be in what pip fetches."""
     own = any("cuda" in p.macros and not places.vendored(p.file) and not places.example(p.file) for p in evidence.cmake)
-    if evidence.cuda_files or own or any(project.extensions for project in chosen.projects):
+    if evidence.cuda_files or own or any(_on_cuda(project, evidence) for project in chosen.projects):
         return True
     for authored in evidence.dockerfiles:
         if authored.purpose == "project" and "-devel" in (authored.base or ""):
             return True
     return any(each.key in _WITH_NVCC or "torch" in _needs(each) for each in asked)
+
+
+def _on_cuda(project: PythonProject, evidence: Evidence) -> bool:
+    """Tell whether a project compiles for the GPU: by its setup.py, with torch, or by a CMakeLists.txt that says so.
+
+    Of one that calls CMake where there is no CMakeLists.txt, nobody knows.
+    """
+    kinds = {*project.extensions}
+    if kinds & {"cuda", "gpu", "gpu asked"}:
+        return True
+    if "torch" in project.setup_imports or any(each.key == "torch" for each in project.build_requires):
+        return bool(kinds)
+    inside = f"{project.folder}/" if project.folder else ""
+    made = [each for each in evidence.cmake if each.file.startswith(inside)]
+    return "cmake" in kinds and (not made or any(map(_names_cuda, made)))
+
+
+def _names_cuda(made: CMakeProject) -> bool:
+    asked = {each.name for each in made.dependencies if each.namespace == "cmake"}
+    return made.cuda or "cuda" in made.macros or "CUDA" in made.languages or not _OF_CUDA.isdisjoint(asked)
 
 
 def _needs(asked: Requirement) -> Iterable[str]:
