@@ -24,6 +24,20 @@ def bounds(tmp_path: Path, code: str) -> dict[str, int]:
 
 
 @pytest.mark.parametrize(
+    ("code", "found"),
+    [
+        ('def f():\n    """Return\n\n    <np.float: 3>.\n    """\n    return 1\n', {}),
+        ("'''\nx = np.float(1)\n'''\n", {}),
+        ('def f():\n    """np.float"""\n    return np.float(1)\n', {"numpy<1.24": 3}),
+        ('a = """\n{}\n""".format(np.float(1))\n', {"numpy<1.24": 3}),
+        ('"""np.float"""\nprint np.float(1)\n', {"numpy<1.24": 1}),
+    ],
+)
+def test_a_docstring_uses_nothing(tmp_path: Path, code: str, found: dict[str, int]) -> None:
+    assert bounds(tmp_path, code) == found
+
+
+@pytest.mark.parametrize(
     ("code", "bound"),
     [
         ("rc = {'text.latex.preamble': [r'\\usepackage{amsmath}']}", "matplotlib<3.5"),

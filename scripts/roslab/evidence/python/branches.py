@@ -35,6 +35,14 @@ def of_some_versions(text: str, position: int) -> bool:
     return any(_tests(each.test, read.libraries) for each in chosen if _span([each])[0] <= line <= _span([each])[1])
 
 
+def in_docstring(text: str, position: int) -> bool:
+    """Tell whether a position lies in a string that is a statement by itself; code of Python 2 has none."""
+    line = text.count("\n", 0, position) + 1
+    alone = (each for each in _read(text).statements if isinstance(each, ast.Expr))
+    strings = (each for each in alone if isinstance(each.value, ast.Constant) and isinstance(each.value.value, str))
+    return any(each.lineno <= line <= (each.end_lineno or each.lineno) for each in strings)
+
+
 class _Read(NamedTuple):
     """What of a file tells its branches: its statements alone are walked, expressions are ten times as many."""
 

@@ -40,8 +40,9 @@ def read(repository: Repository) -> tuple[Removed, ...]:
 
 def _counts(text: str, match: re.Match[str]) -> bool:
     """Tell whether a use stands in the code, for every version of the library."""
-    if in_comment(text, match.start()):
+    start = match.start()
+    if in_comment(text, start):
         return False
-    from roslab.evidence.python.branches import of_some_versions  # noqa: PLC0415 - it imports Python's own parser
+    from roslab.evidence.python.branches import in_docstring, of_some_versions  # noqa: PLC0415 - it imports Python's own parser
 
-    return not of_some_versions(text, match.end())
+    return not (in_docstring(text, start) or of_some_versions(text, match.end()))
