@@ -16,6 +16,7 @@ from roslab.decide.ros.patched import told_by
 from roslab.decide.ros.source_names import address, akin, itself_in, plain
 from roslab.decide.ros.vcs_files import spelling
 from roslab.decide.system.by_everybody import PAGES
+from roslab.decide.system.stated_pythons import only_python
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
@@ -62,7 +63,7 @@ def decide_steps(
     cloned = _cloned(evidence, kind, names, there, itself)
     data = _data(evidence, names, {*fetched})
     there_anyway = libraries(evidence, apt)
-    steps = _fetched(evidence, names, {*added}, done, there_anyway, ros=kind in {"ros1", "ros2"})
+    steps = _fetched(evidence, names, {*added}, done, there_anyway, kind=kind)
     others = (*guides.told(evidence), *matlab_code(evidence, config))
     return Choice(answer=None, warnings=(*others, *steps, *lists, *cloned, *data))
 
@@ -74,7 +75,7 @@ def _fetched(
     done: Collection[tuple[str, int]],
     there: Collection[str],
     *,
-    ros: bool,
+    kind: Kind,
 ) -> Iterator[Warning_]:
     """Yield a warning for each step, of those of one script one for all."""
     told: dict[str, list[Mention]] = {}
@@ -84,7 +85,8 @@ def _fetched(
             and mention.source in {"readme", "script"}
             and (mention.file, mention.line) not in done
             and not places.vendored(mention.file)
-            and not (ros and _OF_ROS.search(mention.value))
+            and not (kind in {"ros1", "ros2"} and _OF_ROS.search(mention.value))
+            and not only_python(mention.value, kind)
             and not (_answered(mention.value, names) or added & {*mention.value.split()})
             and not is_there(mention.value, there)
         ):

@@ -96,6 +96,13 @@ def only_lowest(mention: Mention) -> bool:
     return mention.source == "readme" and bool(re.search(rf"{after}|(?:>=|≥)\s?{number}", mention.text))
 
 
+def recommended(mention: Mention) -> bool:
+    """Tell whether a sentence recommends a version, as one of several: ``3.8 - 3.11 (recommended Python 3.8)``."""
+    number = rf"{re.escape(mention.value)}(?!\d)"
+    before = rf"recommend(?:ed|s)?(?: is| to use| using)?:? (?:version )?(?:python ?)?{number}"
+    return bool(re.search(rf"{before}|{number} (?:is |\()recommended(?! python)", mention.text, re.IGNORECASE))
+
+
 def ranges_by_use(evidence: Evidence, pins: Iterable[Pin]) -> Iterator[Range]:
     """Yield the Pythons that still have what the code uses, themselves or in the last wheels of a package.
 

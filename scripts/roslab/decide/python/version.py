@@ -20,6 +20,7 @@ from roslab.decide.python.ranges import (
     ranges_by_syntax,
     ranges_by_use,
     ranges_left,
+    recommended,
 )
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
@@ -141,6 +142,7 @@ def _mentioned(mention: Mention, *, three: bool) -> Iterator[Reason]:
     weight -= Weight.DEEPER * min(mention.file.count("/"), 3)
     weight += Weight.CREATES if "create" in mention.text and "python" in mention.text else 0
     weight -= Weight.AT_LEAST if only_lowest(mention) else 0
+    weight += Weight.RECOMMENDED if recommended(mention) else 0
     yield because("python", mention.value, f"“{mention.text[:80]}”", mention, weight=weight)
 
 

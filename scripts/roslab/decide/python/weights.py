@@ -22,6 +22,7 @@ class VersionWeight:
     SAID_ELSEWHERE = 8
     DEEPER = 4  # what each folder takes from what is said, up to three
     CREATES = 12  # added for a line that creates an environment with it
+    RECOMMENDED = 4  # added where the sentence recommends it among others
     AT_LEAST = 8  # what a sentence loses that names only the oldest one
     PRINT_STATEMENT = 39  # Python 2, unless the classifiers have Python 3
     PINS = 30  # plus the trust of the pin; also for the version that fits all pins

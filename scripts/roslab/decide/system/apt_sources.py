@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, warn
+from roslab.decide.system.stated_pythons import may_bring
 from roslab.evidence import places
 from roslab.evidence.apt_source import AptSource, host_of
 from roslab.evidence.facts import Evidence
@@ -93,6 +94,7 @@ def _asked(source: AptSource, evidence: Evidence, installed: Collection[str]) ->
         and each.file == source.file
         and 0 < each.line - source.line <= NEAR
         and each.name in installed
+        and may_bring(source.url, each.name)
         and not each.name.startswith(_OF_ROS)
     }
     return lines[min(lines)] if lines else None

@@ -13,6 +13,7 @@ from roslab.decide.system.compiled_libraries import needs_of_libraries
 from roslab.decide.system.documentation import without_documentation
 from roslab.decide.system.names import written_for
 from roslab.decide.system.required import programs
+from roslab.decide.system.stated_pythons import without_pythons
 from roslab.decide.system.switches import given, switched_off
 from roslab.decide.system.tests import always_compiled, always_of_packages
 from roslab.decide.system.unreached import unreached
@@ -71,7 +72,7 @@ def _all(
         yield dependency, False
     for dependency in (*_programs(evidence, packages, kind), *started(evidence, kind)):
         yield dependency, False
-    for dependency in _installed(evidence, ros_distro):
+    for dependency in without_pythons(_installed(evidence, ros_distro), evidence, kind):
         yield dependency, False
 
 

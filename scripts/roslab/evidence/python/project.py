@@ -223,7 +223,7 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
         folder=folder,
         name=name,
         installable=bool(name) and parser.has_section("options"),
-        requires_python=parser.get("options", "python_requires", fallback=None),
+        requires_python=" ".join(parser.get("options", "python_requires", fallback="").split()) or None,
         build_requires=tuple(_listed(words("options", "setup_requires"), path, line_of)),
         requirements=tuple(asked),
         scripts=scripts,
