@@ -35,6 +35,7 @@ CPP = {
     [
         ("The track.launch file loads the parameters.\n", "roslaunch demo track.launch"),
         ("See `launch/track.launch`.\n", "roslaunch demo track.launch"),
+        ("See [it](./launch/track.launch).\n", "roslaunch demo track.launch"),
         ("Edit track.launch or drive.launch.\n", "bash"),
         ("Edit track.launch.\n# Usage\nStart drive.launch, then track.launch.\n", "roslaunch demo drive.launch"),
         ("See how to tune these for your joystick in `launch/track.launch`.\n", "bash"),
@@ -324,3 +325,11 @@ def test_a_program_that_a_sentence_calls_the_main_one(tree: Tree, said: str, com
     main = "import numpy\nif __name__ == '__main__':\n    pass\n"
     files = {"fly.py": main, "fly_eval.py": main, "core.py": main, "requirements.txt": "numpy\n"}
     assert " ".join(tree({**files, "README.md": f"# Fly\n{said}\n"}).command) == command
+
+
+def test_a_notebook_that_a_link_from_the_page_has_one_run(tree: Tree) -> None:
+    page = "# Usage\n- Run the [tutorial](./tutorials/first.ipynb) to get started\n"
+    files = {"requirements.txt": "numpy\n", "src/lab/run.py": "import numpy\nif __name__ == '__main__':\n    pass\n"}
+    decision = tree({**files, "README.md": page, "tutorials/first.ipynb": "{}", "tutorials/second.ipynb": "{}"})
+    assert decision.command == ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser", "tutorials/first.ipynb")
+    assert "notebook" in [each.key for each in decision.python.pip_guessed]

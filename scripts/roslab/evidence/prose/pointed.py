@@ -13,8 +13,8 @@ from roslab.evidence.python.top_level import first_statement
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-_FILE = pattern(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh|\.ipynb)(?![\w/-])")
-_EXAMPLE = pattern(r"(?<![\w./-])(?:[\w-]+/)*(?:[\w-]+_)?(?:examples?|demo)(?:_[\w-]+)?\.py(?![\w/-])")
+_FILE = pattern(r"(?<![\w./-])(?:\./)?(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh|\.ipynb)(?![\w/-])")
+_EXAMPLE = pattern(r"(?<![\w./-])(?:\./)?(?:[\w-]+/)*(?:[\w-]+_)?(?:examples?|demo)(?:_[\w-]+)?\.py(?![\w/-])")
 _WORDS = (".launch", ".sh", ".ipynb", "example", "demo", ".py")
 """Of these each match of the forms has one."""
 _SHOWS = pattern(r"\b(?:shows?|demonstrat(?:es?|ing)|illustrat(?:es?|ing)|explains?)\b", re.IGNORECASE)
@@ -112,9 +112,9 @@ def offered(text: str, path: str) -> bool:
 def _named(sentence: _Sentence, repository: Repository) -> Iterator[tuple[str, str, int]]:
     """Yield each file that a sentence names so, with the words around it and its place in these."""
     line = sentence.text
-    yield from ((line, match[0], match.start()) for match in _FILE.finditer(line))
+    yield from ((line, match[0].removeprefix("./"), match.start()) for match in _FILE.finditer(line))
     if _SHOWS.search(line):
-        yield from ((line, match[0], match.start()) for match in _EXAMPLE.finditer(line))
+        yield from ((line, match[0].removeprefix("./"), match.start()) for match in _EXAMPLE.finditer(line))
     if ".py" not in sentence.whole:
         return
     for form in _MAIN:
