@@ -44,3 +44,21 @@ def test_the_environment_is_created_with_it(tmp_path: Path) -> None:
     text = dockerfile(plan_repository(tmp_path).plan)
     assert "--channel conda-forge --channel aihabitat" in text
     assert "      habitat-sim=0.2.2 \\\n" in text
+
+
+FROM_CONDA = {"run.py": "import yarp\nimport bipedal_locomotion_framework as blf\n"}
+
+
+def test_the_channel_of_an_import_that_conda_alone_has_is_told(tree: Tree) -> None:
+    decision = tree({**FROM_CONDA, "requirements.txt": "numpy\n"})
+    told = [each for each in decision.warnings if "from conda-forge, by an environment file" in each.message]
+    assert [(each.message.split()[3], each.line) for each in told] == [
+        ("yarp,", 1),
+        ("bipedal_locomotion_framework,", 2),
+    ]
+
+
+def test_nothing_is_told_where_an_environment_brings_it(tree: Tree) -> None:
+    environment = "name: a\nchannels: [conda-forge]\ndependencies: [python=3.10, yarp, bipedal-locomotion-framework]\n"
+    decision = tree({**FROM_CONDA, "environment.yml": environment})
+    assert not [each for each in decision.warnings if "the code imports" in each.message]

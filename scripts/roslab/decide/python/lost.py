@@ -48,7 +48,8 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> 
     for used in _refused(evidence, chosen):
         row = not_on_index()[canonicalize_name(used.name)]
         if not (row.instead or (ubuntu and system_package(used.name, ubuntu))):
-            then = f"install it with `pip`, `custom` or `source` in roslab.yaml ({row.source})"
+            of_conda = f" from {' or '.join(row.conda)}, by an environment file" if row.conda else ""
+            then = f"install it{of_conda or ' with `pip`, `custom` or `source` in roslab.yaml'} ({row.source})"
             yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}; {then}", used)
     yield from _tried(chosen)
     unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen)]
