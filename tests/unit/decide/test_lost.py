@@ -18,6 +18,13 @@ def test_a_package_behind_a_login_is_told_where_the_code_imports_it(tree: Tree) 
     code = "import numpy\nimport isaacgym\nfrom isaacgym import gymapi\n"
     found = tree({"play.py": code, "setup.py": "from setuptools import setup\nsetup(install_requires=['numpy'])\n"})
     assert [(w.file, w.line) for w in found.warnings if "isaacgym" in w.message] == [("play.py", 2)]
+    assert any("pip install --editable isaacgym/python" in each.message for each in found.warnings)
+    assert {"libvulkan1", "libegl1", "ninja-build"} <= {*found.apt_guessed}
+
+
+def test_its_system_packages_are_not_for_a_test_of_it(tree: Tree) -> None:
+    found = tree({"play.py": "import numpy\n", "tests/a.py": "import isaacgym\n", "requirements.txt": "numpy\n"})
+    assert "libvulkan1" not in found.apt_guessed
 
 
 @pytest.mark.parametrize(

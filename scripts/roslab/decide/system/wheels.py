@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from roslab.decide.python.image_python import Python
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -9,6 +11,7 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports, older_wheels, wheels
+from roslab.knowledge.not_on_index import not_on_index
 from roslab.knowledge.python2_packages import system_package
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
@@ -24,14 +27,14 @@ def apt_for_wheels(
     """Return ``(apt name, the requirement or import that needs it)``; ``ubuntu`` is ``None`` on Debian bookworm."""
     found: dict[str, Dependency | Requirement] = {}
     of_python2 = python.manager == "system" and (python.version or "").startswith("2")
-    for asked in installed:
-        for apt in (*wheels().get(asked.key, ()), *_older(asked)):
-            if python.manager == "conda" and apt == _TK:
-                continue
-            name = name_in(apt, ubuntu or "bookworm")
-            found.setdefault(name.replace("python3-", "python-") if of_python2 else name, asked)
-    if ubuntu and python.manager == "venv" and (used := _drawing_by_tk(evidence)):
-        found.setdefault(_TK, used)
+    needed: list[tuple[str, Dependency | Requirement]] = [*_of_wheels(installed), *_by_hand(evidence)]
+    for apt, asked in needed:
+        if python.manager == "conda" and apt == _TK:
+            continue
+        name = name_in(apt, ubuntu or "bookworm")
+        found.setdefault(name.replace("python3-", "python-") if of_python2 else name, asked)
+    if ubuntu and python.manager == "venv" and (drawn := _drawing_by_tk(evidence)):
+        found.setdefault(_TK, drawn)
     if python.manager == "system":
         pinned = _pinned(python, installed)
         for dependency in evidence.code:
@@ -44,6 +47,20 @@ def apt_for_wheels(
             if dependency.name in {"matplotlib", "pylab"}:
                 found.setdefault("python-tk" if ubuntu in ubuntus_with_python2() else "python3-tk", dependency)
     return tuple(found.items())
+
+
+def _of_wheels(installed: tuple[Requirement, ...]) -> Iterator[tuple[str, Requirement]]:
+    for asked in installed:
+        yield from ((apt, asked) for apt in (*wheels().get(asked.key, ()), *_older(asked)))
+
+
+def _by_hand(evidence: Evidence) -> Iterator[tuple[str, Dependency]]:
+    """Yield what the code's imports need that their user installs by hand, as no index has them."""
+    for used in evidence.code:
+        always = used.namespace == "import" and used.strength == "used" and not places.aside(used.file)
+        name = canonicalize_name(used.name)
+        if always and name in not_on_index():
+            yield from ((apt, used) for apt in wheels().get(name, ()))
 
 
 def _drawing_by_tk(evidence: Evidence) -> Dependency | None:
