@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from roslab.config.model import Kind
-from roslab.decide.candidate import Candidate
+from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.contained import contained
 from roslab.decide.demanded_arguments import launched_by, with_demands
 from roslab.decide.first_command import helps
@@ -70,6 +70,19 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         yield from of_notebooks(evidence)
     else:
         yield from _installed(evidence, examples=not said)
+
+
+def once(found: Iterable[Candidate]) -> Iterator[Candidate]:
+    """Yield the commands without those that only a file suggests where an earlier one starts that program.
+
+    Any Python counts as the same: ``python X`` and ``python3 X``.
+    """
+    programs: set[tuple[str, ...]] = set()
+    for each in found:
+        program = program_of(each.argv)
+        if each.strong or program not in programs:
+            yield each
+        programs.add(program)
 
 
 def _explained(evidence: Evidence, *, ros: bool) -> Iterator[Candidate]:
@@ -205,6 +218,7 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
     imported = {(m.file, m.value) for m in evidence.mentions if m.topic == "from_root"}
     tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
     whole = any(program.kind == "main" and "/" not in program.file for program in evidence.programs)
+    leading = any(p.kind == "main" and p.file.count("/") <= 1 and not p.imported for p in evidence.programs)
     shown = []
     for program in evidence.programs:
         path = program.file
@@ -219,7 +233,11 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
             each = Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
             if places.example(path):
                 shown.append(replace(each, cut=True))
-            elif (whole and _TRIALS.match(path)) or (not program.guarded and helps(each)):
+            elif (
+                (whole and _TRIALS.match(path))
+                or (program.imported and leading)
+                or (not program.guarded and helps(each))
+            ):
                 yield replace(each, cut=True)
             else:
                 found = True

@@ -20,7 +20,7 @@ from roslab.decide.author_command import (
 )
 from roslab.decide.brought_launches import brought
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of, there
-from roslab.decide.candidates import candidates_of
+from roslab.decide.candidates import candidates_of, once
 from roslab.decide.contained import only_contained
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.demanded_arguments import told as lacking_arguments
@@ -111,7 +111,7 @@ def decide_command(
         if not starts_one(candidate, lacking) and (authored is None or there_in(candidate, authored)):
             by_argv.setdefault(candidate.argv, candidate)
     found = behind_whole(by_argv.values(), evidence)
-    by_image = (listed_in(each, authored) if authored else each.argv for each in by_argv.values())
+    by_image = (listed_in(each, authored) if authored else each.argv for each in once(by_argv.values()))
     candidates = tuple(dict.fromkeys(by_image))[:MAX_CANDIDATES]
     volumes = volumes_of(authored, config)
     if config.command is not None:

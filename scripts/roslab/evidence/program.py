@@ -18,3 +18,5 @@ class Program:
     """The folder that it has to be started in, by what it puts on Python's path."""
     guarded: bool = True
     """It has such a guard; else its statements run whenever it is imported."""
+    imported: bool = False
+    """Another module of the tree imports it."""

@@ -212,7 +212,7 @@ def make_plan(
         apt_first=packages.first,
         apt_tools=packages.tools,
         apt=packages.named,
-        apt_guessed=decision.apt_guessed,
+        apt_guessed=tuple(name for name in decision.apt_guessed if name not in (*packages.first, *packages.named)),
         own_packages=decision.own_packages,
         package_data=()
         if config.compatible

@@ -7,11 +7,13 @@ import re
 from roslab.evidence import places
 from roslab.evidence.lex.lines import first_line
 from roslab.evidence.program import Program
+from roslab.evidence.python.imported_programs import imported_programs
 from roslab.evidence.python.modules import modules
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
 from roslab.evidence.python.top_level import called_like_one, first_statement
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 _MAIN = pattern(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
@@ -49,4 +51,7 @@ def _programs(repository: Repository) -> tuple[Program, ...]:
         elif not file.folder and called_like_one(file.name) and (line := first_statement(text)):
             node = module.names_ros and bool(_NODE.search(text))
             found.append(Program(file=file.path, line=line, kind="node" if node else "main", guarded=False))
+    near = (each.file for each in found if each.kind == "main" and each.file.count("/") <= 1)
+    imported = imported_programs(repository, near) if not repository.named("package.xml") else frozenset()
+    found = [replace(each, imported=True) if each.file in imported else each for each in found]
     return tuple(sorted(found, key=lambda script: script.file))
