@@ -32,6 +32,7 @@ from roslab.decide.python.alternatives import one_way
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
+from roslab.decide.python.lost_extensions import with_lost_extensions
 from roslab.decide.python.other_environments import of_one_environment
 from roslab.decide.python.own import decide_version
 from roslab.decide.python.pins import pins
@@ -267,7 +268,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             base=base,
             build_tool=build_tool,
             layout=layout,
-            python=python,
+            python=with_lost_extensions(python, missing.answer.extensions, evidence),
             cuda=cuda,
             own=own,
             mended=mended,

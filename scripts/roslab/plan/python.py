@@ -54,6 +54,7 @@ class PythonPlan:
     gpu_asked: tuple[str, ...] = ()
     imported: tuple[str, ...] = ()
     """Those of ``unseen`` that are left out where pip cannot install them."""
+    lost_extensions: tuple[tuple[str, tuple[str, ...]], ...] = ()
     setuptools: str = ""
     copied: tuple[str, ...] = ()
     """Own projects that are not installed editable."""
@@ -108,6 +109,7 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         unseen=python.unseen,
         gpu_asked=python.gpu_asked,
         imported=python.imported,
+        lost_extensions=tuple((folder, _lines(asked)) for folder, asked in python.lost_extensions),
         setuptools=python.setuptools.written if python.setuptools else "",
         copied=compiling.copied,
         cuda_architectures=compiling.architectures,

@@ -373,8 +373,11 @@ def test_what_the_cmake_of_a_setup_py_requires_is_told(tree: Tree, needed: str, 
         "CMakeLists.txt": f"project(bound)\nfind_package({needed} REQUIRED)\n",
         "bound/__init__.py": "import numpy\n",
     }
-    said = [warning.message for warning in tree(files).warnings if "pip will stop at bound" in warning.message]
+    decision = tree(files)
+    said = [warning.message for warning in decision.warnings if "pip will stop at bound" in warning.message]
     assert bool(said) is told
+    lost = [(folder, [each.written for each in asked]) for folder, asked in decision.python.lost_extensions]
+    assert lost == ([(".", ["pyacme"])] if told else [])
 
 
 def test_what_a_package_requires_of_another_one_without_saying_so(tree: Tree) -> None:

@@ -47,6 +47,8 @@ class Python:
     """Folders with a setup.py that stops where torch sees no GPU, and asks for nothing else of one."""
     imported: tuple[str, ...] = ()
     """Those of ``unseen`` for which nothing but an import speaks: what pip cannot install of them is left out."""
+    lost_extensions: tuple[tuple[str, tuple[Requirement, ...]], ...] = ()
+    """Those of ``projects`` whose extension lacks a library, each with what pip installs where it stops there."""
     alone: tuple[str, ...] = ()
     """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
     conda_file: str | None = None

@@ -22,8 +22,10 @@ from roslab.decide.system.bare_links import without_linked
 from roslab.decide.system.built import Built
 from roslab.decide.system.by_hand import of_majors
 from roslab.decide.system.guards import required_by_tool
-from roslab.decide.system.left_out import SKIP, SOURCE, folders_of, leave_out
+from roslab.decide.system.left_out import SKIP, folders_of, leave_out
 from roslab.decide.system.library_headers import without_library
+from roslab.decide.system.lost_extensions import lost_extensions
+from roslab.decide.system.lost_extensions import told as told_of_extensions
 from roslab.decide.system.lost_libraries import lost_libraries
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.no_config import told_configs, without_config
@@ -31,7 +33,6 @@ from roslab.decide.system.not_found import not_found
 from roslab.decide.system.other_than_carried import other_than_carried
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.required import (
-    by_pip,
     of_program,
     of_program_and_below,
     other_letters,
@@ -93,6 +94,8 @@ class Missing:
     stopping: tuple[str, ...] = ()
     """Files of CMake that look for a library or a program, or link one, which nothing brings; and manifests of packages
     outside of the workspace that the page builds."""
+    extensions: tuple[str, ...] = ()
+    """Folders of projects of Python whose extension requires what nothing brings: pip stops there."""
     strays: tuple[str, ...] = ()
     """Folders of CMake projects without a package.xml that lack something, and that nothing of the tree needs."""
     undeclared: bool = False
@@ -129,7 +132,11 @@ def decide_missing(
     only in the image, where none holds them. ``custom``: roslab.yaml has commands, which may bring anything.
     """
     if kind not in {"ros1", "ros2", "cpp"}:
-        return Choice(answer=Missing(), warnings=tuple(_without_pip(evidence, packages, target, provided)))
+        lost = tuple(lost_extensions(evidence, packages, target, provided))
+        return Choice(
+            answer=Missing(extensions=tuple(project.folder for project, _ in lost)),
+            warnings=tuple(told_of_extensions(lost)),
+        )
     evidence = required_by_tool(evidence, kind)
     known = released(target.ros_distro or "") | rosdep_keys()
     provided = (*provided, *(key for key in keys if key in known or kind == "cpp"))
@@ -237,17 +244,6 @@ def _lost(
     yield from lost_libraries(evidence, packages, of_build.build_tool)
     yield from without_programs(evidence, packages, of_build)
     yield from without_linked(evidence, packages, of_build, may_hold, tried)
-
-
-def _without_pip(evidence: Evidence, packages: Packages, target: Target, provided: Iterable[str]) -> Iterator[Warning_]:
-    """Yield a warning for what the CMake of a project that pip compiles requires and nothing brings."""
-    names = {plain(name) for name in provided}
-    told: set[str] = set()
-    for project, asked in by_pip(evidence, packages):
-        if asked.name not in told and not resolve(asked, target).known and not similar(plain(asked.name), names):
-            told.add(asked.name)
-            where = f"which CMake requires: pip will stop at {project}"
-            yield warn(f"nothing is known that brings {asked.name}, {where}; {SOURCE}", asked)
 
 
 def provided(

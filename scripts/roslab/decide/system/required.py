@@ -13,7 +13,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, PythonProject
 from roslab.knowledge.other_names import other_names
 
 
@@ -148,9 +148,9 @@ def provided_as(name: str, names: Collection[str]) -> bool:
     return similar(plain(name), names) or any(len(other) >= SHORTEST and similar(other, names) for other in others)
 
 
-def by_pip(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+def by_pip(evidence: Evidence, packages: Packages) -> Iterator[tuple[PythonProject, Dependency]]:
     """Yield each project of Python whose setup.py calls CMake with what the CMakeLists.txt beside it requires."""
     for project in evidence.python:
         if project.installable and "cmake" in project.extensions and not places.aside(project.file):
             for made in (each for each in evidence.cmake if each.file.rpartition("/")[0] == project.folder):
-                yield from ((project.name or "the project", asked) for asked in outside(made, evidence, packages))
+                yield from ((project, asked) for asked in outside(made, evidence, packages))

@@ -52,12 +52,14 @@ def projects(plan: Plan) -> str:
     if plan.python.native_parts and NETRC not in plan.secrets:  # a setup.py looks for them at home; root's has a .netrc
         pip = f'HOME="/home/${{NB_USER}}" {pip}'
     unseen = [folder for folder in folders if folder in plan.python.unseen]
-    whole = [folder for folder in folders if folder not in (*plan.python.alone, *unseen)]
-    alone = [folder for folder in folders if folder in plan.python.alone]
+    lost = {folder: lines for folder, lines in plan.python.lost_extensions if folder in folders}
+    whole = [folder for folder in folders if folder not in (*plan.python.alone, *unseen, *lost)]
+    alone = [folder for folder in folders if folder in plan.python.alone and folder not in lost]
     copied = frozenset(plan.python.copied)
     commands = [_if_there(folder, f"{pip}{_own([folder], copied)}{_or_not(folder, plan)}") for folder in unseen]
     commands += [f"{pip}{_own(whole, copied)}"] if whole else []
     commands += [f"{pip} --no-deps{_own(alone, copied)}"] if alone else []
+    commands += [_or_its_needs(folder, pip, f"{pip}{_own([folder], copied)}", lines) for folder, lines in lost.items()]
     run = shell.run(*commands, secrets=secrets.for_pip(plan))
     editable = "" if copied.issuperset(folders) else ", editable"
     header = f"{text}\n" if (text := building.older_names(plan)) else ""
@@ -76,6 +78,16 @@ def _or_not(folder: str, plan: Plan) -> str:
     """Return what follows the command of a folder for which nothing but an import speaks."""
     told = quote.shell(f"roslab: left out: pip cannot install {folder}")
     return f" || echo {told}" if folder in plan.python.imported else ""
+
+
+def _or_its_needs(folder: str, pip: str, install: str, lines: Sequence[str]) -> str:
+    """Return the command for a project whose extension lacks something: where it fails, what the project requires."""
+    name = folder if folder not in ("", ".") else "the repository"
+    told = f"roslab: left out: pip cannot compile the extension of {name}"
+    told += "; what that requires is installed alone" if lines else ""
+    then = f"echo {quote.shell(told)}"
+    otherwise = f"{{ {then}; \\\n      {pip}{shell.words(lines)}; }}" if lines else then
+    return f"{{ {install} \\\n      || {otherwise}; }}"
 
 
 def _own(folders: Sequence[str], copied: frozenset[str]) -> str:
