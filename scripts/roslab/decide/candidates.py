@@ -80,7 +80,7 @@ def once(found: Iterable[Candidate]) -> Iterator[Candidate]:
     programs: set[tuple[str, ...]] = set()
     for each in found:
         program = program_of(each.argv)
-        if each.strong or program not in programs:
+        if each.strong or program not in programs or program[0] != "python3":
             yield each
         programs.add(program)
 
@@ -218,9 +218,8 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
     imported = {(m.file, m.value) for m in evidence.mentions if m.topic == "from_root"}
     tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
     whole = any(program.kind == "main" and "/" not in program.file for program in evidence.programs)
-    leading = any(p.kind == "main" and p.file.count("/") <= 1 and not p.imported for p in evidence.programs)
     shown = []
-    for program in evidence.programs:
+    for program in sorted(evidence.programs, key=lambda program: program.imported):
         path = program.file
         if path in tests and len(tests) < len(evidence.programs):
             continue
@@ -233,11 +232,7 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
             each = Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
             if places.example(path):
                 shown.append(replace(each, cut=True))
-            elif (
-                (whole and _TRIALS.match(path))
-                or (program.imported and leading)
-                or (not program.guarded and helps(each))
-            ):
+            elif (whole and _TRIALS.match(path)) or (not program.guarded and helps(each)):
                 yield replace(each, cut=True)
             else:
                 found = True

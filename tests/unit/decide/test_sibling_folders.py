@@ -54,3 +54,9 @@ def test_where_the_name_is_not_plain_or_the_folder_hides_another(tree: Tree, mor
 
 def test_a_module_of_the_standard_library_is_no_file_of_another_folder(tree: Tree) -> None:
     assert tree({"run.py": PROGRAM.format("import code"), "shared/code.py": ""}).python_path == ()
+
+
+def test_python_2_looks_beside_the_module_that_imports(tree: Tree) -> None:
+    page = {"README.md": "# Install\nPython 2.7\n"}
+    decision = tree({**FACTORY, **page, "train.py": f"print 'a'\n{FACTORY['train.py']}"})
+    assert (decision.python.version, decision.python_path) == ("2.7", ())

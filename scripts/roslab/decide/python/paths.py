@@ -18,7 +18,7 @@ def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, 
     The root, or ``src``, is one where the default ``command``, or a program that a page nearest to the root runs,
     imports what lies there and the image installs no project of the root. Behind these come the folders of which such
     a program, or another one that is offered, imports a module by its bare name; none that has a module called like a
-    package that the image installs.
+    package that the image installs, nor for Python 2, which looks beside the module that imports.
     """
     if config.compatible or kind not in {"python", "cuda"} or "PYTHONPATH" in dict(config.env):
         return ()
@@ -33,6 +33,8 @@ def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, 
     needed = [m.inside or "." for m in evidence.mentions if m.topic == "from_root" and m.file in run]
     offered = run | _programs([*map(list, command.candidates), _words(command.command)])
     packages = {each.key.replace("-", "_") for each in installed(evidence, python)}
+    if (python.version or "").startswith("2"):
+        return tuple(dict.fromkeys((*said, *needed)))
     beside = [m for m in evidence.mentions if m.topic == "sibling_folder" and m.file in offered]
     needed += [m.inside for m in beside if packages.isdisjoint(m.files)]
     return tuple(dict.fromkeys((*said, *needed)))
