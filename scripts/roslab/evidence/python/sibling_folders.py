@@ -99,7 +99,7 @@ class _Tree:
             file=program,
             line=number if file == program else 1,
             text=f"import {name}" if file == program else f"import {name} in {file}:{number}",
-            files=tuple(sorted(_modules_in(self._repository, folder))),
+            files=tuple(sorted(self._repository.once(_modules)[folder])),
             inside=folder,
         )
 
@@ -111,24 +111,31 @@ def _only_folders(repository: Repository, texts: Mapping[str, str]) -> dict[str,
         found.setdefault(file.name.partition(".")[0], set()).add(file.folder)
     named = {part for folder in repository.folders for part in folder.split("/")}
     known = sys.stdlib_module_names | standard_modules() | known_imports().keys()
+    taken = known | named
+    inside = repository.once(_modules)
     only: dict[str, str] = {}
     hides: dict[str, bool] = {}
     for name, folders in found.items():
         folder = next(iter(folders))
-        if len(folders) > 1 or not folder or folder in LAYOUTS or name in known or name in named:
+        if len(folders) > 1 or not folder or folder in LAYOUTS or name in taken or name.startswith("__"):
             continue
         path = f"{folder}/{name}.py"
         if path not in texts or places.test(path) or "\nfrom ." in f"\n{texts[path]}":
             continue
         if folder not in hides:
-            hides[folder] = not known.isdisjoint(_modules_in(repository, folder))
+            hides[folder] = not known.isdisjoint(inside[folder])
         if not hides[folder]:
             only[name] = folder
     return only
 
 
-def _modules_in(repository: Repository, folder: str) -> set[str]:
-    """Return the names that Python finds in a folder; a folder without ``__init__.py`` hides no installed package."""
-    found = {file.name.partition(".")[0] for file in repository.suffixed(*_CODE) if file.folder == folder}
-    packages = {file.folder for file in repository.named(_INIT)}
-    return (found | {path.rpartition("/")[2] for path in packages if path.rpartition("/")[0] == folder}) - {"__init__"}
+def _modules(repository: Repository) -> dict[str, set[str]]:
+    """Return the names that Python finds in each folder; one without ``__init__.py`` hides no installed package."""
+    found: dict[str, set[str]] = {}
+    for file in repository.suffixed(*_CODE):
+        above, _, name = file.folder.rpartition("/")
+        if file.name == _INIT:
+            found.setdefault(above, set()).add(name)
+        else:
+            found.setdefault(file.folder, set()).add(file.name.partition(".")[0])
+    return found
