@@ -19,6 +19,8 @@ STREAMLIT = ("streamlit", "run")
 """It listens on every address, and asks nothing where there is no terminal."""
 PORT_OF_STREAMLIT = "8501"
 """https://docs.streamlit.io/develop/api-reference/configuration/config.toml, read 2026-11-24"""
+_VARIABLE = "…"
+"""What stands in a command for a variable that the page does not set."""
 RUNS = pattern(
     r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|(?:\.sh)?$)|[\w-]{1,60}[_-](?:run|demo)\.sh$", re.IGNORECASE
 )
@@ -28,8 +30,8 @@ RUNS = pattern(
 def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool) -> tuple[str, ...] | None:
     """Return the call of a shell script of the tree (``sh run.sh``), a notebook, a page of Streamlit, or Octave.
 
-    A script of compiled code has to be named like one that starts something; a notebook is none of such code's, and
-    none of a workspace's.
+    A script that is given a variable of the reader's is none. One of compiled code has to be named like what starts
+    something; a notebook is none of such code's, and none of a workspace's.
     """
     if argv[0].startswith("jupyter"):
         notebooks = [file for file in mention.files if file.endswith(".ipynb")]
@@ -40,6 +42,7 @@ def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool
         return None if ros or compiled or not file_of(mention) else argv
     script = argv[1:] if argv[0] in {"bash", "sh"} else argv
     known = bool(script) and script[0] in mention.files and (script[0].endswith(".sh") or bare(script[0]))
+    known = known and _VARIABLE not in mention.value  # without what that holds, it is another call
     known = known and (not compiled or bool(RUNS.match(posixpath.basename(script[0]))))
     return ("bash", *script) if known else None
 

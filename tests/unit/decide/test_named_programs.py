@@ -70,3 +70,27 @@ def test_what_a_page_says_of_a_program_is_none_of_the_nodes(tree: Tree) -> None:
     files = {"package.xml": package, "CMakeLists.txt": "project(demo)\n", "launch/demo.launch": "<launch/>"}
     page = "ROS Noetic\n\n`tools/plan.py` can be used to plan.\n"
     assert tree({**files, "tools/plan.py": PLAN, "README.md": page}).command[0] == "roslaunch"
+
+
+INSTALLER = "#!/bin/bash\nif [[ $2 ]]; then\n  bash $(dirname $0)/deps/install_all.sh\nfi\n"
+
+
+@pytest.mark.parametrize(
+    ("call", "script", "runs"),
+    [
+        ("all.sh", f"{INSTALLER}cmake --install build\n", False),
+        ("all.sh", "cmake -B build\nsudo make -j4 install\n", False),
+        ("all.sh --with-deps", INSTALLER, False),
+        ("all.sh --fast", f"{INSTALLER}bash ${{DIR}}/cpp/setup.sh\npip install .\n", False),
+        ("all.sh --with-deps", f"{INSTALLER}python plan.py\n", True),
+        ("all.sh --fast", "bash steps/first.sh\n", True),
+        ("all.sh --fast", f"{INSTALLER}bash steps/first.sh\npip install .\n", True),
+        ("all.sh --fast -d ${PLAN_ws}", "bash steps/first.sh\n", False),
+    ],
+)
+def test_a_script_that_installs_or_lacks_a_variable_is_no_command(
+    tree: Tree, call: str, script: str, *, runs: bool
+) -> None:
+    page = f"# Usage\n```\nbash {call}\n```\n"
+    found = tree({**NEEDS, "plan.py": LIBRARY, "all.sh": script, "README.md": page})
+    assert any("all.sh" in argv for argv in found.command_candidates) is runs

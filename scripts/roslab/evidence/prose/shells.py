@@ -28,9 +28,12 @@ _CONTAINER = pattern(
 """The host's engine, also in a variable that is called later: ``RUN_COMMAND="docker run …"``."""
 _INSTALLS = pattern(
     r"^[ \t]*(?:(?:sudo|then|else|do)[ \t]+)*(?:pip[23]?|python[\d.]*[ \t]+-m[ \t]+pip|conda|mamba|micromamba|apt|"
-    r"apt-get)[ \t]+(?:-\S+[ \t]+)*(?:install|create|env[ \t]+(?:create|update))\b",
+    r"apt-get)[ \t]+(?:-\S+[ \t]+)*(?:install|create|env[ \t]+(?:create|update))\b|"
+    r"^[ \t]*(?:(?:sudo|then|else|do)[ \t]+)*(?:cmake[ \t]+--install|(?:make|ninja)[ \t]+(?:-\S+[ \t]+)*install)\b",
     re.MULTILINE,
 )
+_OPTION = pattern(r"--?(?:with|install)[_-]?(?:deps|dependencies|requirements)|--install-\w+|--deps")
+"""An option of a script that has it install something."""
 _SENDS = pattern(
     r"^[ \t]*(?:(?:if|then|else|do|exec|sudo|time|!)[ \t]+)*(?:sshpass[ \t]+(?:-\S+[ \t]+(?:[\w\"'$][^\s-]*[ \t]+)?)*)?"
     r"(?:(?:rsync|scp)\b[^\n#]*[ \t][\"']?[\w.${}@-]+:[^\s;&|]*[ \t]*(?:$|[;&|>#])|sftp\b[^\n]*@|ssh[ \t]+[^\n]*@)",
@@ -42,10 +45,10 @@ _STARTS = pattern(
     r"(?:\w+=(?:\$\([^()\n]*\)|\$\{[^}\n]*\}|\"[^\"\n]*\"|'[^'\n]*'|[^\s\"'$(]|\$(?![({]))*[ \t]+)*"
     r"(?:python[\d.]*[ \t]+(?!-m[ \t]+pip\b|setup\.py\b|-[cV])|torchrun\b|accelerate[ \t]+launch|roslaunch\b|rosrun\b|"
     r"roscore\b|ros2[ \t]|jupyter\b|mpi(?:run|exec)\b|xvfb-run\b|rosbag[ \t]|gazebo\b|(?:gz|ign)[ \t]|"
-    r"[\w.~-]*/|(?:ba)?sh[ \t]+\S|[$\"'])",
+    r"[\w.~-]*/|(?:ba)?sh[ \t]+(?![^\n;&|]*(?:install|setup|deps?|dependenc|build)[\w-]*\.sh\b)\S|[$\"'])",
     re.MULTILINE,
 )
-"""A line that starts a program, or what a variable names."""
+"""A line that starts a program, or what a variable names; another script that installs is none."""
 
 
 _PASSWORD = pattern(
@@ -58,14 +61,17 @@ _SUBMODULES = pattern(r"^[ \t]*git[ \t]+(?:-\S+[ \t]+)*submodule[ \t]+(?:add|ini
 def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
     """Tell whether a command runs a script that ends in a shell, or starts a container or no program at all."""
     scripts = [file for file in mention.files if file.endswith(".sh")]
-    return any(map(_leads_elsewhere, (repository.read(script, limit=MAX_SIZE) for script in scripts[:1])))
+    asked = any(map(_OPTION.fullmatch, mention.value.split()))
+    return any(_leads_elsewhere(repository.read(script, limit=MAX_SIZE), asked=asked) for script in scripts[:1])
 
 
-def _leads_elsewhere(text: str) -> bool:
+def _leads_elsewhere(text: str, *, asked: bool) -> bool:
+    """Tell this of a script's text; ``asked``: it is called with an option to install something."""
     from roslab.evidence.prose.unset import stops_unset  # noqa: PLC0415 - few scripts stop so
 
     text = text.replace("\\\n", " ")
-    if any(each.search(text) for each in (_INSTALLS, _SENDS, _SUBMODULES)) and not _STARTS.search(text):
+    aside = asked or any(each.search(text) for each in (_INSTALLS, _SENDS, _SUBMODULES))
+    if aside and not _STARTS.search(text):
         return True
     if _PASSWORD.search(text):
         return True
