@@ -9,7 +9,7 @@ from roslab.decide.author_folders import decide_author_folders
 from roslab.decide.base import BaseImage
 from roslab.decide.command import Command
 from roslab.decide.conflicts import decide_conflicts
-from roslab.decide.cuda.cpu_releases import without_cuda
+from roslab.decide.cuda.on_gpu import needs_gpu, without_cuda
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript
 from roslab.decide.foreign_interpreters import decide_interpreters
@@ -42,7 +42,7 @@ from roslab.decide.system.may_fail import may_fail
 from roslab.decide.system.missing import Missing, marked
 from roslab.decide.system.must_build import must_build
 from roslab.decide.system.names import Target
-from roslab.decide.system.needs import TOOLKIT, host_options
+from roslab.decide.system.needs import host_options
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_packages import own_packages
 from roslab.decide.system.packages import SystemPackages
@@ -286,7 +286,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         platforms_refused=of.platforms.answer.refused,
         cuda=of.cuda.answer.version,
         cudnn=of.cuda.answer.cudnn,
-        gpu=of.on_cuda or TOOLKIT in of.system.answer.installed if config.gpu is None else config.gpu,
+        gpu=needs_gpu(evidence, config, of.command.answer.command, of.system.answer.installed, cuda=of.on_cuda),
         gui=of.command.answer.gui,
         ports=of.command.answer.ports,
         volumes=of.command.answer.volumes,

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import Config
 from roslab.decide.author_folders import absent_paths
 from roslab.decide.command import Command
+from roslab.decide.cuda.on_gpu import computing_there
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.executed_programs import executed_programs
 from roslab.decide.launch_calls import started_launch
@@ -95,6 +96,11 @@ def decide_launch_needs(
     told += absent
     told += unmade_nodes(evidence, launch)
     told += executed_programs(evidence, launch)
+    if at := computing_there(evidence, command.command) if config.gpu is None else None:
+        why = f"what the default command starts computes on a GPU in any case ({at.text})"
+        told.append(
+            warn(f"{why}: it needs a machine with one of NVIDIA; `gpu: false` in roslab.yaml gives it none", at)
+        )
     told += lacking_simulators(evidence, config, launch, given)
     told += lacking_vendors(evidence, config, launch, ros_distro)
     return Choice(answer=None, warnings=(*told, *others))

@@ -126,15 +126,15 @@ class Mention:
     topic: Literal[
         "distro", "ubuntu", "cuda", "cudnn", "python", "no_python", "build_tool", "base", "framework", "command",
         "date", "vcs_file", "compiled", "step", "build_script", "python_path", "from_root", "variable", "exported",
-        "option", "gazebo", "compared", "skipped", "own_history", "data",
-        "image_built", "image_pulled", "pointed", "included", "reference", "libtorch", "fetched", "unpacked", "runs",
-        "environment", "elsewhere", "tried", "positional", "refused", "launcher", "stops", "withheld", "entered",
-        "parameter", "other_builder", "conflict", "made", "unlaunched", "machine", "own_setup", "demanded",
-        "cloned_head", "at_top", "sibling", "contained", "weights", "port", "listens", "own_package", "opened", "above",
-        "companion", "home_archive", "compiled_for", "torch_on_gpu", "index_link", "template", "patched",
-        "single_header", "unpackaged", "said_run", "session", "required", "calls", "guide", "of_other_index",
-        "matlab", "master", "git_folder", "installed_here", "make", "asked_option", "reached", "as_sources",
-        "node_import", "only_in_manifest", "lost_folder", "sibling_folder",
+        "option", "gazebo", "compared", "skipped", "own_history", "data", "image_built", "image_pulled", "pointed",
+        "included", "reference", "libtorch", "fetched", "unpacked", "runs", "environment", "elsewhere", "tried",
+        "positional", "refused", "launcher", "stops", "withheld", "entered", "parameter", "other_builder", "conflict",
+        "made", "unlaunched", "machine", "own_setup", "demanded", "cloned_head", "at_top", "sibling", "contained",
+        "weights", "port", "listens", "own_package", "opened", "above", "companion", "home_archive", "compiled_for",
+        "torch_on_gpu", "index_link", "template", "patched", "single_header", "unpackaged", "said_run", "session",
+        "required", "calls", "guide", "of_other_index", "matlab", "master", "git_folder", "installed_here", "make",
+        "asked_option", "reached", "as_sources", "node_import", "only_in_manifest", "lost_folder", "sibling_folder",
+        "on_gpu",
     ]  # fmt: skip
     value: str
     source: Literal[

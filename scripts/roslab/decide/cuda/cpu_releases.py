@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from roslab.decide.cuda.local import of_the_cpu
@@ -11,12 +10,9 @@ from roslab.decide.python.pythons import ANY
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.accelerated import accelerated, computed_by, without_gpu
-from roslab.knowledge.frameworks import framework_on_cuda, newest_framework
+from roslab.knowledge.frameworks import newest_framework
 from roslab.values.name import canonicalize_name
-from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
-
-_REQUIRES = pattern(r"\b(?:install|requir|need|prerequisite|depend|must have)", re.IGNORECASE)
 
 
 def built_for_cpu(asked: Iterable[Requirement]) -> frozenset[str]:
@@ -43,18 +39,6 @@ def warn_of_cpu(evidence: Evidence, asked: Iterable[Requirement]) -> tuple[Warni
     found = sorted(without_gpus(evidence, asked) - computed_by().keys()) if said else ()
     message = "{0} computes on the CPU alone in the release for this code: for GPUs there was the package {0}-gpu"
     return tuple(warn(message.format(name), said) for name in found)
-
-
-def without_cuda(evidence: Evidence, installed: Iterable[Requirement]) -> tuple[Warning_, ...]:
-    """Warn where a page requires CUDA and a framework is installed that computes on it: the image has none."""
-    asked = (m for m in evidence.mentions if m.topic == "cuda" and "/" not in m.file and m.source == "readme")
-    said = next((m for m in asked if _REQUIRES.search(m.heading) or _REQUIRES.search(m.text)), None)
-    found = sorted({each.key for each in installed if framework_on_cuda(each.key)}) if said else []
-    if said is None or not found:
-        return ()
-    message = f"a page requires CUDA {said.value}, and this image is for no GPU: {found[0]} computes on the CPU"
-    then = f"`base: {{cuda: '{said.value}'}}` in roslab.yaml makes one for it, `gpu: true` gives it to the container"
-    return (warn(f"{message}; {then}", said),)
 
 
 def _always(found: Iterable[tuple[str, bool]]) -> frozenset[str]:
