@@ -143,7 +143,7 @@ def translate(
         brought = bool(cloned or folder or tried)
         alone = not brought and any(m.topic == "only_in_manifest" and m.value == name for m in evidence.mentions)
         hint = _HARMLESS if alone else _hint(name, target, cloned=cloned, folder=folder, tried=tried)
-        return Translated(warning=warn(f"{message}: {hint}", key), unknown=not (brought or alone))
+        return Translated(warning=warn(f"{message}: {hint}", key), unknown=not brought)
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(
