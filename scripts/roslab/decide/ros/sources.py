@@ -16,6 +16,7 @@ from roslab.decide.ros.for_launches import only_for_launches
 from roslab.decide.ros.imported_clones import with_imported
 from roslab.decide.ros.in_tree import in_tree, inside_packages, not_cloned
 from roslab.decide.ros.itself import names_of_itself
+from roslab.decide.ros.lists_elsewhere import with_lists
 from roslab.decide.ros.misnamed import left_over
 from roslab.decide.ros.required_links import required_links
 from roslab.decide.ros.sought import with_sought
@@ -109,7 +110,7 @@ def decide_sources(
     chosen.known((*used, *launched), known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys() | by_page(used, evidence)
-    choice = chosen.choice(files)
+    choice = with_lists(chosen.choice(files), unknown, evidence, chosen.before)
     names = frozenset(plain(each.name) for each in needed)
     answer = with_imported(replace(choice.answer, asked=names, within=inside_packages(evidence)), evidence)
     return with_sought(

@@ -6,6 +6,7 @@ https://docs.ros.org/en/independent/api/rosinstall/html/ and https://github.com/
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 from typing import Literal
 
@@ -31,6 +32,11 @@ _HANDED = pattern(
     r"(?P<before>[^\n]*?)(?<![\w-])(?:(?:wstool|rosws)\s+(?:init|merge)|rosinstall|vcs\s+import)\s(?P<rest>[^\n;&|#`]*)"
 )
 _WORD = pattern(r"(?:[^\s\"'<>=]*/)?(?P<name>\.?[\w][\w.+-]*)/?(?=[\s\"'<>)]|$)")
+_SET = pattern(
+    r"(?:^|[ \t])(?:ARG[ \t]+|ENV[ \t]+|export[ \t]+)?([A-Za-z_]\w*)=[\"']?([\w./-]+)[\"']?[ \t]*$", re.MULTILINE
+)
+"""What a script or a Dockerfile sets."""
+_VARIABLE = pattern(r"\$\{?([A-Za-z_]\w*)(?:\}|(?![\w}]))")
 _USUAL = (".repos", ".rosinstall")
 """Lists of these names are known without a command."""
 
@@ -41,8 +47,40 @@ def files(repository: Repository) -> tuple[File, ...]:
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
-    """Return a mention for each command with a list of a name by which no list is known."""
-    return tuple(mention for file, mention in repository.once(_handed) if not file.name.lower().endswith(_USUAL))
+    """Return a mention for each command with a list of a name by which no list is known, or that the tree has not."""
+    ours = (mention for file, mention in repository.once(_handed) if not file.name.lower().endswith(_USUAL))
+    return (*ours, *_elsewhere(repository))
+
+
+def _elsewhere(repository: Repository) -> tuple[Mention, ...]:
+    """Return a mention for each path or address that such a command names and the tree does not have, filled in.
+
+    What a script or a Dockerfile sets itself is filled in: ``$HOME/lists/$FILE`` with ``ARG FILE=a.rosinstall``.
+    """
+    dockerfiles = (name for name in repository.by_name if name.startswith("dockerfile"))
+    found = (*repository.suffixed(*_SOURCES), *repository.named(*dockerfiles))
+    kept = (file for file in found if file.size <= MAX_SIZE and not places.vendored(file.path))
+    return tuple(each for file in nearest(kept)[:MAX_READ] for each in _named_elsewhere(repository, file))
+
+
+def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
+    text = repository.read(file)
+    source = _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile")
+    for match in matching_lines(_HANDED, text, "wstool", "rosws", "rosinstall", "vcs"):
+        if "#" in match["before"] and source != "readme":
+            continue
+        for word in (each.strip("\"'") for each in _filled(match["rest"], text).split()):
+            if word.endswith(_USUAL) and "/" in word and not repository.named(posixpath.basename(word)):
+                line = text.count("\n", 0, match.start("rest")) + 1
+                yield Mention(
+                    topic="handed", value=word, source=source, file=file.path, line=line, text=match[0].strip()
+                )
+
+
+def _filled(command: str, text: str) -> str:
+    """Return a command with the values that its text gives to variables, of several the first."""
+    values = dict(reversed(_SET.findall(text)))
+    return _VARIABLE.sub(lambda found: values.get(found[1], found[0]), command)
 
 
 def _handed(repository: Repository) -> tuple[tuple[File, Mention], ...]:
