@@ -9,7 +9,8 @@ from roslab.decide.python.packages import Chosen
 from roslab.decide.python.pins import of_conda
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.compiled import without_nvcc
 from roslab.knowledge.frameworks import build_needs
 from roslab.values.name import of_fork

@@ -12,7 +12,8 @@ from roslab.decide.system.left_out import SOURCE
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.required import by_pip, similar
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence
+from roslab.evidence.python_project import PythonProject
 
 
 def lost_extensions(

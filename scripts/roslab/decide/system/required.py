@@ -13,7 +13,8 @@ from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, PythonProject
+from roslab.evidence.facts import Evidence
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.other_names import other_names
 
 
