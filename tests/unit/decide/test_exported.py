@@ -30,9 +30,10 @@ Tree = Callable[[dict[str, str]], Decision]
     ],
 )
 def test_what_it_makes_can_be_built_and_run(tree: Tree, last: str, base: str, *, generated: bool) -> None:
+    first = f"ARG BASE=base\nFROM {base} AS base\nFROM $BASE AS builder\nWORKDIR /app\nCOPY . .\nRUN make\n"
     found = tree(
         {
-            "Dockerfile": f"ARG BASE=base\nFROM {base} AS base\nFROM $BASE AS builder\nWORKDIR /app\nCOPY . .\n{last}",
+            "Dockerfile": f"{first}{last}",
             "CMakeLists.txt": "project(demo)\nadd_executable(demo demo.cpp)\n",
             "demo.cpp": "int main() {}\n",
         }
