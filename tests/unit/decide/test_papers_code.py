@@ -80,7 +80,7 @@ def test_the_authors_own_image_has_its_own_cuda(tmp_path: Path) -> None:
     )
 
 
-AUTHORED = "FROM {}\nCOPY . /app\n"
+AUTHORED = "FROM {}\nCOPY . /app\nRUN make\n"
 
 
 @pytest.mark.parametrize(
