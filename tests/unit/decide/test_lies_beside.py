@@ -64,7 +64,7 @@ def test_a_library_of_the_table_is_built_as_the_authors_image_has_it(
 
 @pytest.mark.parametrize(
     ("more", "cloned"),
-    [("../../opencv_contrib/modules", ["opencv"]), ("../../modules", ["opencv_contrib"])],
+    [("../../opencv_contrib/modules", []), ("../../modules", ["opencv_contrib"])],
 )
 def test_modules_of_a_library_are_no_package_of_the_workspace(tree: Tree, more: str, cloned: list[str]) -> None:
     xml = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><depend>OpenCV</depend></package>"

@@ -142,7 +142,7 @@ def translate(
         folder = next((path for path in submodules if path.rpartition("/")[2] == name), credited(name, evidence))
         brought = bool(cloned or folder or tried)
         alone = not brought and any(m.topic == "only_in_manifest" and m.value == name for m in evidence.mentions)
-        hint = _HARMLESS if alone else _hint(name, target, cloned=cloned, folder=folder, tried=tried)
+        hint = _harmless(name, target) if alone else _hint(name, target, cloned=cloned, folder=folder, tried=tried)
         return Translated(warning=warn(f"{message}: {hint}", key), unknown=not brought)
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
@@ -246,13 +246,15 @@ def once(warnings: Iterable[Warning_], of_cmake: Iterable[Warning_]) -> Iterator
             yield warning
 
 
-def _hint(name: str, target: Target, *, cloned: bool, folder: str, tried: str) -> str:
-    from roslab.decide.ros.slips import meant  # noqa: PLC0415 - for a key that nobody knows
+def _harmless(name: str, target: Target) -> str:
+    near = _near(name, target)
+    return f"{_HARMLESS}, or correct the name (is {near} meant?)" if near else _HARMLESS
 
+
+def _hint(name: str, target: Target, *, cloned: bool, folder: str, tried: str) -> str:
     if folder:
         return f"the submodule {folder} may hold it, but is not checked out: git submodule update --init --recursive"
-    known = rosdep_keys() | released(target.ros_distro or "")
-    near = " or ".join(meant(name, known)[:_MOST_MEANT]) or _nearest(name, known)
+    near = _near(name, target)
     where = "one of the cloned repositories may hold it" if cloned else _NOWHERE
     if tried:
         where = _LOOKS.format(tried)
@@ -265,6 +267,14 @@ def _hint(name: str, target: Target, *, cloned: bool, folder: str, tried: str) -
         where = f"ROS {other} has a package of that name"
     correct = f"correct the name (is {near} meant?)" if near else "correct the name"
     return f"{where}; else {correct}, or give its repository under source in roslab.yaml"
+
+
+def _near(name: str, target: Target) -> str | None:
+    """Return the known names that one may be a slip for, as a sentence has them."""
+    from roslab.decide.ros.slips import meant  # noqa: PLC0415 - for a key that nobody knows
+
+    known = rosdep_keys() | released(target.ros_distro or "")
+    return " or ".join(meant(name, known)[:_MOST_MEANT]) or _nearest(name, known)
 
 
 def _nearest(name: str, known: frozenset[str]) -> str | None:
