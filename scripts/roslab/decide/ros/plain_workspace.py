@@ -1,14 +1,20 @@
-"""Packages of plain CMake: those beside each other, which only colcon builds together, and one that names catkin."""
+"""Packages of plain CMake: those that only colcon builds together, and those that name catkin, or need it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 
 from roslab.config.model import WORKSPACE_TOOLS
 from roslab.decide.programs import top_of
-from roslab.decide.ros.workspace import packages_of
-from roslab.evidence.dependency import GitSource
+from roslab.decide.ros.workspace import packages_of, types
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence, Mention, PackageManifest
+from roslab.knowledge.carried import base_holds
+from roslab.knowledge.distros import distros
+from roslab.knowledge.libraries import library
+from roslab.knowledge.released import released, rosdep_keys
 
 FEWEST = 2
 """A single package is built by CMake alone."""
@@ -21,6 +27,52 @@ def built_together(evidence: Evidence) -> Mention | None:
     if len(apart) < FEWEST or any(project.file == "CMakeLists.txt" for project in evidence.cmake):
         return None
     return next(said, None)
+
+
+def beside_catkin(evidence: Evidence) -> tuple[Dependency, bool] | None:
+    """Return what a package of plain CMake needs that ROS 1 alone brings, and whether its CMake stops without it.
+
+    That it is for a workspace of catkin is said by what every such package names (REP 136: catkin, as needed to run):
+    it then needs any package that only ROS releases. One that names no catkin needs one of ROS 1's own, which no ROS 2
+    has, and its CMake stops without it. https://ros.org/reps/rep-0136.html
+    """
+    plain = [m for m in packages_of(evidence).built if types(m) == {"cmake"} and not places.aside(m.file)]
+    for manifest in plain:
+        folder = manifest.file.rpartition("/")[0]
+        file = f"{folder}/CMakeLists.txt".lstrip("/")
+        asked = [d for project in evidence.cmake if project.file == file for d in project.dependencies if _always(d)]
+        said = any(d.name == "catkin" and d.role == "exec" and not d.condition for d in manifest.dependencies)
+        names = _of_ros() if said else _of_ros_1()
+        if found := next(_among(asked, names), None):
+            return found, True
+        needs = [d for d in manifest.dependencies if d.role in {"build", "exec"} and not d.condition]
+        if said and (found := next(_among(needs, names), None)):
+            return found, False
+    return None
+
+
+def _always(asked: Dependency) -> bool:
+    return asked.namespace in {"cmake", "ros"} and asked.strength == "declared" and not asked.condition
+
+
+def _among(asked: Iterable[Dependency], names: frozenset[str]) -> Iterator[Dependency]:
+    """Yield what is one of some packages of ROS, and nothing that Ubuntu has; any library may name catkin itself."""
+    for each in asked:
+        known = library("cmake", each.name, None)
+        if each.name in names and each.name != "catkin" and not (known and known.apt):
+            yield each
+
+
+@cache
+def _of_ros() -> frozenset[str]:
+    """Return the packages that a distribution of ROS 1 released, and rosdep knows by no other name."""
+    return frozenset().union(*(released(each.name) for each in distros().values() if each.ros == 1)) - rosdep_keys()
+
+
+@cache
+def _of_ros_1() -> frozenset[str]:
+    """Return the packages that every image of ROS 1 has, and no distribution of ROS 2 ever released."""
+    return base_holds(1) - frozenset().union(*(released(d.name) for d in distros().values() if d.ros == 2))
 
 
 def built_by_cmake_alone(evidence: Evidence, made: list[PackageManifest]) -> bool:
