@@ -43,7 +43,6 @@ from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.sought import linked, tried
 from roslab.decide.ros.sources import decide_sources
 from roslab.decide.ros.used import asked
-from roslab.decide.ros.with_recipes import with_recipes
 from roslab.decide.ros.workspace import of_one_ros, packages_of
 from roslab.decide.sought_launches import with_found_by_launches
 from roslab.decide.steps import decide_steps
@@ -60,6 +59,7 @@ from roslab.decide.system.of_vendors import may_lack
 from roslab.decide.system.own_scripts import decide_scripts
 from roslab.decide.system.packages import decide_system, with_libraries
 from roslab.decide.system.sections import of_this_ubuntu
+from roslab.decide.system.sought_libraries import with_tried
 from roslab.decide.variables import decide_variables
 from roslab.evidence.facts import Evidence
 
@@ -170,13 +170,14 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         folder_name=folder_name,
         cuda=cuda.answer.version if target.cuda else None,
     )
-    sources = with_recipes(sources, libraries, config, evidence, ros=bool(target.ros_distro))
+    sources = with_tried(
+        sources, libraries, config, evidence, kind.answer, target=target, packages=packages, system=system.answer
+    )
     system = may_lack(
         with_release(with_libraries(system, frozenset(s.name for s, _ in libraries), evidence), evidence, target),
         base.answer.image,
         config.apt,
     )
-
     repositories = decide_apt_sources(
         evidence, config, {*system.answer.apt, *system.answer.apt_guessed}, base.answer.ubuntu, base.answer.image
     )
