@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslab.decide.python.by_siblings import by_siblings
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.conda_environment import CondaEnvironment
@@ -102,7 +103,7 @@ def _of_prose(evidence: Evidence) -> Iterator[Pin]:
     said += [asked for asked in evidence.prose_pip if not DEVELOPMENT.search(asked.file)]
     by_conda = any(asked.role == "conda" for asked in said)
     known = {canonicalize_name(package) for package, _ in imports().values() if package} if by_conda else set()
-    for asked in said:  # from "conda install" only packages that pip has too
+    for asked in by_siblings(said):  # from "conda install" only packages that pip has too
         if not asked.role or (asked.role == "conda" and asked.key in known):
             yield Pin(asked, 1)
     yield from _of_lists(evidence, {asked.key for asked in said})

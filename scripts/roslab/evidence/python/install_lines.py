@@ -99,7 +99,17 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
             elif (name := _bare(word)).lower() in STOP:
                 break  # the rest is a sentence, not a command
             elif found := requirement(name, "prose", file, line, role=role, repair=False):
-                yield replace(found, beside=True) if beside else found
+                yield replace(_readable(found), beside=beside)
+
+
+def _readable(asked: Requirement) -> Requirement:
+    """Return it without a version that no release can have, as a slip of the keyboard leaves it: ``torch==1.cd``.
+
+    No pip finds such a one (https://peps.python.org/pep-0440/), while the name is what is needed.
+    """
+    named = asked.name + (f"[{','.join(asked.extras)}]" if asked.extras else "")
+    unread = not (asked.url or asked.specifier) and asked.name and asked.package and asked.marker is None
+    return replace(asked, written=named) if unread else asked
 
 
 def _bare(word: str) -> str:
