@@ -9,6 +9,7 @@ from roslab.decide.cuda.toolkit import Toolkit
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.day import existed
 from roslab.decide.decision import Choice, MendedBase, Reason
+from roslab.decide.equal_ubuntus import best_of_equals
 from roslab.decide.python.base import base_for, cuda_ubuntus
 from roslab.decide.reasons import CONFIGURED, because, configured, ranked, strongest
 from roslab.decide.ros.distro_dates import ADOPTED, dated, later
@@ -17,7 +18,7 @@ from roslab.decide.system.cmake_version import has_it, needed_cmake
 from roslab.decide.system.code_fits import misfits
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
-from roslab.knowledge.distros import Distro, codename_of, python_of_ubuntu, ubuntu_released, ubuntus, variants
+from roslab.knowledge.distros import Distro, codename_of, ubuntu_released, ubuntus, variants
 from roslab.values.dataclass import dataclass, replace
 
 OLDEST_BY_DATE = "xenial"
@@ -181,23 +182,11 @@ def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
             evidence, best.answer, _usual_first(), lacking=lacking, demand=demand, weight=weight
         )
     reasons = [each for each in reasons if each.weight >= CONFIGURED or existed(evidence, each.answer)]
-    best = _fitting_words(reasons, evidence, demand)
+    best = best_of_equals(reasons, evidence, demand, ci=Weight.SAID["ci"], below=Weight.AUTHORS_IMAGE)
     version = next(number for number, codename in ubuntus().items() if codename == best.answer)
     image = f"ubuntu:{version}"
     base = replace(best, question="base_image", answer=image, reason=f"plain C++ on Ubuntu {version}")
     return Choice(answer=BaseImage(image=image, ubuntu=best.answer), reasons=(base, *ranked(reasons, best.answer)))
-
-
-def _fitting_words(reasons: list[Reason], evidence: Evidence, demand: Dependency | None) -> Reason:
-    """Return the strongest reason; of equal ones the first whose Ubuntu has the CMake and the Python of the pages."""
-    best = strongest(reasons)
-    pythons = {m.value for m in evidence.mentions if m.topic == "python" and m.source == "readme"}
-
-    def fitting(reason: Reason) -> int:
-        return has_it(reason.answer, demand) + (python_of_ubuntu().get(reason.answer) in pythons)
-
-    equal = (each for each in reasons if each.weight == best.weight < Weight.AUTHORS_IMAGE)
-    return max((best, *equal), key=fitting)
 
 
 def _said(evidence: Evidence, known: list[Reason]) -> list[Reason]:

@@ -177,21 +177,28 @@ def test_a_newer_ubuntu_is_taken_where_none_is_named(tmp_path: Path) -> None:
     assert any(reason.reason == "block is called, which needs CMake 3.25" for reason in found.reasons)
 
 
-MATRIX = "jobs:\n  build:\n    strategy:\n      matrix:\n        os: [ubuntu-18.04, ubuntu-20.04, ubuntu-22.04]\n"
+MATRIX = "jobs:\n  build:\n    strategy:\n      matrix:\n        os: [{}]\n"
+ENDED = "ubuntu-18.04, ubuntu-20.04"
 
 
 @pytest.mark.parametrize(
-    ("demand", "page", "base"),
+    ("systems", "demand", "page", "base"),
     [
-        ("3.10", "", "ubuntu:18.04"),
-        ("3.11", "", "ubuntu:20.04"),
-        ("3.11", "Suppose that the Python version is 3.10.\n", "ubuntu:22.04"),
-        ("3.10", "Tested with Python 3.8.\n", "ubuntu:20.04"),
-        ("3.23", "", "ubuntu:18.04"),
+        (ENDED, "3.10", "", "ubuntu:18.04"),
+        (ENDED, "3.11", "", "ubuntu:20.04"),
+        (ENDED, "3.23", "", "ubuntu:18.04"),
+        (ENDED, "3.10", "Tested with Python 3.8.\n", "ubuntu:20.04"),
+        (f"{ENDED}, ubuntu-22.04", "3.10", "", "ubuntu:22.04"),
+        (f"{ENDED}, ubuntu-22.04", "3.10", "Tested with Python 3.8.\n", "ubuntu:20.04"),
+        (f"{ENDED}, ubuntu-22.04", "3.11", "Suppose that the Python version is 3.10.\n", "ubuntu:22.04"),
+        (f"{ENDED}, ubuntu-22.04, ubuntu-24.04", "3.11", "Tested with Python 3.10.\n", "ubuntu:22.04"),
     ],
 )
-def test_of_equal_ubuntus_the_one_that_fits_the_pages(tmp_path: Path, demand: str, page: str, base: str) -> None:
-    files = {"CMakeLists.txt": TOP.format(demand), "README.md": page, ".github/workflows/build.yml": MATRIX}
+def test_of_equal_ubuntus_the_one_that_fits_the_pages(
+    tmp_path: Path, systems: str, demand: str, page: str, base: str
+) -> None:
+    ci = MATRIX.format(systems)
+    files = {"CMakeLists.txt": TOP.format(demand), "README.md": page, ".github/workflows/build.yml": ci}
     assert decided(tmp_path, files).base_image == base
 
 
