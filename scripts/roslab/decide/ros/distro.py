@@ -34,6 +34,9 @@ from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 
+NAMED_KEYS = 3
+"""Most keys that a reason names."""
+
 
 def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Distro | None]:
     """Return the ROS distribution that the repository is made for, ``None`` where it is not ROS."""
@@ -72,7 +75,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
         return Choice(answer=distros()[answer], reasons=ranked([said, *reasons], answer))
     excluded = {name: frozenset(lacking.get(found.ubuntu, ())) for name, found in distros().items()}
     unknown = {name: missing | excluded[name] for name, missing in unknown.items()}
-    reasons += _nearest(reasons, unknown, lacking) or _fitting(reasons, unknown)
+    reasons += _nearest(reasons, unknown, lacking) or _fitting(reasons, unknown, _declared_keys(evidence, ros))
     if not reasons:
         from roslab.decide.ros.unnamed import of_unnamed  # noqa: PLC0415 - most trees name theirs
 
@@ -169,12 +172,7 @@ def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
     and this one lacks tells nothing: its package may now be built from source. Rolling's list has gaps, so it rules out
     nothing; nor does a key that begins with the name of a repository that is cloned.
     """
-    packages = packages_of(evidence)
-    variables = {"ROS_VERSION": str(ros)}
-    declared = (d for m in packages.built for d in m.dependencies if d.role != "doc" and holds(d.condition, variables))
-    keys = {d.name for d in declared} - packages.names - {source.name for source in evidence.sources} - rosdep_keys()
-    cloned = tuple(f"{plain(each.name)}_" for each in evidence.sources if each.kind != "link")
-    keys = {key for key in keys if library("cmake", key, None) is None and not plain(key).startswith(cloned)}
+    keys = _declared_keys(evidence, ros)
     line = [name for name, found in distros().items() if found.ros == ros and not found.never_ends]
     later: set[str] = set()
     unknown = {name: frozenset[str]() for name, found in distros().items() if found.ros == ros and found.never_ends}
@@ -182,6 +180,16 @@ def _unknown_keys(evidence: Evidence, ros: int) -> dict[str, frozenset[str]]:
         unknown[name] = frozenset(later - released(name) - _in_apt(evidence, name, later))
         later |= keys & released(name)
     return unknown
+
+
+def _declared_keys(evidence: Evidence, ros: int) -> frozenset[str]:
+    """Return the keys that only a distribution of ROS can have: no package of the tree, no clone, no system library."""
+    packages = packages_of(evidence)
+    variables = {"ROS_VERSION": str(ros)}
+    declared = (d for m in packages.built for d in m.dependencies if d.role != "doc" and holds(d.condition, variables))
+    keys = {d.name for d in declared} - packages.names - {source.name for source in evidence.sources} - rosdep_keys()
+    cloned = tuple(f"{plain(each.name)}_" for each in evidence.sources if each.kind != "link")
+    return frozenset(key for key in keys if library("cmake", key, None) is None and not plain(key).startswith(cloned))
 
 
 def _in_apt(evidence: Evidence, name: str, keys: set[str]) -> set[str]:
@@ -196,7 +204,7 @@ def _fitted(reason: Reason, unknown: dict[str, frozenset[str]]) -> Reason:
     missing = sorted(unknown.get(reason.answer, ()))
     if not missing:
         return reason
-    text = f"{reason.reason}; but {reason.answer} has no {', '.join(missing[:3])}"
+    text = f"{reason.reason}; but {reason.answer} has no {', '.join(missing[:NAMED_KEYS])}"
     return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
 
 
@@ -239,12 +247,19 @@ def _nearest(
     return [because("ros_distro", best, why, weight=Weight.HAS_EVERY_KEY)]
 
 
-def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]]) -> list[Reason]:
-    """Add the best distribution with every declared key, if a named one lacks some."""
+def _fitting(reasons: list[Reason], unknown: dict[str, frozenset[str]], keys: frozenset[str]) -> list[Reason]:
+    """Add the best distribution with every declared key that tells one, if a named one lacks some.
+
+    ``keys``: all that the packages declare; which of them it does not have either, the reason says.
+    """
     if not any(unknown.get(reason.answer) for reason in reasons):
         return []
     fitting = [name for name, missing in unknown.items() if not missing]
     if not fitting:
         return []
-    why = "it has every key that the packages declare, and the code compiles with its libraries"
-    return [because("ros_distro", max(fitting, key=_preference), why, weight=Weight.HAS_EVERY_KEY)]
+    best = max(fitting, key=_preference)
+    others = sorted(keys - released(best))
+    more = f" and {len(others) - NAMED_KEYS} more" if len(others) > NAMED_KEYS else ""
+    but = f" but {', '.join(others[:NAMED_KEYS])}{more}" if others else ""
+    why = f"it has every key that the packages declare{but}, and the code compiles with its libraries"
+    return [because("ros_distro", best, why, weight=Weight.HAS_EVERY_KEY)]
