@@ -12,7 +12,7 @@ from roslab.config.model import Config
 from roslab.decide.decision import Choice, MendedBase, Reason
 from roslab.decide.reasons import because
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
 _WEIGHT = 900
@@ -93,18 +93,44 @@ def decide_bases(evidence: Evidence, config: Config, dockerfile: str | None) -> 
     authored = next((each for each in evidence.dockerfiles if each.file == dockerfile), None)
     if authored is None:
         return Choice(answer=())
-    from roslab.decide.mended_bases import mended  # noqa: PLC0415 - as above
-
+    pips = {} if config.repair is False else _pips(authored, evidence)
     found = [
         (base, line)
         for name, line in dict(authored.bases).items()
-        if (base := _local(name, authored, evidence) or (None if config.repair is False else mended(name, authored)))
+        if (base := _local(name, authored, evidence) or _mended(name, authored, config, pips.get(name)))
     ]
     return Choice(answer=tuple(base for base, _ in found), reasons=tuple(_reason(authored, *each) for each in found))
 
 
+def _pips(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, str]:
+    if not authored.newest_pips:
+        return {}
+    from roslab.decide.newest_pip import bounded_pips  # noqa: PLC0415 - most Dockerfiles leave pip as it is
+
+    return bounded_pips(authored, evidence)
+
+
+def _mended(name: str, authored: AuthorDockerfile, config: Config, pip: str | None) -> MendedBase | None:
+    """Return what replaces an image that no longer answers, or in which a newer pip than the author's builds nothing.
+
+    ``pip``: why that is so.
+    """
+    if config.repair is False:
+        return None
+    from roslab.decide.mended_bases import mended  # noqa: PLC0415 - most trees have no Dockerfile
+    from roslab.knowledge.tools import ALWAYS_ISOLATED  # noqa: PLC0415 - as above
+
+    base = mended(name, authored)
+    if not pip or "$" in name:
+        return base
+    if base is None:
+        return MendedBase(name=name, image=name, why=pip, answers=True, pip_below=ALWAYS_ISOLATED)
+    return replace(base, why=f"{base.why}; {pip}", pip_below=ALWAYS_ISOLATED)
+
+
 def _reason(authored: AuthorDockerfile, base: MendedBase, line: int) -> Reason:
-    replaced = f"; the build replaces {base.name} and changes no line of the Dockerfile"
+    what = f"gives {base.name} an older pip" if base.answers else f"replaces {base.name}"
+    replaced = f"; the build {what} and changes no line of the Dockerfile"
     text = base.why + (replaced if base.recipe is None else ", and so does the build here")
     place = Place(file=authored.file, line=line)
     return because("mended_base", base.image, text, place, weight=_WEIGHT)

@@ -62,6 +62,10 @@ class MendedBase:
     why: str
     recipe: str | None = None
     """The text of the author's Dockerfile that makes it, which needs no build context."""
+    answers: bool = False
+    """The image is as good as ever: only the pip that the Dockerfile would take is not."""
+    pip_below: str | None = None
+    """The first pip that is too new for what the Dockerfile has built, whatever it upgrades to."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

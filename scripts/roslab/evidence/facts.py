@@ -99,6 +99,7 @@ class AuthorDockerfile:
     """That folder, relative to the one in which a container starts, ``""`` where it is not known."""
     updates_rosdep: int | None = None
     """The line of a ``rosdep update`` that skips distributions that have ended."""
+    newest_pips: tuple[tuple[str, int], ...] = ()  # images in which it upgrades pip without a bound, with the line
     secrets: tuple[tuple[str, int], ...] = ()
     """The secrets that its steps mount, ``ssh`` for the agent, each with its line."""
     bases: tuple[tuple[str, int], ...] = ()

@@ -46,6 +46,8 @@ ALWAYS_ISOLATED = "25.3"
 
 https://pip.pypa.io/en/stable/news/#v25-3, read 2026-11-23.
 """
+ALWAYS_ISOLATED_SINCE = "2025-10-24"
+"""The day of that pip. https://pip.pypa.io/en/stable/news/#v25-3, read 2026-11-27."""
 
 
 def for_old_packages(tools: PythonTools) -> PythonTools:

@@ -36,18 +36,24 @@ def author_bases(decision: Decision) -> tuple[Base, ...]:
     for base in decision.bases:
         release = distro_of(base.image)
         codename = release_of(base.image)
+        mends = base.recipe is None and not base.answers
         found.append(
             Base(
                 name=base.name,
                 image=base.image,
                 why=base.why,
-                sources=sources_of(base.image, codename, release) if base.recipe is None else None,
-                rosdistro_tag=release.rosdistro_tag if release and base.recipe is None else None,
-                installers=_installers(codename) if base.recipe is None else (),
+                sources=sources_of(base.image, codename, release) if mends else None,
+                rosdistro_tag=release.rosdistro_tag if release and mends else None,
+                installers=(*(_installers(codename) if mends else ()), *_of_its_time(base.pip_below)),
                 recipe=base.recipe,
             )
         )
     return tuple(found)
+
+
+def _of_its_time(pip_below: str | None) -> tuple[str, ...]:
+    """Return the bound of pip for what the Dockerfile has built; behind others, of which an old pip takes the first."""
+    return (f'pip<{pip_below}; python_version >= "3"',) if pip_below else ()
 
 
 def _installers(codename: str | None) -> tuple[str, ...]:

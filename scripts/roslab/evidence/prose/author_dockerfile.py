@@ -96,6 +96,7 @@ class _Reading:
     problem: str | None = None
     """Why it does not parse."""
     updates_rosdep: int | None = None
+    newest_pips: list[tuple[str, int]] = field(default_factory=list)
     secrets: list[tuple[str, int]] = field(default_factory=list)
     values: Values = field(default_factory=Values)
     scope: Scope = field(default_factory=Scope)
@@ -129,6 +130,7 @@ class _Reading:
                 self.problem = self.problem or f"line {line} is nothing that a shell reads: {wrong}"
             if _UPDATE.search(body):
                 self.updates_rosdep = self.updates_rosdep or line
+            self._upgrade(body, line)
             mounts = _MOUNT.findall(body)
             self.secrets += [(secret_of(mount), line) for mount in mounts]
             if not mounts and _PRIVATE.search(body):
@@ -137,6 +139,12 @@ class _Reading:
             self._copy(body, line)
         else:
             self._start(name, body, line)
+
+    def _upgrade(self, body: str, line: int) -> None:
+        if self.base and "pip" in body:
+            from roslab.evidence.prose.newest_pips import newest_pips  # noqa: PLC0415 - most trees have no Dockerfile
+
+            self.newest_pips += ((self.base, at) for at in newest_pips(_OPTIONS.sub("", body), line))
 
     def _install(self, body: str) -> None:
         from roslab.evidence.prose.installed_context import installed  # noqa: PLC0415 - most trees have no Dockerfile
@@ -273,6 +281,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         clones_itself=itself,
         recipe=recipe(text),
         updates_rosdep=reading.updates_rosdep,
+        newest_pips=tuple(reading.newest_pips),
         copied=paths_of(context or "", reading.copied),
         taken=taken_there,
         enters=entered(written, repository.once(vcs.missing)),

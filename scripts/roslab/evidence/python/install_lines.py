@@ -91,7 +91,7 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
                 yield _argument(f"{_PIP_OPTIONS[flag]} {value}", "option", file, line)
         elif target := _requirements(word, flag, glued, following):
             index += target == following
-            yield _argument(here(target), "file", file, line)
+            yield replace(_argument(here(target), "file", file, line), beside=beside)
         elif not word.startswith("-") and UNKNOWN not in word:  # the path after `-e` is handled like other words
             if _PATH.search(word) or _FOLDER.fullmatch(word) or (word in editable and _NAME.fullmatch(word)):
                 asked = _argument(here(word), "project", file, line)
