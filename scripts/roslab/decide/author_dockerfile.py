@@ -6,15 +6,16 @@ from collections.abc import Mapping
 
 from roslab.config.model import Config, Kind
 from roslab.decide.author_command import started
-from roslab.decide.chains import Local, local_bases, wanted
+from roslab.decide.best_dockerfile import PUBLISHED, best_of
+from roslab.decide.chains import Local, local_bases
 from roslab.decide.command import decide_command
-from roslab.decide.decision import Choice, Reason
+from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.launch_calls import started_launch
 from roslab.decide.reasons import because, configured
-from roslab.decide.system.code_fits import misfits
+from roslab.decide.stops_without_gpu import without_gpu
 from roslab.decide.uncopied_packages import empty_folders, only_manifest, uncopied_by_command, uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
-from roslab.knowledge.distros import codename_of, distro, distros, ubuntus
+from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import cuda_image
 from roslab.knowledge.os_releases import has_ended, release_of
 from roslab.values.dataclass import dataclass
@@ -27,24 +28,6 @@ NAMED_PARTS = 3
 """Most parts of the repository that are named of what a Dockerfile copies."""
 _CUDA = pattern(r"(?:^|/)nvidia/cuda:(\d+\.\d+)(\.\d+)?")
 _ROS = pattern(r"(?:^|/)ros:([a-z]+)")
-_PUBLISHED = (
-    "osrf/",
-    "nvidia/",
-    "nvcr.io/",
-    "pytorch/",
-    "tensorflow/",
-    "continuumio/",
-    "mambaorg/",
-    "condaforge/",
-    "ghcr.io/sloretz/",
-    "library/",
-    "mcr.",
-)
-_ACCELERATED = pattern(r"nvidia|nvcr\.io|cuda|pytorch|tensorflow|-gpu|rocm")
-_ASIDE = pattern(
-    r"(?:^|[/._-])(?:submi(?:t|ssion)|challenge|leaderboard|evaluat\w*|tests?|testing|debug|examples?|tutorials?)(?:[/._-]|$)"
-)
-"""A part of the path of a Dockerfile for something else than the program itself."""
 
 
 class Weight:
@@ -77,6 +60,7 @@ def decide_dockerfile(
         return Choice(answer=Dockerfile(file=config.dockerfile, context=context), reasons=(said,))
     locals_ = local_bases(evidence)
     reasons: list[Reason] = []
+    warnings: list[Warning_] = []
     believed: list[AuthorDockerfile] = []
     for authored in evidence.dockerfiles:
         against = (
@@ -85,13 +69,17 @@ def decide_dockerfile(
             or _secret(authored, config)
             or (None if authored.file in locals_ else _uncopied(authored, evidence, config, kind, ros_distro))
         )
+        stops = None if against else without_gpu(authored, evidence)
+        if stops:
+            warnings.append(stops.warning)
+            against = stops.why
         if against is None:
             believed.append(authored)
         else:
             reasons.append(_about(authored, against, Weight.DOUBTED))
     if not believed:
-        return Choice(answer=None, reasons=tuple(reasons[:MOST_REASONS]))
-    best = _best(believed, evidence, kind, ros_distro)
+        return Choice(answer=None, reasons=tuple(reasons[:MOST_REASONS]), warnings=tuple(warnings))
+    best = best_of(believed, evidence, kind, ros_distro)
     why = f"the author's Dockerfile: it copies {_copies(best)} and starts from {best.base}"
     return Choice(
         answer=Dockerfile(file=best.file, context=best.context or ""),
@@ -200,7 +188,7 @@ def _chained(authored: AuthorDockerfile, evidence: Evidence, locals_: Mapping[st
         said = f"its base {authored.base} is what line {first.said.line} of {first.said.file} builds first"
         return f"{said}, {first.problem}" if first.problem else None
     name, _, tag = (authored.base or "").partition(":")
-    if "/" not in name or name.startswith(_PUBLISHED) or not tag:
+    if "/" not in name or name.startswith(PUBLISHED) or not tag:
         return None
     for other in evidence.dockerfiles:
         if other is not authored and tag in other.file.split("/")[:-1] and tag not in distros():
@@ -232,69 +220,3 @@ def _gone(base: str) -> str | None:
         if row is None or not row.tag or (match[2] and match[1] + match[2] != row.tag):
             return f"{base} was deleted from the registry"
     return ended(base)
-
-
-def _best(believed: list[AuthorDockerfile], evidence: Evidence, kind: Kind, ros_distro: str | None) -> AuthorDockerfile:
-    """Return the best of the usable Dockerfiles; of those for several Ubuntus one on which the code compiles.
-
-    Where there is a ROS distribution, that has the Ubuntu; and on which one CI starts Python tells nothing.
-    """
-    if len(believed) == 1:
-        return believed[0]
-    named = _named(evidence)
-    lacking = {} if kind in {"ros1", "ros2"} else misfits(evidence)
-    run = _run_by_ci(evidence) if kind == "cpp" else frozenset()
-
-    def fitting(authored: AuthorDockerfile) -> tuple[bool, bool]:
-        codename = codename_of(authored.base or "")
-        return codename in lacking, bool(run) and codename is not None and codename not in run
-
-    return min(believed, key=lambda authored: _rank(authored, kind, ros_distro, named, fitting(authored)))
-
-
-def _run_by_ci(evidence: Evidence) -> frozenset[str]:
-    """Return the codenames of the Ubuntus that CI names."""
-    said = (m for m in evidence.mentions if m.source == "ci" and m.topic == "ubuntu")
-    return frozenset(ubuntus().get(mention.value, mention.value) for mention in said)
-
-
-def _named(evidence: Evidence) -> frozenset[str]:
-    """Return the Dockerfiles that the pages at the root have built: ``docker build -f docker/gpu.Dockerfile .``.
-
-    Or by Docker Compose.
-    """
-    files = {authored.file for authored in evidence.dockerfiles}
-    built = (m for m in evidence.mentions if m.topic == "image_built" and m.source == "readme" and "/" not in m.file)
-    said = {wanted(mention.text.split()) for mention in built}
-    below = {file for file in files for name in said - files if file.endswith(f"/{name}")}  # the page went there before
-    composed = {authored.file for authored in evidence.dockerfiles if authored.service}
-    return frozenset(said & files | below | composed)
-
-
-def _rank(
-    authored: AuthorDockerfile,
-    kind: Kind,
-    ros_distro: str | None,
-    named: frozenset[str],
-    unfit: tuple[bool, bool],
-) -> tuple[object, ...]:
-    """Return the sort key of usable Dockerfiles; the smallest is the best.
-
-    In this order: no other distribution in the path, and no other purpose (``Dockerfile.submission``); a base that
-    anybody can pull; one that a page has built (``named``); a base that suits the kind; an Ubuntu that the code
-    compiles on, and one that CI runs (``unfit``: it is neither); few folders deep; the repository's distribution, or
-    none, in the name; the newer Ubuntu.
-    """
-    path, base = authored.file.lower(), (authored.base or "").lower()
-    mine = bool(ros_distro and ros_distro in path)
-    other = any(name in path for name in distros() if name != ros_distro) and not mine
-    aside = bool(_ASIDE.search(path))
-    private = "/" in base and not base.startswith(_PUBLISHED)
-    unlike = kind in {"cuda", "cpp", "python"} and bool(_ACCELERATED.search(base)) != (kind == "cuda")
-    plain = path.rpartition("/")[2] == "dockerfile"
-    below = 0 if mine else max(0, path.count("/") - 1)  # docker/Dockerfile counts as one at the root
-    codename = codename_of(base) if kind not in {"ros1", "ros2"} else None
-    newest = -1 - [*ubuntus().values()].index(codename) if codename else 0
-    said = authored.file in named
-    depth = path.count("/")
-    return (other, aside, private, not said, unlike, *unfit, below, not (mine or plain), depth, newest, authored.file)

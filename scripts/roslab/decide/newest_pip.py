@@ -48,7 +48,7 @@ def _built(authored: AuthorDockerfile, evidence: Evidence, line: int) -> Iterato
             for each in (each for file in files for each in file.requirements):
                 yield from _fetched(each)
         elif asked.role == "project":
-            project = _project(asked.written, authored, evidence)
+            project = project_of(asked.written, authored, evidence)
             yield from _own(project) if project else ()
         else:
             yield from _fetched(asked)
@@ -87,7 +87,7 @@ def _file(written: str, evidence: Evidence) -> Iterable[RequirementFile]:
     return copied if len(copied) == 1 else []
 
 
-def _project(written: str, authored: AuthorDockerfile, evidence: Evidence) -> PythonProject | None:
+def project_of(written: str, authored: AuthorDockerfile, evidence: Evidence) -> PythonProject | None:
     """Return the project of the tree that a step in the image installs; not one of something that is cloned."""
     path = posixpath.normpath(written.partition("[")[0]).strip("/")
     if any(path.startswith(clone.name) for clone in authored.clones):

@@ -96,7 +96,8 @@ class _Reading:
     problem: str | None = None
     """Why it does not parse."""
     updates_rosdep: int | None = None
-    newest_pips: list[tuple[str, int]] = field(default_factory=list)
+    images: list[tuple[int, str]] = field(default_factory=list)
+    """The line of each FROM, and the image that its stage starts from in the end."""
     secrets: list[tuple[str, int]] = field(default_factory=list)
     values: Values = field(default_factory=Values)
     scope: Scope = field(default_factory=Scope)
@@ -130,7 +131,6 @@ class _Reading:
                 self.problem = self.problem or f"line {line} is nothing that a shell reads: {wrong}"
             if _UPDATE.search(body):
                 self.updates_rosdep = self.updates_rosdep or line
-            self._upgrade(body, line)
             mounts = _MOUNT.findall(body)
             self.secrets += [(secret_of(mount), line) for mount in mounts]
             if not mounts and _PRIVATE.search(body):
@@ -139,12 +139,6 @@ class _Reading:
             self._copy(body, line)
         else:
             self._start(name, body, line)
-
-    def _upgrade(self, body: str, line: int) -> None:
-        if self.base and "pip" in body:
-            from roslab.evidence.prose.newest_pips import newest_pips  # noqa: PLC0415 - most trees have no Dockerfile
-
-            self.newest_pips += ((self.base, at) for at in newest_pips(_OPTIONS.sub("", body), line))
 
     def _install(self, body: str) -> None:
         from roslab.evidence.prose.installed_context import installed  # noqa: PLC0415 - most trees have no Dockerfile
@@ -191,6 +185,7 @@ class _Reading:
             self.inside = ""
             self.scope.enter(self.known, match[1].lower(), (match[2] or "").lower())
             self.base, self.base_line = self.stages.get(match[1].lower(), match[1]), line
+            self.images.append((line, self.base))
             self.start = replace(self.starts.get(match[1].lower(), Start()))
             if match[2]:
                 self.stages[match[2].lower()] = self.base
@@ -218,6 +213,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.dockerfile_purpose import purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import entry_script, started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.python_steps import changes_setup, newest_pips  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
     from roslab.evidence.prose.stages import copied_from, entered, only_files, taken, unused  # noqa: PLC0415 - as above
     from roslab.evidence.prose.unbuilt_copies import unbuilt  # noqa: PLC0415 - as above
@@ -281,7 +277,8 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         clones_itself=itself,
         recipe=recipe(text),
         updates_rosdep=reading.updates_rosdep,
-        newest_pips=tuple(reading.newest_pips),
+        newest_pips=tuple(newest_pips(written, reading.images)),
+        changes_setup=changes_setup(written),
         copied=paths_of(context or "", reading.copied),
         taken=taken_there,
         enters=entered(written, repository.once(vcs.missing)),
