@@ -36,6 +36,8 @@ class PythonPlan:
     """Lines of ``pip`` and ``pip_guessed`` that a page has built without isolation."""
     editable: tuple[str, ...] = ()
     """Lines of ``pip_guessed`` that a page clones and installs editable: the clone stays in the image."""
+    by_name: tuple[str, ...] = ()
+    """Lines of ``pip_guessed`` that are nothing but the name of a module."""
     conda_specs: tuple[str, ...] = ()
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
@@ -81,6 +83,7 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         pip_guessed=_lines(python.pip_guessed),
         beside=_lines(each for each in (*python.pip, *python.pip_guessed) if each.beside),
         editable=_lines(each for each in python.pip_guessed if each.editable),
+        by_name=_lines(each for each in python.pip_guessed if each.key in python.by_name and each.text == each.name),
         requirements=python.requirements,
         manifests=python.manifests,
         projects=python.projects,

@@ -52,6 +52,7 @@ def test_a_docstring_uses_nothing(tmp_path: Path, code: str, found: dict[str, in
         ("df = df.append({'a': 1}, ignore_index=True)", "pandas<2"),
         ("from diffusers.optimization import (\n    SchedulerType, Union,\n    Optimizer)", "diffusers<0.37"),
         ("from diffusers.optimization import Optional, get_scheduler", "diffusers<0.37"),
+        ("import drawSvg as draw", "drawSvg<2"),
     ],
 )
 def test_a_removed_name_gives_a_bound(tmp_path: Path, code: str, bound: str) -> None:
@@ -66,6 +67,7 @@ def test_a_removed_name_gives_a_bound(tmp_path: Path, code: str, bound: str) -> 
         "cfg = yaml.load(stream, Loader=yaml.SafeLoader)",
         "rows.append(row)",
         "limit = np.inf",
+        "import drawsvg as draw",
         "from diffusers.optimization import (\n    get_scheduler)\nfrom typing import Union",
     ],
 )

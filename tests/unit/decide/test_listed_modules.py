@@ -43,7 +43,9 @@ def test_a_module_of_no_table_is_the_package_of_that_name_in_a_list(
     )
     decision = tree({"main.py": MAIN.format("rarely_seen"), **environment, **more})
     assert guessed(decision) == packages
-    assert unknown(decision) == (packages == ["rarely_seen"])  # it is imported under its own name, then
+    by_name = packages == ["rarely_seen"]  # it is imported under its own name, then
+    assert unknown(decision) == by_name
+    assert decision.python.by_name == (("rarely-seen",) if by_name else ())
 
 
 @pytest.mark.parametrize(

@@ -117,6 +117,14 @@ def test_declared_packages_stop_the_build_and_guessed_ones_are_named() -> None:
     assert "    install-optional-apt libglew-dev\n" in guessed
 
 
+def test_what_is_tried_because_a_module_has_its_name_is_told_to_the_script() -> None:
+    guessed = (stated("numpy"), stated("rarelySeen"), stated("often-seen==2"))
+    by_name = tuple(each.key for each in guessed[1:])
+    python = Python(version="3.8", manager="system", pip_guessed=guessed, by_name=by_name)
+    text = written(plan(python=python)).replace("\\\n", "")
+    assert "numpy --by-name=rarelySeen often-seen==2" in " ".join(text.split())
+
+
 def test_a_declared_package_that_a_page_builds_beside_torch_is_isolated_only_where_that_fails() -> None:
     pip = (stated("numpy==1.21.6"), replace(stated("git+https://github.com/lab/sdf"), beside=True))
     text = written(plan(python=Python(version="3.8", manager="system", pip=pip)))

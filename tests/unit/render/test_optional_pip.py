@@ -6,6 +6,8 @@ import os
 import subprocess
 from pathlib import Path
 
+import pytest
+
 from roslab.render import image_scripts
 
 SCRIPT = Path(image_scripts.__path__[0]) / "install-optional-pip.sh"
@@ -13,6 +15,8 @@ STAND_IN = """#!/bin/bash
 # A stand-in of Python with pip: it notes each call, lists what a file says, and refuses what another file says
 case "$*" in
   "-c "*) echo {folder}/site-packages ;;
+  "- "*) grep --quiet --line-regexp -- "$2" {folder}/modules ;;
+  "-m pip show"*) echo "Version: $(cat {folder}/version)" ;;
   "-m pip list"*) echo "$*" >>{folder}/calls; cat {folder}/installed ;;
   *)
     if [ "${{5:-}}" = --constraint ]; then cp "${{6}}" {folder}/kept; fi
@@ -21,15 +25,20 @@ case "$*" in
       echo "2026-11-27T10:00:00,000   RuntimeError: CMake must be installed." >"${{PIP_LOG}}"
       exit 1
     fi
-    ! grep --quiet --line-regexp --fixed-strings -- "${{@: -1}}" {folder}/refused ;;
+    if grep --quiet --line-regexp --fixed-strings -- "${{@: -1}}" {folder}/refused; then exit 1; fi
+    while read -r package _ module; do
+      if [ "${{package}}" = "${{@: -1}}" ]; then echo "${{module}}" >>{folder}/modules; fi
+    done <{folder}/brought ;;
 esac
 """
 
 
-def _run(folder: Path, *packages: str, installed: str = "", refused: str = "") -> list[str]:
+def _run(folder: Path, *packages: str, installed: str = "", refused: str = "", brought: str = "") -> list[str]:
     """Return the calls of pip, with what was kept below them."""
     (folder / "installed").write_text(installed)
     (folder / "refused").write_text(refused)
+    (folder / "brought").write_text(brought)
+    (folder / "modules").touch()
     (folder / "python3").write_text(STAND_IN.format(folder=folder))
     (folder / "python3").chmod(0o755)
     again = (SCRIPT.parent / "ask-pip-again.sh").read_text().replace("/usr/local/share/roslab", str(folder))
@@ -107,3 +116,25 @@ def test_a_program_that_a_build_lacks_comes_first(tmp_path: Path) -> None:
         "--no-cache-dir cmake<4",
         "--no-cache-dir --constraint KEPT egl_probe",
     ]
+
+
+def test_by_its_own_name_nothing_is_tried_where_another_package_brought_the_module(tmp_path: Path) -> None:
+    (tmp_path / "modules").write_text("prediction\n")
+    calls = _run(tmp_path, "--by-name=prediction", "--by-name=predictions", brought="predictions brings predictions\n")
+    assert calls[1:] == ["--no-cache-dir --constraint KEPT predictions"]
+    assert not (tmp_path / "left-out.txt").exists()
+
+
+def test_where_the_newest_release_renamed_the_module_the_major_version_before_is_taken(tmp_path: Path) -> None:
+    (tmp_path / "version").write_text("2.4.0\n")
+    calls = _run(tmp_path, "--by-name=drawSvg", brought="drawSvg brings drawsvg\ndrawSvg<2 brings drawSvg\n")
+    assert calls[1:] == ["--no-cache-dir --constraint KEPT drawSvg", "--no-cache-dir --constraint KEPT drawSvg<2"]
+    assert not (tmp_path / "left-out.txt").exists()
+
+
+@pytest.mark.parametrize(("version", "older"), [("0.3", []), ("2.4.0", ["drawSvg<2"]), ("unknown", [])])
+def test_a_package_without_the_module_of_its_name_is_named(tmp_path: Path, version: str, older: list[str]) -> None:
+    (tmp_path / "version").write_text(f"{version}\n")
+    calls = _run(tmp_path, "--by-name=drawSvg")
+    assert [call.split()[-1] for call in calls[1:]] == ["drawSvg", *older]
+    assert (tmp_path / "left-out.txt").read_text() == "pip drawSvg\n"

@@ -181,6 +181,7 @@ def decide_python(
         pip=tuple(dict.fromkeys(declared)),
         pip_tried=repaired.tried,
         pip_guessed=tuple(dict.fromkeys((*one_build(right(guessed), cuda), *part.tried))),
+        by_name=chosen.by_name,
         requirements=tuple(file.file for file in whole),
         beside_files=beside_lists(right(chosen.guessed), whole),
         cloned_files=cloned_files(evidence, chosen.files),

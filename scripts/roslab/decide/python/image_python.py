@@ -31,6 +31,8 @@ class Python:
     """Those of ``pip`` whose file pip refuses: one by one where they do not install together, so that none stops it."""
     pip_guessed: tuple[Requirement, ...] = ()
     """Read from imports or prose: installed where pip can, reported where not."""
+    by_name: tuple[str, ...] = ()
+    """Those of ``pip_guessed`` that are tried because a module has their name: not where something else brings it."""
     requirements: tuple[str, ...] = ()
     """Requirement files of the tree to install as they are, relative to the root."""
     beside_files: tuple[Requirement, ...] = ()

@@ -5,7 +5,9 @@
 # one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot be built by itself is built beside what
 # is there (torch); `--no-build-isolation=PACKAGE` is built so first. `--editable=git+URL` is cloned and installed from
 # its folder, which stays; where that fails, as any other. The others are named and left out. A program that a build lacks,
-# or an older release of what builds, comes first (ask-pip-again).
+# or an older release of what builds, comes first (ask-pip-again). `--by-name=MODULE` is tried only because a module has
+# that name: not where another package has brought the module; where the newest release has no such module, the last one
+# of the major version before is taken.
 set -euo pipefail
 
 source "$(command -v ask-pip-again)"
@@ -22,6 +24,7 @@ others=()
 for package in "$@"; do
   line="${package#--no-build-isolation=}"
   line="${line#--editable=}"
+  line="${line#--by-name=}"
   case "${line%% @ *}" in *[\<=\>]*) of_a_version+=("${package}") ;; *) others+=("${package}") ;; esac
 done
 kept="$(mktemp)"
@@ -31,6 +34,34 @@ keep() {
   folder="$(command "${python}" -c 'import site; print(site.getsitepackages()[0])')"
   command "${python}" -m pip list --format=freeze --path "${folder}" \
     | grep --extended-regexp '^[A-Za-z0-9._-]+==[0-9]+([.][0-9]+)*((a|b|rc|[.]post|[.]dev)[0-9]+)*([+][a-z0-9.]+)?$' >"${kept}" || true
+}
+has_module() {
+  command "${python}" - "$1" <<'PYTHON'
+import sys
+try:
+    from importlib.util import find_spec
+except ImportError:  # Python 2
+    from pkgutil import find_loader as find_spec
+sys.path = [folder for folder in sys.path if folder]  # not what lies here
+sys.exit(0 if find_spec(sys.argv[1]) else 1)
+PYTHON
+}
+by_name() {
+  local module="$1" version
+  if has_module "${module}"; then
+    echo "roslab: ${module} is there already: pip's package of that name may be another one, and is left out" >&2
+    return
+  fi
+  if "${pip[@]}" --constraint "${kept}" "${module}" || "${pip[@]}" --no-build-isolation --constraint "${kept}" "${module}"; then
+    if has_module "${module}"; then return; fi
+    version="$(command "${python}" -m pip show "${module}" | sed --quiet 's/^Version: \([0-9]*\)[.].*/\1/p')"
+    if [ "${version:-0}" -gt 0 ] && "${pip[@]}" --constraint "${kept}" "${module}<${version}" && has_module "${module}"; then
+      echo "roslab: ${module} ${version} has no module ${module}: the release before ${version} is taken" >&2
+      return
+    fi
+    echo "roslab: pip's package ${module} has no module ${module}: what imports it stops there" >&2
+  fi
+  echo "pip ${module}" | tee --append /usr/local/share/roslab/left-out.txt
 }
 for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[@]}"}; do
   tries=("" --no-build-isolation)
@@ -50,6 +81,7 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
   fi
   case "${package}" in
     --) keep && continue ;;
+    --by-name=*) by_name "${package#--by-name=}" && continue ;;
     *[\<=\>]* | *://*) limits=() ;;
     *) limits=(--constraint "${kept}") ;;
   esac

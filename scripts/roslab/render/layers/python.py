@@ -216,9 +216,9 @@ def guessed_packages(plan: Plan) -> str:
     if not plan.python.pip_guessed:
         return ""
     options = f"{caches.pip_option(plan)}{pip_options(plan.python.options)}"
-    beside, editable = plan.python.beside, plan.python.editable
+    beside, editable, by_name = plan.python.beside, plan.python.editable, plan.python.by_name
     lines = (
-        f"{'--no-build-isolation=' * (line in beside)}"
+        f"{'--no-build-isolation=' * (line in beside)}{'--by-name=' * (line in by_name)}"
         + (f"--editable={locks.at_commit(plan, line)}" if line in editable else line)
         for line in plan.python.pip_guessed
     )
