@@ -19,6 +19,8 @@ Tree = Callable[[dict[str, str]], Decision]
 START = "from setuptools import setup, find_packages\n"
 READS = START + "with open('core/README.md', encoding='utf-8') as page:\n    text = page.read()\n"
 CALL = "setup(name='demo', long_description=text, packages=find_packages(), install_requires=['einops'])\n"
+ASKS = "import subprocess\ndef git(*words):\n    return subprocess.check_output(['git'] + list(words))\n"
+HERE = START + "setup(name='demo', packages=find_packages(), install_requires=['einops'])\n"
 BARE = START + "setup(name='demo', install_requires=['einops']{more})\n"
 FOLDERS = {"core/__init__.py": "", "notebooks/a.ipynb": "{}"}
 
@@ -34,6 +36,13 @@ FOLDERS = {"core/__init__.py": "", "notebooks/a.ipynb": "{}"}
         (START + "open('LONG', 'w').write('x')\ntext = open('LONG').read()\n" + CALL, {}, False),
         (START + "import shutil\nshutil.copy('a.md', 'LONG')\ntext = open('LONG').read()\n" + CALL, {}, False),
         (START + "import shutil\ntext = open('LONG').read()\nshutil.copy('a.md', 'B')\n" + CALL, {}, True),
+        (ASKS + "git('describe', '--tags')\n" + HERE, {}, True),
+        (ASKS + "git('rev-parse', '--show-toplevel')\n" + HERE, {}, False),
+        (ASKS + "git('rev-parse', '--show-toplevel')\n" + READS + CALL, {}, True),
+        (ASKS + "try:\n    git('describe')\nexcept OSError:\n    pass\n" + HERE, {}, False),
+        (ASKS + "def version():\n    return git('describe')\n" + HERE, {}, False),
+        (START + "import subprocess\nsubprocess.run('git log', shell=True, check=True)\n" + HERE, {}, True),
+        (START + "import subprocess\nsubprocess.run('git log', shell=True)\n" + HERE, {}, False),
         (BARE.format(more=""), FOLDERS, True),
         (BARE.format(more=""), {"core/__init__.py": "", "docs/a.md": ""}, False),
         (BARE.format(more=", packages=['core']"), FOLDERS, False),
@@ -49,6 +58,13 @@ FOLDERS = {"core/__init__.py": "", "notebooks/a.ipynb": "{}"}
         "written",
         "copied",
         "copied-later",
+        "tags",
+        "folder",
+        "after-git",
+        "may-fail",
+        "never-called",
+        "checked",
+        "unchecked",
         "several",
         "one",
         "packages",

@@ -155,7 +155,7 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
     manifest = repository.read(package_xml) if repository.has(package_xml) else ""
     ros = script.catkin or bool(manifest and (_AMENT.search(text) or _AMENT.search(manifest)))
     own = "from setuptools import" in text
-    stopped = "" if ros else why_stopped(repository, folder, script.opened, script.arguments, setuptools=own)
+    stopped = "" if ros else why_stopped(repository, folder, script, setuptools=own)
     return PythonProject(
         file=path,
         line=script.line,

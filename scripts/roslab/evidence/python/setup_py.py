@@ -7,6 +7,7 @@ import re
 import sys
 from collections.abc import Collection
 
+from roslab.evidence.python import asked_history
 from roslab.evidence.python.parsed import parsed
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -51,6 +52,8 @@ class SetupScript:
     """Modules that it imports at the top, without those of the standard library."""
     opened: tuple[str, ...] = ()
     """Files that it reads in any case."""
+    history: str = ""
+    """The call of git for which the repository needs a commit, where it stops without one."""
     arguments: frozenset[str] = frozenset()
     """Names of the arguments of ``setup``; ``**`` for a dictionary that was not followed."""
 
@@ -64,7 +67,7 @@ def read(text: str) -> SetupScript:
     names, functions, call = _bound(tree)
     if call is None:
         return script
-    script.imports, script.opened = _imports(tree), _opened(tree)
+    script.imports, script.opened, script.history = _imports(tree), _opened(tree), asked_history.asked(tree)
     keywords = {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}
     for keyword in call.keywords:
         if keyword.arg is None:
@@ -126,7 +129,7 @@ def _opened(tree: ast.Module) -> tuple[str, ...]:
     Nor those after a line at the top that starts a program, copies, or calls a function of the script and may so make
     them.
     """
-    own = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    own = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)} - asked_history.only_ask(tree)
     found: dict[str, None] = {}
     written: set[str] = set()
     made = False

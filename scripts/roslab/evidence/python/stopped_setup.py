@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Collection, Iterable, Iterator, Mapping
-from typing import Any
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.frameworks import released_on
 from roslab.repository.checkout import Repository
 from roslab.values.requirement import Requirement
+
+if TYPE_CHECKING:
+    from roslab.evidence.python.setup_py import SetupScript  # it imports Python's own parser
 
 _TOLD = frozenset({"packages", "py_modules", "ext_modules", "package_dir", "pbr", "**"})
 """Arguments of ``setup`` beside which setuptools looks for no packages.
@@ -19,27 +22,27 @@ https://setuptools.pypa.io/en/latest/history.html#v61-0-0, read 2026-11-26.
 """
 
 
-def why_stopped(
-    repository: Repository, folder: str, files: Iterable[str], keywords: Collection[str], *, setuptools: bool
-) -> str:
-    """Return what stops setuptools, ``""`` for nothing; ``keywords``: the arguments of ``setup``.
+def why_stopped(repository: Repository, folder: str, script: SetupScript, *, setuptools: bool) -> str:
+    """Return what stops setuptools, ``""`` for nothing.
 
     What lies in a submodule may only not be checked out, and what installs programs is left as it is. Where the last
     commit is older than the setuptools that looks for packages, pip's are of that day.
     """
     from roslab.evidence.python.without_module import several  # noqa: PLC0415 - few trees need it
 
-    for name in files:
+    for name in script.opened:
         path = posixpath.normpath(posixpath.join(folder, name))
         outside = path.startswith(("/", "../"))
         if not outside and not repository.may_have(path) and not _in_submodule(repository, path):
             return f"setup.py reads {path}, which is not there"
+    if script.history:
+        return f"setup.py stops where `{script.history}` finds no commit, and an image has no history"
     beside = any(repository.has(posixpath.join(folder, name)) for name in ("setup.cfg", "pyproject.toml"))
-    programs = {"entry_points", "scripts"} & {*keywords}
+    programs = {"entry_points", "scripts"} & script.arguments
     looks = setuptools and not (
         repository.committed and f"{repository.committed:%Y-%m-%d}" < released_on("setuptools", "61")
     )
-    if looks and not beside and not programs and not _TOLD & {*keywords} and several(repository, folder):
+    if looks and not beside and not programs and not _TOLD & script.arguments and several(repository, folder):
         return "setup.py names no packages, and setuptools takes none where several folders could be one"
     return ""
 
