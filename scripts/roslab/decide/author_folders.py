@@ -11,7 +11,7 @@ from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.author_path import AuthorPath
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.launch_file import LaunchFile
 from roslab.values.origin import Place
 
@@ -32,8 +32,24 @@ def decide_author_folders(
     """Return the author's folders, each with what a link there leads to: ``source/...`` or ``workspace/install``.
 
     Only those that files of packages name which are built: the rest of a tree may be of another machine altogether.
-    Of a tree without packages those of which it has all that a path names.
+    Of a tree without packages those of which it has all that a path names. ``~/NAME`` is a folder beside the
+    repository's, for code that imports it by that name.
     """
+    if layout.workspace == "none" and not config.compatible and (said := _imported(evidence)):
+        why = "code imports it by this name from the folder above: a link of that name leads to the repository"
+        reason = because("workspace", said.value, why, said, weight=LINKED)
+        plain = _of_paths(evidence, config, packages, layout, build_tool)
+        return Choice(answer=((f"~/{said.value}", "source"), *plain.answer), reasons=(reason, *plain.reasons))
+    return _of_paths(evidence, config, packages, layout, build_tool)
+
+
+def _imported(evidence: Evidence) -> Mention | None:
+    return next((said for said in evidence.mentions if said.topic == "own_spelling"), None)
+
+
+def _of_paths(
+    evidence: Evidence, config: Config, packages: Packages, layout: Layout, build_tool: BuildTool
+) -> Choice[tuple[tuple[str, str], ...]]:
     made = _MADE.get(build_tool) if layout.workspace != "none" else None
     mounted = tuple(_mounted(layout.mounted, made)) if made and not config.compatible else ()
     if config.compatible or (build_tool in _PLAIN and evidence.manifests) or not (evidence.author_paths or mounted):

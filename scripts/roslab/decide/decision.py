@@ -187,7 +187,10 @@ class Decision:
     interpreters: tuple[tuple[str, str], ...] = ()
     """Paths of Python on the author's machine, each with the program that a link there leads to."""
     author_folders: tuple[tuple[str, str], ...] = ()
-    """Folders of the author's machine, each with what a link there leads to: ``source/…`` or ``workspace/…``."""
+    """Folders of the author's machine, each with what a link there leads to: ``source/…`` or ``workspace/…``.
+
+    ``~/NAME`` lies in the home of the image's user.
+    """
     native: bool = False
     """CMake files compile for the processor of the machine that builds."""
     clones_day: str = ""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import posixpath
 
-from roslab.evidence import git_folder, links, matlab, places, pointers, submodules
+from roslab.evidence import git_folder, links, places, pointers, submodules
 from roslab.evidence.facts import Evidence
+from roslab.evidence.mentioned import MENTIONED, OF_ROS
 from roslab.evidence.native import (
     asked_variables,
     authors_folders,
     by_variables,
-    cloned_heads,
     cmake,
     compared,
     configured,
@@ -27,7 +27,6 @@ from roslab.evidence.native import (
     ros_paths,
     shared_objects,
     stops_without,
-    templates,
     x86,
     x86_binaries,
 )
@@ -38,30 +37,24 @@ from roslab.evidence.native.nowhere import Nowhere
 from roslab.evidence.prose import (
     apt_lists,
     apt_sources,
-    asked_options,
     author_dockerfile,
-    branch_tables,
     called_in_scripts,
     ci,
     container_starts,
     containers,
     copies,
     fetched_here,
-    for_reference,
     gazebo,
     guides,
     home_archives,
     included,
     install_scripts,
-    laid_as_sources,
     large_files,
     launchers,
     linked,
     listed_releases,
-    named_ports,
     named_weights,
     notebook_installs,
-    of_other_indexes,
     own_packages,
     page_lists,
     patches,
@@ -91,7 +84,6 @@ from roslab.evidence.python import (
     notebooks,
     omitted_packages,
     on_gpu,
-    opened,
     options,
     pixi,
     programs,
@@ -99,7 +91,6 @@ from roslab.evidence.python import (
     reached,
     removed,
     requirements,
-    said_in_code,
     sibling_folders,
     siblings,
     stopped_setup,
@@ -111,7 +102,6 @@ from roslab.evidence.ros import (
     beside_python,
     commit_date,
     distro_names,
-    handed_lists,
     launch,
     loaded,
     lost_folders,
@@ -119,25 +109,15 @@ from roslab.evidence.ros import (
     marked,
     named_in_code,
     nested,
-    on_machines,
     only_in_manifest,
-    own_setup,
     package_xml,
     plugins,
     rosbuild,
     rosdep_lists,
-    started_by_scripts,
     vcs,
 )
 from roslab.repository.checkout import Repository
 
-MENTIONED = (
-    *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
-    *(asked_options.read, matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
-    *(started_by_scripts.calls, templates.read),
-)
-"""What pages, code and files of a project tell by themselves."""
-OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read)
 PROSE = (
     author_dockerfile.prose,  # the author's own image: the most reliable
     containers.read,  # what the author's containers run

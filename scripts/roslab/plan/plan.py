@@ -102,7 +102,10 @@ class Plan:
     interpreters: tuple[tuple[str, str], ...]
     """Paths of Python on the author's machine that scripts name, each with the program that a link there leads to."""
     author_folders: tuple[tuple[str, str], ...]
-    """Folders of the author's machine that files name, each with the folder below the home that a link leads to."""
+    """Folders of the author's machine that files name, each with the folder below the home that a link leads to.
+
+    ``~/NAME`` is one of the home itself.
+    """
     python: PythonPlan
     python_tools: PythonTools
     source_version: SourceVersion | None

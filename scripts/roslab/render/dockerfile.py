@@ -9,6 +9,7 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import (
     apart,
+    author_folders,
     base,
     building,
     cloned,
@@ -110,7 +111,7 @@ TODAY = Order(
         python.guessed_packages,
         python_clones.install,
         wheel_libraries.before_source,
-        system.author_folders,
+        author_folders.author_folders,
         native_parts.compile_modules,
         downloads.bring,
     ),

@@ -201,3 +201,37 @@ def test_a_program_of_no_package_finds_the_tree_where_its_author_had_it(
 def test_what_a_program_of_no_package_lacks_is_told(tree: Tree) -> None:
     given = tree({"run.py": PROGRAM.format(path="/home/bob/sets/kitti/00.bin")})
     assert any("/home/bob/sets/kitti/00.bin, a path of its author's computer" in w.message for w in given.warnings)
+
+
+ABOVE = "os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))"
+
+
+@pytest.mark.parametrize(
+    ("above", "name", "found"),
+    [
+        (ABOVE, "Thesis.planner.run", True),
+        ("str(Path(__file__).resolve().parents[2])", "Thesis.planner.run", True),
+        ("Path(__file__).parent.parent.parent", "Thesis.planner.run", True),
+        ("os.path.join(os.path.dirname(__file__), '../..')", "Thesis.planner.run", True),
+        ("os.path.dirname(__file__) + '/../..'", "Thesis.planner.run", True),
+        ("os.path.dirname(os.path.dirname(__file__))", "Thesis.planner.run", False),
+        ("os.path.join(os.path.dirname(__file__), '../../lib')", "Thesis.planner.run", False),
+        (ABOVE, "Thesis.gone.run", False),
+        (ABOVE, "planner.run", False),
+        (ABOVE, "tools.planner.run", False),
+    ],
+)
+def test_code_that_imports_the_checkout_by_its_folder_s_name_has_a_link_of_that_name(
+    tree: Tree, above: str, name: str, *, found: bool
+) -> None:
+    code = f"import os, sys\nfrom pathlib import Path\n\nmine = {above}\nsys.path.append(mine)\nfrom {name} import go\n"
+    files = {
+        "planner/start.py": f"{code}if __name__ == '__main__':\n    go()\n",
+        "planner/run.py": "def go():\n    1\n",
+    }
+    decision = tree({**files, "tools/planner/run.py": "def go():\n    1\n"})
+    assert decision.author_folders == ((("~/Thesis", "source"),) if found else ())
+    reasons = [(each.file, each.line) for each in decision.reasons if each.question == "workspace"]
+    assert (("planner/start.py", 6) in reasons) is found
+    tried = [each.name for each in decision.python.pip_guessed]
+    assert ("Thesis" in tried) is (name.startswith("Thesis") and not found)

@@ -125,6 +125,14 @@ def test_what_is_tried_because_a_module_has_its_name_is_told_to_the_script() -> 
     assert "numpy --by-name=rarelySeen often-seen==2" in " ".join(text.split())
 
 
+@pytest.mark.parametrize(("name", "linked"), [("Paper", True), ("paper", False)])
+def test_a_link_of_the_repository_s_own_spelling_stands_beside_its_folder(name: str, *, linked: bool) -> None:
+    bare: dict[str, Any] = {"build_tool": "none", "packages": (), "workspace": "none", "kind": "python"}
+    text = dockerfile(plan(author_folders=((f"~/{name}", "source"),), ros_distro=None, **bare))
+    assert ("ln --symbolic /home/${NB_USER}/paper /home/${NB_USER}/Paper;" in text) is linked
+    assert ("Files name these folders" in text) is linked
+
+
 def test_a_declared_package_that_a_page_builds_beside_torch_is_isolated_only_where_that_fails() -> None:
     pip = (stated("numpy==1.21.6"), replace(stated("git+https://github.com/lab/sdf"), beside=True))
     text = written(plan(python=Python(version="3.8", manager="system", pip=pip)))

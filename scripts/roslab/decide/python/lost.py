@@ -123,10 +123,12 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     """Return the imports of no table; where a manifest declares packages, none that begins like the name of one.
 
     Not those of ROS, which pip has not: they are a part for robots, without which the rest runs. What begins like the
-    name of a link that a page has people install is of that.
+    name of a link that a page has people install is of that. The folder of the checkout is none.
     """
     found = [used for used in _imported(evidence, kind, chosen) if canonicalize_name(used.name) not in not_on_index()]
     found = [used for used in found if used.name not in imports() and not on_index(evidence, used)]
+    itself = {said.value for said in evidence.mentions if said.topic == "own_spelling"}
+    found = [used for used in found if used.name not in itself]
     told = {bare_name(git.name) for git in _told(evidence)}
     found = [used for used in found if not _of_ros(used.name) or begins_like(used.name, told)]
     if found and (declares(chosen) or absent(evidence)):

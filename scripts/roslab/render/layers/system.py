@@ -116,18 +116,6 @@ def interpreters(plan: Plan) -> str:
     return shell.run(f"mkdir --parents {made}", *linked, comment=comment)
 
 
-def author_folders(plan: Plan) -> str:
-    """Put links to the source where files name folders of the author's machine, but where the image has those."""
-    linked = []
-    for path, target in plan.author_folders:
-        name, above = quote.shell(path), quote.shell(posixpath.dirname(path))
-        made = (
-            f"mkdir --parents {above} && ln --symbolic {quote.shell_with_user(f'/home/{quote.USER}/{target}')} {name}"
-        )
-        linked.append(f"if [ ! -e {name} ]; then {made}; fi")
-    return shell.run(*linked, comment="Files name these folders of the author's machine") if linked else ""
-
-
 def library_stages(plan: Plan) -> str:
     """Build each library in a stage of its own, on the base and what the libraries before it installed.
 

@@ -1,0 +1,28 @@
+"""Links in the places of folders of the author's machine that files name."""
+
+from __future__ import annotations
+
+import posixpath
+
+from roslab.plan.plan import Plan
+from roslab.render import quote
+from roslab.render.layers import shell
+
+
+def author_folders(plan: Plan) -> str:
+    """Put links to the source where files name folders of the author's machine, but where the image has those."""
+    linked = []
+    for path, target in plan.author_folders:
+        name = _at_home(path) if path.startswith("~/") else quote.shell(path)
+        above = "" if path.startswith("~/") else _made(posixpath.dirname(path))
+        linked.append(f"if [ ! -e {name} ]; then {above}ln --symbolic {_at_home(f'~/{target}')} {name}; fi")
+    return shell.run(*linked, comment="Files name these folders of the author's machine") if linked else ""
+
+
+def _at_home(path: str) -> str:
+    return quote.shell_with_user(f"/home/{quote.USER}/{path.removeprefix('~/')}")
+
+
+def _made(folder: str) -> str:
+    """Return the command that makes a folder, which its programs write to; what the image has stays as it is."""
+    return f"mkdir --parents {quote.shell(folder)} && "
