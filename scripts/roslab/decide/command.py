@@ -31,6 +31,7 @@ from roslab.decide.gone_programs import gone_programs
 from roslab.decide.helpers_first import behind_helpers
 from roslab.decide.included import included
 from roslab.decide.launched import launched
+from roslab.decide.launches_without import without_unconfigurable
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
 from roslab.decide.outward import ports_of_page, volumes_of
@@ -193,7 +194,7 @@ def _obvious(
     built = {file for m in evidence.mentions if m.topic == "build_script" for file in m.files}
     foreign = copied(evidence, packages_of(evidence))
     ours = [c for c in found if own(c.argv, evidence) and not (upkeep(c) or below(c.file, foreign))]
-    ours = without_lacking(without_copied_packages(ours, evidence))
+    ours = without_unconfigurable(without_lacking(without_copied_packages(ours, evidence)), evidence)
     ours = [c for c in ours if program_of(c.argv)[-1] not in built]
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]

@@ -47,6 +47,64 @@ def test_a_package_without_its_code(tree: Tree, lines: tuple[str, ...], *, left:
     assert told == ([f"{missing}; add the file, or correct the path"] if left else [])
 
 
+HOME = "/home/mia/sim"
+
+
+@pytest.mark.parametrize(
+    ("lines", "left"),
+    [
+        ((f"add_subdirectory({HOME}/cmake/rpc rpc)",), True),
+        ((f"set(SIM {HOME}/)", 'add_subdirectory("${SIM}/cmake/rpc" rpc)'), True),
+        ((f"include({HOME}/cmake/rpc.cmake)",), True),
+        ((f"include({HOME}/cmake/rpc.cmake OPTIONAL)",), False),
+        ((f"set(SIM {HOME} CACHE PATH where)", "add_subdirectory(${SIM}/cmake/rpc rpc)"), False),
+        (("option(SIM sim OFF)", "if(SIM)", f"add_subdirectory({HOME}/cmake/rpc rpc)", "endif()"), False),
+        ((f"function(later)\nadd_subdirectory({HOME}/rpc)\nendfunction()",), False),
+        (("add_subdirectory(/usr/src/googletest gtest)",), False),
+        (("add_subdirectory(/home/mia/ws/src/lab/eye/src)",), False),
+        ((f"# add_subdirectory({HOME}/cmake/rpc rpc)",), False),
+    ],
+)
+def test_a_package_that_adds_a_folder_of_its_authors_computer(
+    tree: Tree, lines: tuple[str, ...], *, left: bool
+) -> None:
+    decision = tree({**ARM, **package("eye", *lines, "add_executable(eye src/eye.cpp)")})
+    assert decision.left_out == (("eye",) if left else ())
+    told = [each.message for each in decision.warnings if each.message.startswith("CMake adds")]
+    what = "a folder of its author's computer: eye is left out of the build; add the folder to the tree"
+    assert len(told) == left
+    assert all(each.endswith(what) for each in told)
+
+
+def test_headers_of_what_is_left_out_are_not_told(tree: Tree) -> None:
+    code = {"eye/src/eye.cpp": '#include "simulator/rpc.hpp"\nint main() {}\n'}
+    compiled = "add_executable(eye src/eye.cpp)"
+    assert any("rpc.hpp" in w.message for w in tree({**ARM, **package("eye", compiled), **code}).warnings)
+    files = {**ARM, **package("eye", f"add_subdirectory({HOME}/rpc rpc)", compiled), **code}
+    assert not any("rpc.hpp" in each.message for each in tree(files).warnings)
+
+
+def catkin(name: str, *lines: str, **launches: str) -> dict[str, str]:
+    xml = f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend></package>"
+    code = "\n".join((f"project({name})", "find_package(catkin REQUIRED)", *lines, "catkin_package()", ""))
+    files = {f"{name}/launch/{file}.launch": f"<launch>{text}</launch>\n" for file, text in launches.items()}
+    return {f"{name}/package.xml": xml, f"{name}/CMakeLists.txt": code, **files}
+
+
+@pytest.mark.parametrize(("sim", "answer"), [("/home/mia/sim/rpc", "plan"), ("rpc", "all")])
+def test_a_launch_file_that_needs_none_of_them_is_meant_first(tree: Tree, sim: str, answer: str) -> None:
+    node = '<node name="{0}" pkg="{0}" type="{0}"/>'
+    whole = '<include file="$(find eye)/launch/eye.launch"/>' + node.format("arm")
+    arm = catkin("arm", "add_executable(arm src/arm.cpp)", all=whole, plan=node.format("arm"))
+    eye = catkin("eye", f"add_subdirectory({sim} rpc)", "add_executable(eye src/eye.cpp)", eye=node.format("eye"))
+    code = {"arm/src/arm.cpp": "int main() {}\n", "eye/src/eye.cpp": "int main() {}\n"}
+    page = "```\nroslaunch arm all.launch\n```\n```\nroslaunch arm plan.launch\n```\n"
+    made = {"eye/rpc/CMakeLists.txt": "add_library(rpc rpc.cpp)\n", "eye/rpc/rpc.cpp": "\n"}
+    decision = tree({**arm, **eye, **code, **made, "README.md": page})
+    assert decision.command == ("roslaunch", "arm", f"{answer}.launch")
+    assert decision.left_out == (("eye",) if answer == "plan" else ())
+
+
 def test_what_needs_it_goes_with_it(tree: Tree) -> None:
     hand = package("hand", "add_executable(hand src/hand.cpp)", needs="eye")
     decision = tree({**ARM, **hand, **package("eye", "add_executable(eye eye.cpp)")})

@@ -1,4 +1,7 @@
-"""Packages that CMake cannot configure, for they compile files of code which the tree does not have."""
+"""Packages that CMake cannot configure.
+
+They compile files of code which the tree does not have, or add a folder of their author's computer.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.skipped import Skipped
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import SKIP, needing
+from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 from roslab.values.origin import Place
 
@@ -30,18 +34,36 @@ def without_code(
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
     out, warnings = dict(left), []
     for project in evidence.cmake:
-        package = owner(project.file, folders) if project.without else None
-        if package is None or package in out:
+        stops = stopping(project)
+        package = owner(project.file, folders) if stops else None
+        if package is None or stops is None or package in out:
             continue
-        path, line = project.without[0]
+        lacks, line, hint = stops
         place = Place(file=project.file, line=line)
         with_it = needing(package, packages)
         others = {m.name for m in packages.built if not m.metapackage} - out.keys() - {*with_it}
         skipped = build_tool in SKIP and others and not {*with_it} & {*started}
-        lacks = f"CMake compiles {path}, which the tree does not have"
         more = f", and with it {', '.join(with_it[1:])}" if with_it[1:] else ""
         then = f"{package} is left out of the build{more}" if skipped else f"{build_tool} will stop at {package}"
-        warnings.append(warn(f"{lacks}: {then}; add the file, or correct the path", place))
+        warnings.append(warn(f"{lacks}: {then}; {hint}", place))
         if skipped:
             out |= {name: Skipped(place, lacks) for name in with_it if name not in out}
     return out, tuple(warnings)
+
+
+def stopping(project: CMakeProject) -> tuple[str, int, str] | None:
+    """Return at what CMake stops, with its line, and what to do about it, if it does."""
+    if project.without:
+        path, line = project.without[0]
+        return f"CMake compiles {path}, which the tree does not have", line, "add the file, or correct the path"
+    if project.parts:
+        path, line = project.parts[0]
+        return f"CMake adds {path}, a folder of its author's computer", line, "add the folder to the tree"
+    return None
+
+
+def unconfigurable(evidence: Evidence, packages: Packages) -> frozenset[str]:
+    """Return the names of the packages that CMake cannot configure, and of those that cannot be built without them."""
+    folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
+    stopped = {owner(project.file, folders) for project in evidence.cmake if stopping(project)}
+    return frozenset(each for name in stopped if name for each in needing(name, packages))

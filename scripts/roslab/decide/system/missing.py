@@ -50,7 +50,7 @@ from roslab.decide.system.without_programs import without_programs
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.released import released, rosdep_keys
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
 from roslab.values.words import line_of
 
@@ -187,12 +187,12 @@ def decide_missing(
     warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
     warnings += [warn(_TESTS.format(asked.name, option), asked) for option, asked in tests.items()]
+    still = replace(packages, built=tuple(m for m in packages.built if m.name not in found.packages))
     if kind != "cpp":
-        told = {asked.name for _, asked in unmet}
-        there = names | known | told
-        warnings += without_headers(evidence, packages, there, tried, build_tool=build_tool, cloned=cloned)
-        warnings += without_own(evidence, packages, lambda name: plain(name) in names, build_tool)
-    warnings += without_library(evidence, packages, names, build_tool, unread=cloned or custom)
+        there = names | known | {asked.name for _, asked in unmet}
+        warnings += without_headers(evidence, still, there, tried, build_tool=build_tool, cloned=cloned)
+        warnings += without_own(evidence, still, lambda name: plain(name) in names, build_tool)
+    warnings += without_library(evidence, still, names, build_tool, unread=cloned or custom)
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
     aside = dict(strays(evidence, packages, target, names, build_tool) if not (cloned or custom) else ())

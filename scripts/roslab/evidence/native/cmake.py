@@ -9,6 +9,7 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.hidden import hidden
 from roslab.evidence.lex.cmake import NOTHING, PROJECT, WHOLE, Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, own_project
+from roslab.evidence.native.authors_parts import authors_parts
 from roslab.evidence.native.bare_links import with_bare
 from roslab.evidence.native.cmake_reading import Reading
 from roslab.evidence.native.installed_paths import code_not_there, installed, not_there
@@ -230,6 +231,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
         settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
         lacks=_lacks(repository, file.folder, reading),
+        parts=authors_parts(text, repository) if above.always or file.folder not in added else (),
         without=code_not_there(reading.always, text, file.folder, repository)
         if above.always or file.folder not in added
         else (),
