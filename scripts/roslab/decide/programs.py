@@ -182,7 +182,7 @@ def in_packages(evidence: Evidence) -> dict[str, str]:
     found: dict[str, str] = {}
     twice: set[str] = set()
     for project in evidence.cmake:
-        package = owner(project.file, folders)
+        package = configured_by(project, folders)
         for name, _ in project.executables if package else ():
             if (project.file, name) not in outside and found.setdefault(name, package or "") != package:
                 twice.add(name)
@@ -210,6 +210,16 @@ def owner(path: str, folders: Mapping[str, Owner]) -> Owner | None:
         if path in folders:
             return folders[path]
     return None
+
+
+def configured_by(project: CMakeProject, folders: Mapping[str, Owner]) -> Owner | None:
+    """Return what stands for the package whose CMake reads a CMakeLists.txt: its own, or one in a folder that it adds.
+
+    No tool of ROS looks for packages inside of another one, and so for none of their files.
+    https://github.com/ros-infrastructure/catkin_pkg (packages.py: find_package_paths), 2026-11-25.
+    """
+    own = project.added or project.file.rpartition("/")[0] in folders
+    return owner(project.file, folders) if own else None
 
 
 def one_letter_off(name: str, among: Iterable[str]) -> str | None:

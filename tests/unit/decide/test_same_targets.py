@@ -44,6 +44,8 @@ BUILD = {"Dockerfile": "FROM ros:noetic\nCOPY a /ws/src/a\nRUN cd /ws && catkin_
             "catkin_make",
         ),
         (package("a", STOPPER) | package("b", STOPPER) | {"b/CATKIN_IGNORE": ""}, "catkin_make"),
+        (package("a", STOPPER) | package("b") | package("b/a", STOPPER), "catkin_make"),
+        (package("a", STOPPER) | package("b", "add_subdirectory(a)") | package("b/a", STOPPER), "catkin_make_isolated"),
     ],
 )
 def test_packages_with_equal_targets_are_built_one_by_one(tree: Tree, files: dict[str, str], tool: str) -> None:

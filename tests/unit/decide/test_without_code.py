@@ -105,6 +105,12 @@ def test_a_launch_file_that_needs_none_of_them_is_meant_first(tree: Tree, sim: s
     assert decision.left_out == (("eye",) if answer == "plan" else ())
 
 
+@pytest.mark.parametrize(("line", "left"), [("", ()), ("add_subdirectory(lid)", ("eye",))])
+def test_a_package_inside_of_another_is_not_configured(tree: Tree, line: str, left: tuple[str, ...]) -> None:
+    eye = package("eye", "add_executable(eye src/eye.cpp)", line)
+    assert tree({**ARM, **eye, **package("lid", "add_executable(lid lid.cpp)", folder="eye/")}).left_out == left
+
+
 def test_what_needs_it_goes_with_it(tree: Tree) -> None:
     hand = package("hand", "add_executable(hand src/hand.cpp)", needs="eye")
     decision = tree({**ARM, **hand, **package("eye", "add_executable(eye eye.cpp)")})

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, WorkspaceTool
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.programs import owner
+from roslab.decide.programs import configured_by
 from roslab.decide.reasons import because, ranked, strongest
 from roslab.decide.ros.source_names import wraps
 from roslab.decide.ros.without_manifest import by_catkin
@@ -84,7 +84,7 @@ def same_targets(evidence: Evidence) -> tuple[str, CMakeProject] | None:
     folders = {manifest.file.rpartition("/")[0]: manifest.name for manifest in built}
     owners: dict[str, str] = {}
     for project in evidence.cmake:
-        package = owner(project.file, folders)
+        package = configured_by(project, folders)
         for name in project.targets if package else ():
             if owners.setdefault(name, str(package)) != package:
                 return name, project

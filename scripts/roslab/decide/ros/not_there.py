@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from roslab.config.model import BuildTool, Config
 from roslab.decide.decision import Choice, Warning_
-from roslab.decide.programs import owner
+from roslab.decide.programs import configured_by
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.cmake_project import CMakeProject
@@ -35,7 +35,7 @@ def decide_not_there(
     if not installs:
         return Choice(answer=made, warnings=tuple(map(_lost, data)))
     found = [
-        (project, each) for project in evidence.cmake if owner(project.file, folders) for each in project.not_there
+        (project, each) for project in evidence.cmake if configured_by(project, folders) for each in project.not_there
     ]
     answer = tuple(sorted({*made, *(_written(each) for _, each in found)}))
     return Choice(answer=answer, warnings=(*map(_lost, data), *_warnings(found)))

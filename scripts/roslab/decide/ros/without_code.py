@@ -9,7 +9,7 @@ from collections.abc import Collection, Mapping
 
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
-from roslab.decide.programs import owner
+from roslab.decide.programs import configured_by
 from roslab.decide.reasons import warn
 from roslab.decide.ros.skipped import Skipped
 from roslab.decide.ros.workspace import Packages
@@ -35,7 +35,7 @@ def without_code(
     out, warnings = dict(left), []
     for project in evidence.cmake:
         stops = stopping(project)
-        package = owner(project.file, folders) if stops else None
+        package = configured_by(project, folders) if stops else None
         if package is None or stops is None or package in out:
             continue
         lacks, line, hint = stops
@@ -65,5 +65,5 @@ def stopping(project: CMakeProject) -> tuple[str, int, str] | None:
 def unconfigurable(evidence: Evidence, packages: Packages) -> frozenset[str]:
     """Return the names of the packages that CMake cannot configure, and of those that cannot be built without them."""
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
-    stopped = {owner(project.file, folders) for project in evidence.cmake if stopping(project)}
+    stopped = {configured_by(project, folders) for project in evidence.cmake if stopping(project)}
     return frozenset(each for name in stopped if name for each in needing(name, packages))

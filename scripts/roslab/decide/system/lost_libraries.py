@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
-from roslab.decide.programs import owner
+from roslab.decide.programs import configured_by
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
@@ -20,7 +20,7 @@ def lost_libraries(evidence: Evidence, packages: Packages, build_tool: BuildTool
     made = {name for project in evidence.cmake for name in project.made}
     submodules = [source.name for source in evidence.sources if source.kind == "submodule"]
     for project in evidence.cmake:
-        package = owner(project.file, folders)
+        package = configured_by(project, folders)
         if package is None or not project.lost or places.aside(project.file):
             continue
         paths = [
