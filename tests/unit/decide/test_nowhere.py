@@ -175,3 +175,24 @@ def test_a_header_that_no_compiled_source_includes_stops_nothing(tree: Tree, mai
         "mine/src/unlisted.cpp": '#include "mine/area.h"\n',
     }
     assert len(_told(tree(files))) == told
+
+
+SET = "set(APP {})\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        (SET.format("a") + "add_executable(${APP} src/${APP}.cpp)\n", 0),
+        (SET.format("b") + "add_executable(${APP} src/${APP}.cpp)\n", 1),
+        (SET.format("c") + SET.format("a") + "add_executable(${APP} src/${APP}.cpp)\n", 0),
+        ("add_executable(mine src/${APP}.cpp)\n" + SET.format("a"), 1),
+        (SET.format("a") + "foreach(APP b c)\nadd_executable(${APP} src/${APP}.cpp)\nendforeach()\n", 1),
+        (SET.format("a") + "if(X)\nset(APP b)\nendif()\nadd_executable(${APP} src/${APP}.cpp)\n", 1),
+        (SET.format("a b") + "add_executable(mine src/${APP}.cpp)\n", 1),
+    ],
+)
+def test_a_source_is_named_by_the_value_that_was_set_last(tree: Tree, lines: str, told: int) -> None:
+    main = {"mine/src/a.cpp": "int main() {}\n"}
+    files = _including("other/Lost.h", {**_package("mine", lines), **main}, file="mine/src/b.cpp")
+    assert len(_told(tree(files))) == told

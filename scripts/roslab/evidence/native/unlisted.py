@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import cached_property
 
@@ -33,6 +34,15 @@ _ANY = pattern(
     r"\bament_auto_add_\w+\s*\([^)]*\bDIRECTORY\b"
 )
 """What takes sources of any name."""
+_NAMED = pattern(r"\$\{\w+\}[\w-]*\.(?:cpp|cc|cxx|c|cu)\b")
+"""A source whose name a variable begins."""
+_STEP = pattern(
+    r"\bset\s*\(\s*(\w+)\b([^()]*)\)|\bproject\s*\(\s*([\w-]+)|\b(end)?(?:if|foreach|while|function|macro)\s*\(|"
+    r"\$\{(\w+)\}",
+    re.IGNORECASE,
+)
+"""What gives a variable a value, opens or closes a block, or takes the value."""
+_PLAIN = pattern(r"[\w./+-]+")
 
 
 class Unlisted:
@@ -72,7 +82,8 @@ class Unlisted:
 
     def _text(self, folder: str, name: str) -> str:
         path = f"{folder}/{name}" if folder else name
-        return _COMMENT.sub("", self._repository.read(path)) if self._repository.has(path) else ""
+        text = _COMMENT.sub("", self._repository.read(path)) if self._repository.has(path) else ""
+        return _filled(text) if name == _LISTS[0] and _NAMED.search(text) else text
 
     @cached_property
     def _words(self) -> frozenset[str]:
@@ -87,6 +98,31 @@ class Unlisted:
     @cached_property
     def _leads_out(self) -> bool:
         return any(map(_OUT.search, self._texts))
+
+
+def _filled(text: str) -> str:
+    """Return the text of a CMakeLists.txt with the values of variables, each as it was last set above.
+
+    Not in blocks, where what was set is left open, nor what a block or more than one plain word sets.
+    """
+    values: dict[str, str] = {}
+    parts: list[str] = []
+    depth = end = 0
+    for match in _STEP.finditer(text):
+        name, given, project, used = match[1], match[2], match[3], match[5]
+        if name:
+            values.pop(name, None)
+            words = given.split()
+            if depth == 0 and len(words) == 1 and _PLAIN.fullmatch(words[0]):
+                values[name] = words[0]
+        elif project:
+            values["PROJECT_NAME"] = project
+        elif used is None:
+            depth += -1 if match[4] else 1
+        elif depth == 0 and used in values:
+            parts += (text[end : match.start()], values[used])
+            end = match.end()
+    return "".join((*parts, text[end:]))
 
 
 def _words_of(texts: Iterable[str]) -> frozenset[str]:
