@@ -37,8 +37,11 @@ def test_its_else_is_always_built_and_its_variables_have_no_value() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "set(X ON)\n",
         "set(X OFF)\nset(X ON)\n",
+        "set(X ON)\nset(X OFF)\n",
+        "set(X ON CACHE BOOL words)\n",
+        "if(UNIX)\nset(X ON)\nendif()\n",
+        "set(X ON)\nfind_library(X x)\n",
         "if(UNIX)\nset(X OFF)\nendif()\n",
         "set(X OFF CACHE BOOL words)\n",
         "set(X OFF)\ncheck_include_file(x.h X)\n",
@@ -59,3 +62,25 @@ def test_a_condition_that_may_hold_all_the_same(condition: str) -> None:
 def test_what_finding_a_package_sets_is_none() -> None:
     text = "set(A_FOUND FALSE)\nfind_package(A)\nif(A_FOUND)\nfind_package(B)\nendif()\n"
     assert [each[0] for each in found(text)] == ["A", "B"]
+
+
+@pytest.mark.parametrize(
+    ("block", "conditions"),
+    [
+        ("if(X)\nfind_package(G2O)\nendif()\n", [()]),
+        ("if(${X})\nfind_package(G2O)\nadd_definitions(-DX)\nendif(X)\n", [()]),
+        ("if(X AND UNIX)\nfind_package(G2O)\nendif()\n", [("UNIX",)]),
+        ("if(UNIX)\nif(X)\nfind_package(G2O)\nendif()\nendif()\n", [("UNIX",)]),
+        ("if(A)\nelseif(X)\nfind_package(G2O)\nendif()\n", [("X",)]),
+        ("if(X OR A)\nfind_package(G2O)\nendif()\n", [("X OR A",)]),
+        ("if(NOT X)\nfind_package(Old)\nelse()\nfind_package(G2O)\nendif()\n", [("NOT (NEVER NOT X)",)]),
+        ("if(X)\nelseif(A)\nfind_package(Old)\nelse()\nfind_package(Older)\nendif()\n", []),
+    ],
+)
+def test_what_waits_for_a_variable_that_stays_true_is_always_built(block: str, conditions: list[tuple[str]]) -> None:
+    got = found(f"set(X on)\n{block}find_package(Eigen3)\n")
+    assert got == [("G2O", *each) for each in conditions] + [("Eigen3",)]
+
+
+def test_a_variable_set_after_its_condition_decides_nothing() -> None:
+    assert found("if(X)\nfind_package(G2O)\nendif()\nset(X ON)\n") == [("G2O", "X")]

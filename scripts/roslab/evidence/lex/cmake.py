@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from roslab.evidence.lex.cmake_loops import COMPONENT, MAX_EXPANSION, MAX_VALUE, Loops, filled
-from roslab.evidence.lex.constants import FALSE, stays_off
+from roslab.evidence.lex.constants import FALSE, TRUE, set_once
 from roslab.evidence.lex.truth import workspace_holds
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -33,7 +33,8 @@ _CONTROL = _OPENERS - {"while", "block"} | {
     *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option", COMPONENT)
 }
 PROJECT, WHOLE = "PROJECT_NAME", "CMAKE_PROJECT_NAME"
-_NEVER = "NEVER "
+_NEVER, _ALWAYS, _AFTER = "NEVER ", "ALWAYS ", "NEVER AFTER "
+"""Conditions that variables which are set once decide; the last one is that of the other branches of the second."""
 _ON = frozenset({("ON",), ("TRUE",), ("1",), ("YES",)})
 _OFF = frozenset({("OFF",), ("FALSE",), ("0",), ("NO",)})
 NOTHING: Mapping[str, tuple[str, ...]] = MappingProxyType({})
@@ -103,7 +104,7 @@ def calls(
                 name=name,
                 words=words,
                 line=line,
-                conditions=tuple(scope.conditions[:MAX_CONDITIONS]),
+                conditions=tuple(c for c in scope.conditions[:MAX_CONDITIONS] if not c.startswith(_ALWAYS)),
                 in_function=not _FUNCTIONS.isdisjoint(scope.stack[:MAX_CONDITIONS]),
                 written=tuple(raw),
             )
@@ -122,6 +123,8 @@ class _Scope:
     """The whole file."""
     off: set[str] = field(default_factory=set)
     """Variables that are false from the beginning to the end."""
+    on: set[str] = field(default_factory=set)
+    """Those that are true."""
     loops: Loops = field(default_factory=Loops)
     decided: dict[str, str] = field(default_factory=dict)
     """Variables that are on where a condition of the build tool holds, each with that condition."""
@@ -129,7 +132,7 @@ class _Scope:
     @property
     def never(self) -> bool:
         """The calls here are those of no build: they wait for a variable that is never set."""
-        return bool(self.off) and any(condition.startswith(_NEVER) for condition in self.conditions)
+        return bool(self.off or self.on) and any(condition.startswith(_NEVER) for condition in self.conditions)
 
     def enter(self, name: str, words: list[str]) -> None:
         """Apply a call that changes the state (``set``, ``if`` …)."""
@@ -141,8 +144,7 @@ class _Scope:
                 values = self.loops.enter(words, self.variables)
                 self.variables[words[0]] = (" ".join(values),)  # one word stands for all iterations
         elif name in {"elseif", "else"} and self.conditions:
-            other = f"NOT ({self.conditions[-1]})"[:MAX_VALUE]
-            self.conditions[-1] = self._condition(words) if name == "elseif" else other
+            self.conditions[-1] = self._otherwise(self.conditions[-1], words if name == "elseif" else None)
         elif name.startswith("end") and name[3:] in _OPENERS:
             if self.stack:
                 self.stack.pop()
@@ -164,8 +166,9 @@ class _Scope:
             values = (w for w in filled(words[1:], self.variables) if w not in {"CACHE", "PARENT_SCOPE", "FORCE"})
             self.variables[words[0]] = tuple(values)[:MAX_EXPANSION]
             alone = len(words) == 2 and not self.stack and words[0] not in self.options
-            if alone and words[1].upper() in FALSE and stays_off(self.text, words[0]):
-                self.off.add(words[0])
+            written = words[1].upper() if alone else ""
+            if written in FALSE | TRUE and set_once(self.text, words[0]):
+                (self.on if written in TRUE else self.off).add(words[0])
             self._decide(words[0], self.variables[words[0]][:1])
             if words[0] in self.options and self.variables[words[0]][:1] in {("ON",), ("TRUE",), ("1",)}:
                 self.options[words[0]] = True
@@ -189,8 +192,8 @@ class _Scope:
     def _condition(self, words: list[str]) -> str:
         """Return a condition's text: ``OFF NAME`` of an option that is off by default, else ``ON NAME``.
 
-        ``NEVER …`` is one that a variable which stays false decides; of a variable that a condition of the build tool
-        decides, it is that condition.
+        ``NEVER …`` and ``ALWAYS …`` are those that a variable which is set once decides; of a variable that a condition
+        of the build tool decides, it is that condition.
         """
         name = words[0].removeprefix("${").removesuffix("}") if len(words) == 1 else ""
         if (last := words[-1].removeprefix("${").removesuffix("}") if words else "") in self.decided:
@@ -200,10 +203,31 @@ class _Scope:
                 return negated(self.decided[last])
         if name in self.options:
             return f"{'ON' if self.options[name] else 'OFF'} {name}"
+        if self.on and (decided := self._with_constants(words)):
+            return decided
         joined = all(word == "AND" for word in words[1::2])
         if self.off and (name in self.off or (joined and not self.off.isdisjoint(words[::2]))):
             return _NEVER + " ".join(words)[:MAX_VALUE]
         return " ".join(words)[:MAX_VALUE]
+
+    def _with_constants(self, words: list[str]) -> str:
+        """Return a condition's text without variables that stay true; empty where it has none of them."""
+        names = [word.removeprefix("${").removesuffix("}") for word in words]
+        if len(words) == 2 and words[0] == "NOT" and names[1] in self.on:
+            return _NEVER + " ".join(words)[:MAX_VALUE]
+        if self.on.isdisjoint(names[::2]) or any(word != "AND" for word in words[1::2]):
+            return ""
+        left = [word for word, name in zip(words[::2], names[::2], strict=True) if name not in self.on]
+        return self._condition(" AND ".join(left).split()) if left else _ALWAYS + " ".join(words)[:MAX_VALUE]
+
+    def _otherwise(self, before: str, words: list[str] | None) -> str:
+        """Return the condition of the next branch after one: of an ``elseif`` with its words, or of the ``else``."""
+        if before.startswith((_ALWAYS, _AFTER)):
+            return _AFTER + before.removeprefix(_ALWAYS).removeprefix(_AFTER)
+        if words is None:
+            return f"NOT ({before})"[:MAX_VALUE]
+        condition = self._condition(words)
+        return " ".join(words)[:MAX_VALUE] if condition.startswith(_ALWAYS) else condition
 
 
 def negated(condition: str) -> str:

@@ -1,4 +1,7 @@
-"""Variables of CMake that a file sets to false and never again: what waits for one is as good as commented out."""
+"""Variables of CMake that a file sets once and never again.
+
+What waits for a false one is as good as commented out; what waits for a true one is always built.
+"""
 
 from __future__ import annotations
 
@@ -7,15 +10,22 @@ import re
 from roslab.values.pattern import pattern
 
 FALSE = frozenset({"0", "FALSE", "N", "NO", "OFF"})
-"""https://cmake.org/cmake/help/latest/command/if.html"""
+TRUE = frozenset({"1", "ON", "TRUE", "Y", "YES"})
+"""Both: https://cmake.org/cmake/help/latest/command/if.html"""
 _COMMENT = pattern(r"#[^\n]*")
 _CALL = pattern(r"(\w+)[ \t]*$")
-_READING = frozenset({"if", "elseif", "else", "endif", "while", "message"})
+_READING = frozenset(
+    [
+        *("if", "elseif", "else", "endif", "while", "message"),
+        *("add_definitions", "add_compile_definitions", "target_compile_definitions", "add_compile_options"),
+    ]
+)
+"""Calls that name a variable, or a macro called like it, and give no variable a value."""
 MOST = 60
 """Most places of a name that are looked at."""
 
 
-def stays_off(text: str, name: str) -> bool:
+def set_once(text: str, name: str) -> bool:
     """Tell whether a file writes a variable once: by no second ``set``, and by no call that may give it a value.
 
     ``X_FOUND`` is what finding a package sets.
