@@ -946,3 +946,36 @@ def test_what_coinbrew_builds_comes_from_apt(tmp_path: Path, call: str, offered:
     (tmp_path / "CMakeLists.txt").write_text(f"{cmake}add_executable(demo main.cpp)\n")
     (library,) = plan_repository(tmp_path).plan.libraries
     assert library.offered == offered
+
+
+def in_dockerfile(repository: str) -> dict[str, str]:
+    run = f"git clone https://github.com/lab/{repository}.git && cd {repository} && git checkout v1.1 && "
+    run += "cmake -Bbuild -H. && cmake --build build/ --target install"
+    return {"docker/base/Dockerfile": f"FROM ros:noetic\nRUN {run}\n"}
+
+
+@pytest.mark.parametrize(
+    ("asked", "repository"),
+    [("FooMqttCpp", "foo.mqtt.cpp"), ("foo-mqtt-cpp", "FooMqttCpp"), ("PahoMqttCpp", "paho.mqtt.cpp")],
+)
+def test_what_a_dockerfile_installs_is_found_whatever_separates_the_words(
+    tree: Tree, asked: str, repository: str
+) -> None:
+    decision = tree(ros1(f"find_package({asked} REQUIRED)\n", "") | in_dockerfile(repository))
+    assert [(each.name, each.ref, each.unasked) for each in decision.source] == [(repository, "v1.1", False)]
+
+
+def test_short_names_are_not_run_together(tree: Tree) -> None:
+    decision = tree(ros1("find_package(AbCd REQUIRED)\n", "") | in_dockerfile("ab-cd"))
+    assert [each.name for each in decision.source if not each.unasked] == []
+
+
+def test_what_the_ubuntu_has_by_now_is_not_compiled(tree: Tree) -> None:
+    files = ros1("find_package(PahoMqttCpp REQUIRED)\n", "") | in_dockerfile("paho.mqtt.cpp")
+    files["package.xml"] = PACKAGE.replace("catkin<", "ament_cmake<")
+    files |= {"README.md": "ROS 2 Humble\n", "CMakeLists.txt": files["CMakeLists.txt"].replace("catkin", "rclcpp")}
+    files["docker/base/Dockerfile"] = (
+        files["docker/base/Dockerfile"].replace("v1.1", "master").replace("noetic", "humble")
+    )
+    decision = tree(files)
+    assert "libpaho-mqttpp-dev" in decision.apt_guessed or "libpaho-mqttpp-dev" in decision.apt

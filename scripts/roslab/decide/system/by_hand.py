@@ -11,6 +11,7 @@ from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import address, drifts, fixed, moves, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.bare_links import bare_links
+from roslab.decide.system.bare_names import bare, offered_name, with_joined, without_major
 from roslab.decide.system.by_everybody import BARE, built_by_everybody, headers_of, includes, named_in
 from roslab.decide.system.compiled_libraries import looked_for
 from roslab.decide.system.lies_beside import with_beside
@@ -28,8 +29,6 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 _SDK = pattern(r"_(?:sdk|cpp|library)$|(?<=[a-z]{3})lib$")
-_LIB = pattern(r"^lib(?=[a-z])")
-_MAJOR = pattern(r"\d$")
 
 _SCRIPTS = (".sh", ".bash", ".zsh")
 SHORTEST = 3
@@ -84,11 +83,6 @@ def _like(source: Source, git: GitSource, day: str) -> Source:
 def _named(option: str) -> str:
     """Return what an option of CMake sets, without its type and value."""
     return option.partition("=")[0].partition(":")[0]
-
-
-def _bare(name: str) -> str:
-    """Return a name in the one spelling in which two are compared, without ``lib``: ``libfreenect2``, ``freenect2``."""
-    return _LIB.sub("", plain(name))
 
 
 def by_hand(
@@ -166,7 +160,7 @@ def _lacks(
 ) -> Dependency | None:
     """Return the first library that the build links and that nothing known, nor called like what is offered, brings."""
     linked = (asked for _, asked in bare_links(evidence, packages, kind))
-    found = (asked for asked in linked if _bare(asked.name) not in offered and not target.knows(asked.name))
+    found = (asked for asked in linked if bare(asked.name) not in offered and not target.knows(asked.name))
     return next((replace(asked, role=BARE) for asked in found), None)
 
 
@@ -178,14 +172,14 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
         built = git.installed and (git.configured or git.by_make)
         if (built or listed or git.kind == "link") and not places.vendored(git.file):
-            offered.setdefault(_bare(git.name), git)
-            offered.setdefault(_bare(git.folder), git)
+            offered.setdefault(bare(git.name), git)
+            offered.setdefault(bare(git.folder), git)
     for git in [git for git in offered.values() if git.installed]:  # what it installs may be called without that
-        offered.setdefault(_SDK.sub("", _bare(git.name)), git)
-    libraries = [git for git in offered.values() if git.kind == "link" and _LIB.match(plain(git.name))]
+        offered.setdefault(_SDK.sub("", bare(git.name)), git)
+    libraries = [git for git in offered.values() if git.kind == "link" and bare(git.name) != plain(git.name)]
     for git in libraries:  # NAME_base without lib is as often the driver of a robot's base
-        offered.setdefault(_bare(git.name).removesuffix("_base"), git)
-    return offered
+        offered.setdefault(bare(git.name).removesuffix("_base"), git)
+    return with_joined(offered)
 
 
 def _by_script(git: GitSource) -> bool:
@@ -213,13 +207,13 @@ def _asked(
     evidence: Evidence, packages: Packages, target: Target, offered: Mapping[str, GitSource]
 ) -> Iterator[tuple[str, Dependency]]:
     """Yield the names of what is offered that the build asks for, and that has to be built for it."""
-    added = {_bare(project.name) for project in evidence.cmake if project.name and not project.top_level}
-    made = {(project.top, _bare(target)) for project in evidence.cmake if project.added for target in project.made}
+    added = {bare(project.name) for project in evidence.cmake if project.name and not project.top_level}
+    made = {(project.top, bare(target)) for project in evidence.cmake if project.added for target in project.made}
     tops = {project.file: project.top for project in evidence.cmake}
     options = given(evidence)
     of_extensions = (dependency for dependency in evidence.code if dependency.namespace == "link")
     for asked in (*code_needs(evidence, packages), *of_extensions):
-        name = _of_major(_bare(asked.name), offered)
+        name = offered_name(bare(asked.name), offered)
         if name not in offered or len(name) < SHORTEST or waits(asked, options):
             continue
         if asked.namespace == "link" and (name in added or (tops.get(asked.file), name) in made):
@@ -234,18 +228,12 @@ def _asked(
             yield name, asked  # what is named by its file below /usr/local is there only where it was built
 
 
-def _of_major(name: str, offered: Mapping[str, GitSource]) -> str:
-    """Return the name of what a page installs, where CMake's has the major release behind it: ``SDL3`` of ``SDL``."""
-    plainly = _MAJOR.sub("", name)
-    return plainly if name not in offered and plainly in offered and offered[plainly].installed else name
-
-
 def of_majors(evidence: Evidence, sources: Iterable[Source]) -> Iterator[str]:
     """Yield the names with a major release by which CMake asks for libraries that are built by hand."""
-    built = {_bare(source.name) for source in sources if source.build == "cmake"}
+    built = {bare(source.name) for source in sources if source.build == "cmake"}
     for project in evidence.cmake:
         asked = (each.name for each in project.dependencies if each.namespace == "cmake")
-        yield from (name for name in asked if _MAJOR.sub("", _bare(name)) in built)
+        yield from (name for name, without in without_major(asked).items() if without in built)
 
 
 def _source(git: GitSource, day: str) -> Source:
