@@ -69,3 +69,9 @@ def test_any_page_at_the_root_where_neither_a_readme_nor_a_guide_is(tmp_path: Pa
     files = dict.fromkeys(("example.md", "arm_control.md", *notes, *old), "# Demo\n")
     assert sorted(read(tmp_path, files)) == ["arm_control.md", "example.md"]
     assert read(tmp_path, {**files, "README.md": "# Demo\n"}) == ["README.md"]
+
+
+@pytest.mark.parametrize("built_by", ["package.xml", "CMakeLists.txt"])
+def test_the_page_of_a_package_is_read_however_deep_it_lies(tmp_path: Path, built_by: str) -> None:
+    files = {"a/b/c/d/e/README.md": "text", f"a/b/c/d/e/{built_by}": "", "a/b/c/d/f/README.md": "text"}
+    assert read(tmp_path, files) == ["a/b/c/d/e/README.md"]

@@ -25,6 +25,9 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
 MAX_PAGES = 60
+DEEPEST = 3
+"""Most folders above a page that is read for its name alone."""
+_MADE_BY = ("package.xml", "CMakeLists.txt")
 _PAGE = pattern(
     r"^(?:readme|install|installation|building|build|compiling|compilation|"
     r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
@@ -110,7 +113,7 @@ def _pages(repository: Repository) -> tuple[File, ...]:
             continue
         page = _PAGE.match(name.rpartition(".")[0] or name)
         docs = places.documentation(file.path) and _DOCS_PAGE.search(name)
-        if (page and file.path.count("/") <= 3) or docs:
+        if (page and (file.path.count("/") <= DEEPEST or _of_package(repository, file))) or docs:
             found.append(file)
     if all(file.folder for file in found):
         found += _guides(repository)
@@ -126,6 +129,11 @@ def _pages(repository: Repository) -> tuple[File, ...]:
         )
     )
     return tuple(without_translations(found)[:MAX_PAGES])
+
+
+def _of_package(repository: Repository, file: File) -> bool:
+    """Tell whether a page lies beside what builds a package, which it explains however deep that lies."""
+    return any(repository.has(posixpath.join(file.folder, name)) for name in _MADE_BY)
 
 
 def _guides(repository: Repository) -> list[File]:
