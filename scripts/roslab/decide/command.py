@@ -45,6 +45,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
 from roslab.decide.sections import about_running
 from roslab.decide.sessions import of_sessions
+from roslab.decide.skipped_commands import without_skipped
 from roslab.decide.unbuilt_packages import starts_one, unbuilt
 from roslab.decide.upkeep import upkeep
 from roslab.decide.wanted_arguments import without_wanting
@@ -194,7 +195,8 @@ def _obvious(
     built = {file for m in evidence.mentions if m.topic == "build_script" for file in m.files}
     foreign = copied(evidence, packages_of(evidence))
     ours = [c for c in found if own(c.argv, evidence) and not (upkeep(c) or below(c.file, foreign))]
-    ours = without_unconfigurable(without_lacking(without_copied_packages(ours, evidence)), evidence)
+    ours = without_lacking(without_copied_packages(without_skipped(ours, evidence, kind), evidence))
+    ours = without_unconfigurable(ours, evidence)
     ours = [c for c in ours if program_of(c.argv)[-1] not in built]
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]

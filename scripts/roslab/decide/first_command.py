@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from roslab.decide.absent import variant
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import without_chores
+from roslab.decide.equally_meant import of_whole, without_robot
 from roslab.decide.purposes import of_purpose
 from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running, shows, starts
@@ -121,7 +122,8 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     ordered.sort(
         key=lambda c: (c.elsewhere, _inner(c), starts_whole and c.unmade, _stops(c, kept), stands_alone and c.behind)
     )
-    return variant(_filled_in(_by_another_device(ordered[0], written), rest), rest) if ordered else None
+    first = without_robot(ordered, _rank) if ordered else None
+    return variant(_filled_in(_by_another_device(first, written), rest), rest) if first else None
 
 
 def _inner(candidate: Candidate) -> bool:
@@ -193,7 +195,7 @@ def _explains(candidate: Candidate) -> bool:
     return candidate.argv[0] not in SIMULATORS and any(_HELP.match(word) and then[:1] == "-" for word, then in words)
 
 
-def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, bool, bool, int, int, int, bool, int]:
+def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[int, ...]:
     """Return the place of a command in the order, ``page`` that of its page; equal ones keep theirs.
 
     ``gap``: the section left the reader something to fill in up to here, and what it runs later cannot do without.
@@ -204,12 +206,17 @@ def _order(candidate: Candidate, page: int, *, gap: bool) -> tuple[bool, bool, b
         candidate.argv[0] == "jupyter",  # of a page that runs programs, too, notebooks explain them
         candidate.cut and not python,
         _lacks(candidate) and not python,
-        candidate.file.count("/") - of_readme(candidate.file),  # pages beside the README come after it
-        -_meant(candidate),
+        *_rank(candidate),
+        not of_whole(candidate),
         page,
         gap,
         candidate.line,
     )
+
+
+def _rank(candidate: Candidate) -> tuple[int, int]:
+    """Return the place of a command's page and section in the order; pages beside the README come after it."""
+    return candidate.file.count("/") - of_readme(candidate.file), -_meant(candidate)
 
 
 def _meant(candidate: Candidate) -> int:

@@ -1,0 +1,88 @@
+"""Pages of packages that run something each: the whole before a part, a simulation before the robot."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.candidate import Candidate
+from roslab.decide.decision import Decision
+from roslab.decide.first_command import first_of
+
+Tree = Callable[[dict[str, str]], Decision]
+
+
+def package(name: str, page: str = "", launch: str = "start") -> dict[str, str]:
+    depends = "<buildtool_depend>ament_cmake</buildtool_depend>"
+    return {
+        f"{name}/package.xml": f"<package format='3'><name>{name}</name>{depends}</package>",
+        f"{name}/CMakeLists.txt": f"project({name})\nfind_package(ament_cmake REQUIRED)\n"
+        "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n",
+        f"{name}/launch/{launch}.launch.py": "from launch import LaunchDescription\n",
+        **({f"{name}/README.md": f"# {name}\n```\n{page}\n```\n"} if page else {}),
+    }
+
+
+ARM = package("arm", "ros2 launch arm start.launch.py")
+WALKER = package("walker", "ros2 launch walker start.launch.py")
+SKIP = "ROS 2 Humble\n```\ncolcon build --packages-skip arm\n```\n"
+CI = {".github/workflows/ci.yml": "on: push\njobs:\n  b:\n    steps:\n      - run: colcon build --packages-skip arm\n"}
+
+
+@pytest.mark.parametrize(
+    ("more", "command"),
+    [
+        ({"README.md": "ROS 2 Humble\n"}, ("ros2", "launch", "arm", "start.launch.py")),
+        ({"README.md": SKIP}, ("ros2", "launch", "walker", "start.launch.py")),
+        ({"README.md": "ROS 2 Humble\n"} | CI, ("ros2", "launch", "walker", "start.launch.py")),
+        (
+            {"README.md": f"{SKIP}## Run\n```\nros2 launch arm start.launch.py\n```\n"},
+            ("ros2", "launch", "arm", "start.launch.py"),
+        ),
+    ],
+)
+def test_what_the_author_s_build_skips_is_not_started(
+    tree: Tree, more: dict[str, str], command: tuple[str, ...]
+) -> None:
+    decision = tree(ARM | WALKER | more)
+    assert decision.command == command
+    assert (decision.left_out == ("arm",)) == ("arm" not in command)
+
+
+def candidate(argv: str, file: str, heading: str = "Demo", names: tuple[str, ...] = ("walker2",)) -> Candidate:
+    return Candidate(argv=tuple(argv.split()), why="", file=file, line=1, strong=True, heading=heading, names=names)
+
+
+def test_the_page_of_the_package_called_like_the_repository_comes_first() -> None:
+    part = candidate("ros2 launch arm start.launch.py", "arm/README.md")
+    whole = candidate("ros2 launch walker start.launch.py", "walker/README.md")
+    assert first_of([part, whole]) == whole
+    assert first_of([part, candidate("ros2 launch leg start.launch.py", "leg/README.md")]) == part
+
+
+@pytest.mark.parametrize(
+    ("robot", "other", "meant"),
+    [
+        ("ros2 launch arm hardware.launch.py", "ros2 launch leg sim_pd.launch.py", True),
+        ("roslaunch arm_bringup arm.launch", "roslaunch arm_demo arm.launch", True),
+        ("ros2 launch arm_drivers arm.launch.py", "ros2 launch leg leg.launch.py", False),
+        ("ros2 launch arm_bringup sim.launch.py", "ros2 launch leg demo.launch.py", False),
+        ("ros2 launch arm simple_hardwareless.launch.py", "ros2 launch leg sim.launch.py", False),
+    ],
+)
+def test_a_simulation_comes_before_the_robot(robot: str, other: str, meant: bool) -> None:
+    first, then = candidate(robot, "arm/README.md"), candidate(other, "leg/README.md")
+    assert first_of([first, then]) == (then if meant else first)
+
+
+def test_the_next_step_of_a_section_does_not_come_before_the_first() -> None:
+    first = candidate("roslaunch arm bringup.launch", "README.md")
+    assert first_of([first, candidate("roslaunch arm demo.launch", "README.md")]) == first
+    assert first_of([first, candidate("roslaunch arm sim.launch", "sub/README.md")]) == first
+
+
+def test_of_two_sections_the_one_without_the_robot() -> None:
+    first = candidate("roslaunch arm bringup.launch", "README.md", "Demo / With it")
+    then = candidate("roslaunch arm sim.launch", "README.md", "Demo / Without it")
+    assert first_of([first, then]) == then
