@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from os.path import commonprefix
 
 from roslab.decide.candidate import LAUNCHERS, Candidate, program_of
 from roslab.evidence.facts import Evidence
@@ -11,8 +12,8 @@ from roslab.values.pattern import pattern
 
 FEWEST = 4
 """Fewest letters that two words share: ``eval`` and ``evaluate``."""
-ENDING = 2
-"""Most letters at the end in which they differ: ``calibrate`` and ``calibration``, ``generate`` and ``generator``."""
+_ENDING = pattern(r"e?[sdr]?|[eo]rs?|ings?|(?:at|it|uat|rat|erat)?(?:e[sd]?|ed|ing|ors?|ions?)")
+"""What two forms of a word end in, after what they share: ``calibrate`` and ``calibration``, ``record`` and ``recorder``."""
 _BREAK = pattern(r"[^A-Za-z0-9]+|(?<=[a-z])(?=[A-Z])")
 _BESIDE = pattern(r"_(?:msgs|srvs|interfaces|description)$")
 _UPKEEP = pattern(
@@ -52,9 +53,8 @@ def _words(name: str) -> Iterator[str]:
 
 
 def _same(one: str, other: str) -> bool:
-    """Tell whether two words are forms of one: the beginning of the longer is the shorter, but for its ending."""
-    if one == other:
-        return True
-    shorter, longer = sorted((one, other), key=len)
-    root = shorter[: max(FEWEST, len(shorter) - ENDING)]
-    return len(shorter) >= FEWEST and longer.startswith(root)
+    """Tell whether two words are forms of one: what they share is long enough, and the rest of each is an ending."""
+    root = commonprefix((one, other))  # noqa: RUF071 - of letters, not of folders
+    ends = [word[len(root) :] for word in (one, other)]
+    ends = [end[1:] if end[:1] == root[-1:] and len(end) > 1 else end for end in ends]  # plot, plotter
+    return one == other or (len(root) >= FEWEST and all(map(_ENDING.fullmatch, ends)))
