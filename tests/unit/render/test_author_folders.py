@@ -1,42 +1,58 @@
-"""The Dockerfile puts links in the places of the author's folders, but where the image has those."""
+"""Links in the places of an author's folders, by the shell of the image itself."""
 
 from __future__ import annotations
 
+import os
+import re
+import subprocess
 from pathlib import Path
 
-from roslab.pipeline import plan_repository
-from roslab.render.dockerfile import dockerfile
+import pytest
 
-PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+from roslab.config.model import Config
+from roslab.decide.decision import Decision
+from roslab.decide.python.image_python import Python
+from roslab.plan.plan import make_plan
+from roslab.render.layers.author_folders import author_folders
 
-
-def written(folder: Path, at: str, path: str) -> str:
-    package = folder / at
-    (package / "config").mkdir(parents=True)
-    (package / "package.xml").write_text(PACKAGE, encoding="utf-8")
-    (package / "CMakeLists.txt").write_text("project(demo)\nfind_package(catkin REQUIRED)\n", encoding="utf-8")
-    (package / "config/a.yaml").write_text(f"a: {path}\n", encoding="utf-8")
-    (folder / "README.md").write_text("ROS Noetic\n", encoding="utf-8")
-    return dockerfile(plan_repository(folder).plan)
+USER = 1234 if os.getuid() == 0 else os.getuid()
+"""Who else than root the folders may be given to."""
 
 
-def test_a_link_leads_to_the_source_before_that_is_copied(tmp_path: Path) -> None:
-    folder = tmp_path / "robot"
-    text = written(folder, "demo", "/home/me/catkin_ws/src/demo/config/a.yaml")
-    link = "ln --symbolic /home/${NB_USER}/ws/src/robot /home/me/catkin_ws/src; fi"
-    asked = "if [ ! -e /home/me/catkin_ws/src ]; then mkdir --parents /home/me/catkin_ws && "
-    assert text.index(f"{asked}{link}") < text.index("COPY --chown=${NB_UID}:${NB_UID} . .")
+def _made(*folders: str) -> str:
+    decision = Decision(
+        kind="python",
+        ros_distro=None,
+        ubuntu="jammy",
+        base_image="ubuntu:22.04",
+        build_tool="pip",
+        python=Python(version="3.10", manager="system"),
+        author_folders=tuple((folder, "source") for folder in folders),
+    )
+    return author_folders(make_plan(decision, Config(), folder_name="paper"))
 
 
-def test_a_whole_workspace_is_linked_with_what_its_build_writes(tmp_path: Path) -> None:
-    text = written(tmp_path, "src/demo", "/home/me/catkin_ws/src/demo/config/a.yaml")
-    assert "ln --symbolic /home/${NB_USER}/ws /home/me/catkin_ws; fi" in text
+def _run(block: str) -> None:
+    command = re.sub(r"^#.*\n|^RUN ", "", block, flags=re.MULTILINE)
+    environment = {**os.environ, "NB_USER": "jovyan", "NB_UID": str(USER)}
+    subprocess.run(["bash", "-euc", command], env=environment, check=True)
 
 
-def test_what_the_build_writes_is_linked_by_itself(tmp_path: Path) -> None:
-    text = written(tmp_path, "demo", "/home/me/catkin_ws/devel/lib/demo/a")
-    assert "ln --symbolic /home/${NB_USER}/ws/devel /home/me/catkin_ws/devel; fi" in text
+def test_what_is_made_above_a_link_is_the_user_s_and_what_was_there_is_not_touched(tmp_path: Path) -> None:
+    (tmp_path / "home").mkdir()
+    _run(_made(f"{tmp_path}/home/dev/my data/paper"))
+    link = tmp_path / "home" / "dev" / "my data" / "paper"
+    assert link.readlink() == Path("/home/jovyan/paper")
+    assert {link.parent.stat().st_uid, link.parent.parent.stat().st_uid} == {USER}
+    assert (tmp_path / "home").stat().st_uid == os.getuid()
 
 
-def test_without_such_a_path_there_is_no_link(tmp_path: Path) -> None:
-    assert "the author's machine" not in written(tmp_path, "demo", "/home/me/data/b.yaml")
+def test_what_the_image_has_stays(tmp_path: Path) -> None:
+    (tmp_path / "paper").mkdir()
+    _run(_made(f"{tmp_path}/paper"))
+    assert not (tmp_path / "paper").is_symlink()
+
+
+@pytest.mark.parametrize("path", ["/paper", "~/Paper"])
+def test_nothing_is_made_at_the_root_or_in_the_home(path: str) -> None:
+    assert "install --directory" not in _made(path)

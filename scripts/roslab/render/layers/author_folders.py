@@ -24,5 +24,13 @@ def _at_home(path: str) -> str:
 
 
 def _made(folder: str) -> str:
-    """Return the command that makes a folder, which its programs write to; what the image has stays as it is."""
-    return f"mkdir --parents {quote.shell(folder)} && "
+    """Return the command that makes a folder and those above it, which belong to the user: programs write there.
+
+    What the image has stays whose it is.
+    """
+    names = folder.split("/")[1:]
+    folders = [quote.shell("/" + "/".join(names[: number + 1])) for number in range(len(names)) if names[number]]
+    if not folders:
+        return ""
+    make = 'install --directory --owner="${NB_UID}" --group="${NB_UID}" "${folder}"'
+    return f'for folder in {" ".join(folders)}; do [ -d "${{folder}}" ] \\\n      || {make}; done \\\n      && '
