@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.sections import about_running
 from roslab.evidence.facts import Evidence
+from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
 _HELPS = pattern(
@@ -20,6 +21,7 @@ _HELPS = pattern(
 https://index.ros.org/p/robot_state_publisher/ and its like, 2026-11-27
 """
 _WORD = pattern(r"[A-Z]?[a-z]{3,}|[A-Z]{3,}(?![a-z])")
+_SUFFIX = pattern(r"[_-](?:ros2?|node|pkg|py|cpp)$")
 _LETTERS = 6
 """Letters by which two words are one: ``estimation`` and ``estimator``."""
 _TITLE = " / "
@@ -31,6 +33,8 @@ def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: 
 
     ``first`` where it is no helper, or nothing that is as much meant to be run shares more of them.
     """
+    candidates = tuple(candidates)
+    first = _behind_optional(first, candidates, evidence)
     if first.argv[0] not in _LAUNCHERS or not any(map(_HELPS.search, _names(first))):
         return first
     title = first.heading.partition(_TITLE)[0]
@@ -42,6 +46,34 @@ def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: 
         if same and meant and not any(map(_HELPS.search, _names(each))) and (shared := _shared(each, words)) > most:
             best, most = each, shared
     return best
+
+
+def _behind_optional(first: Candidate, candidates: Iterable[Candidate], evidence: Evidence) -> Candidate:
+    """Return what the page starts of the same package that is called like it, where not everybody takes the first step.
+
+    It may leave arguments to the reader: what the package is for is meant, and not what makes its data.
+    """
+    steps = {(m.file, m.line) for m in evidence.mentions if m.topic == "optional_step"}
+    if first.argv[0] not in _LAUNCHERS or (first.file, first.line) not in steps:
+        return first
+    package, program = program_of(first.argv)[-2:]
+    for each in candidates:
+        named = program_of(each.argv)[-2:]
+        same = (
+            each.strong
+            and each.file == first.file
+            and each.argv[0] in _LAUNCHERS
+            and (each.file, each.line) not in steps
+        )
+        if same and named[0] == package and named[1] != program and _alike(named[1], package):
+            return each
+    return first
+
+
+def _alike(program: str, package: str) -> bool:
+    """Tell whether a program has the name of its package, which may end in the name of ROS or of what it has."""
+    name, whole = bare_name(program.partition(".")[0]), bare_name(package)
+    return bool(name) and name in {whole, bare_name(_SUFFIX.sub("", package))}
 
 
 def _names(candidate: Candidate) -> tuple[str, ...]:

@@ -31,12 +31,18 @@ _WITHHELD = pattern(
     re.IGNORECASE,
 )
 """What a program needs is not published: ``the data is not available now, it will be released later``."""
-
+_OPTIONAL = pattern(
+    r"\*\*\(?(?:recommended|optional)\)?:?\*\*|\((?:recommended|optional)\)|"
+    r"^[ \t]*(?:(?:[-*+]|\d{1,2}[.)])\s+)?\W{0,3}(?:recommended|optional(?:ly)?)\b|"
+    r"\b(?:convert|re-?organi[sz]|re-?order|pre-?process)\w*\s+(?:[\w-]+\s+){0,3}(?:(?:ros)?bags?|messages|data(?:set)?s?|logs?)\b",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""A step that not everybody takes, or that only makes the data of the next one."""
 _LAST = pattern(r"[.!?:]\)?\s+(?=[A-Z])")
 """Between two sentences: the last one is about the block below it."""
 _LEFT = pattern(r"(?<![&|<>\\])&[ \t]*(?:#.*)?$", re.MULTILINE)
 """The end of a command that the shell does not wait for."""
-_CODE_ALONE = pattern(r"\s*(?:[-*+]\s+)?`[^`]+`\s*")
+_CODE_ALONE = pattern(r"\s*(?:[-*+]\s+)?`{1,2}[^`]+`{1,2}\s*")
 """A line, of a list or not, that is code and nothing else."""
 _PROGRAM = pattern(r"(?:python[\d.]*|bash|sh|\./\S+)(?:\s|$)")
 _MEANT = pattern(r"\bnohup\b|train|(?:^|[\s/])(?:main|run)\.(?:py|sh)\b", re.IGNORECASE)
@@ -51,7 +57,7 @@ _NO_NAME = pattern(r"-|(?:python[\d.]*|bash|sh)$")
 
 
 def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]:
-    """Return the commands in blocks of pages below such a sentence: ``tried`` or ``withheld``.
+    """Return the commands in blocks of pages below such a sentence: ``tried``, ``withheld`` or ``optional_step``.
 
     So is what a block starts after others in the background, and so are these; and ``withheld`` what is for a second
     terminal where the page runs nothing in the first.
@@ -61,6 +67,7 @@ def read(repository: Repository, said: Iterable[Mention]) -> tuple[Mention, ...]
     texts = {page.path: text_of(repository, page) for page in pages(repository) if page.path in files}
     behind = (m for file, text in texts.items() for m in _behind(text, [m for m in commands if m.file == file]))
     below = (*_below("tried", _SAID, commands, texts), *_below("withheld", _WITHHELD, commands, texts))
+    below += tuple(_below("optional_step", _OPTIONAL, commands, texts))
     launches = [file.path for file in repository.suffixed(".launch", ".py", ".xml") if "launch" in file.name]
     return (*below, *behind, *other_terminals(commands, texts, launches))
 
@@ -96,7 +103,10 @@ def _indent(line: str) -> int:
 
 
 def _below(
-    topic: Literal["tried", "withheld"], sentence: re.Pattern[str], commands: list[Mention], texts: Mapping[str, str]
+    topic: Literal["tried", "withheld", "optional_step"],
+    sentence: re.Pattern[str],
+    commands: list[Mention],
+    texts: Mapping[str, str],
 ) -> Iterator[Mention]:
     below = {file: _lines(text, sentence) for file, text in texts.items()}
     for m in commands:
