@@ -15,6 +15,7 @@ from roslab.evidence.native.cmake_reading import Reading
 from roslab.evidence.native.installed_paths import code_not_there, installed, not_there
 from roslab.evidence.native.lost_libraries import lost, named
 from roslab.evidence.native.macros import macros
+from roslab.evidence.native.made_below import without_made
 from roslab.evidence.native.made_targets import TARGET, target
 from roslab.evidence.native.optional_cuda import brings
 from roslab.evidence.native.outside import of_workspace
@@ -99,7 +100,7 @@ def read(repository: Repository) -> tuple[CMakeProject, ...]:
         or p.programs
         or (p.added and p.made)
     )
-    own = with_bare(cmake_since.without_own(kept, repository, modules(repository)), repository)
+    own = with_bare(without_made(cmake_since.without_own(kept, repository, modules(repository))), repository)
     return tuple(sorted(own, key=lambda each: each.file))
 
 

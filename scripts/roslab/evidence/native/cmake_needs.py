@@ -92,6 +92,7 @@ _INSIDE = pattern(
 )
 _VERSION = pattern(r"^\d+(?:\.\d+)*$")
 _MODULE = pattern(r"^([A-Za-z][\w.+-]*?)(?:(?:>=|<=|=|>|<)[\d.]+)?$")
+_LISTS = "/CMakeLists.txt"
 MAX_LINKED = 60
 COMPONENT = "component"
 """Role of a library that catkin is to find: it looks for configuration files alone, whatever the tree has beside."""
@@ -281,8 +282,11 @@ def _dependency(  # noqa: PLR0917 - called in one file, in the order of its sent
 def folders(call: Call) -> tuple[str, ...]:
     """Return the folders that a call adds: one, or those of CMake's older ``subdirs``.
 
+    An ``include`` of another folder's CMakeLists.txt makes what that file makes, too.
     https://cmake.org/cmake/help/latest/command/subdirs.html, read 2026-11-26.
     """
+    if call.name == "include":
+        return tuple(word.removesuffix(_LISTS) for word in call.words[:1] if word.endswith(_LISTS))
     if call.name == "subdirs":
         return tuple(word for word in call.words if word not in {"PREORDER", "EXCLUDE_FROM_ALL"})
     return call.words[:1] if call.name == "add_subdirectory" else ()
