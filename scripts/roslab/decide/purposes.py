@@ -13,7 +13,7 @@ from roslab.values.pattern import pattern
 FEWEST = 4
 """Fewest letters that two words share: ``eval`` and ``evaluate``."""
 _ENDING = pattern(r"e?[sdr]?|[eo]rs?|ings?|(?:at|it|uat|rat|erat)?(?:e[sd]?|ed|ing|ors?|ions?)")
-"""What two forms of a word end in, after what they share: ``calibrate`` and ``calibration``, ``record`` and ``recorder``."""
+"""What two forms of a word end in, after what they share: ``calibrate``, ``calibration``; ``record``, ``recorder``."""
 _BREAK = pattern(r"[^A-Za-z0-9]+|(?<=[a-z])(?=[A-Z])")
 _BESIDE = pattern(r"_(?:msgs|srvs|interfaces|description)$")
 _UPKEEP = pattern(
