@@ -26,6 +26,10 @@ _LENGTH = 8
 """Bytes at the beginning, which tell the length of the table that follows; after it comes what is kept."""
 
 
+DAMAGED = (EOFError, ValueError, TypeError)
+"""What ``marshal`` raises for content that was cut off or overwritten; it is made anew then."""
+
+
 class KeptFile:
     """A file with what was kept, read at once, to which more is added when the program ends."""
 
@@ -38,7 +42,7 @@ class KeptFile:
         self._release = (sys.version, stamp(__file__), stamp((module and module.origin) or ""))
         self._rows: dict[str, tuple[str, Stamp, str, int, int]] = {}  # in place of the bytes where they begin and end
         self._later: dict[str, Callable[[], Made | None]] = {}
-        with suppress(OSError, EOFError, ValueError, TypeError):  # none yet, or one that is damaged
+        with suppress(OSError, *DAMAGED):  # none yet, or one that is damaged
             with open(self.file or "", "rb") as stream:  # noqa: PTH123 - `Path` would be slower
                 self._whole = mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ)
             self._start = _LENGTH + int.from_bytes(self._whole[:_LENGTH], "little")
@@ -64,7 +68,8 @@ class KeptFile:
         """Return what a function of the module makes of a file, of values that ``marshal`` knows, or what was kept."""
         name = f"{make.__name__} {path}"
         if found := self.find(name):
-            return marshal.loads(found[3])  # noqa: S302 - as above
+            with suppress(*DAMAGED):
+                return marshal.loads(found[3])  # noqa: S302 - as above
         before = stamp(path)
         value = make(path)
         if before:
@@ -75,7 +80,7 @@ class KeptFile:
         """Write what was kept and is still true, and what came to it; of two programs at once, the later one wins."""
         if not self.file or sys.dont_write_bytecode:
             return
-        own = f"{self.file}.{os.getpid()}"
+        own = f"{self.file}.{os.getpid()}-{os.urandom(4).hex()}"  # in two containers both may be process 1
         try:
             with open(own, "wb") as stream:  # noqa: PTH123
                 stream.writelines(self._parts())

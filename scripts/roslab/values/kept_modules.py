@@ -9,17 +9,13 @@ from __future__ import annotations
 
 import marshal
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
 from importlib.machinery import ModuleSpec, SourceFileLoader
-from types import ModuleType
-from typing import TYPE_CHECKING
+from types import CodeType, ModuleType
 
-from roslab.values.kept_file import KeptFile, Made, stamp
-
-if TYPE_CHECKING:
-    from types import CodeType
+from roslab.values.kept_file import DAMAGED, KeptFile, Made, stamp
 
 _PROGRAM = f"{__name__.partition('.')[0]}."
 _HEADER = 16
@@ -53,7 +49,8 @@ class Finder:
             return None
         source, _, cached, code = made
         is_package = len(source) > len(folder) + 3
-        spec = ModuleSpec(name, _Loader(name, source, code), origin=source, is_package=is_package)
+        loader = _Loader(name, source, code, lambda: self._kept.add(name, partial(_compiled, name)))
+        spec = ModuleSpec(name, loader, origin=source, is_package=is_package)
         spec.has_location, spec.cached = True, cached
         if spec.submodule_search_locations is not None:
             spec.submodule_search_locations.append(folder)
@@ -73,17 +70,22 @@ class _Module(ModuleType):
 class _Loader(SourceFileLoader):
     """Loads a module from its compiled code."""
 
-    def __init__(self, name: str, path: str, compiled: bytes) -> None:
+    def __init__(self, name: str, path: str, compiled: bytes, anew: Callable[[], None]) -> None:
+        """``anew`` is called where what was kept is damaged, to have it kept anew."""
         super().__init__(name, path)
-        self._compiled = compiled
+        self._compiled, self._anew = compiled, anew
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         """Return the module, empty."""
         return _Module(spec.name)
 
-    def get_code(self, fullname: str) -> CodeType:  # noqa: ARG002 - it has one module
-        """Return the module's code."""
-        code: CodeType = marshal.loads(self._compiled)  # noqa: S302 - trusted as Python's own file
+    def get_code(self, fullname: str) -> CodeType | None:
+        """Return the module's code, where what was kept is damaged as Python itself finds it."""
+        try:
+            code: CodeType = marshal.loads(self._compiled)  # noqa: S302 - trusted as Python's own file
+        except DAMAGED:
+            self._anew()
+            return super().get_code(fullname)
         return code
 
 
@@ -92,13 +94,21 @@ def _compiled(name: str) -> Made | None:
     spec = getattr(sys.modules.get(name), "__spec__", None)
     if spec is None or not spec.origin or not spec.cached:
         return None
-    with suppress(OSError):
+    with suppress(OSError, *DAMAGED):
         with open(spec.cached, "rb") as stream:  # noqa: PTH123 - `Path` would be slower
             header, code = stream.read(_HEADER), stream.read()
         found = stamp(spec.origin)
         if found and header[4:] == _by_date(*found):
-            return spec.origin, found, spec.cached, code
+            return spec.origin, found, spec.cached, marshal.dumps(_at(spec.origin, marshal.loads(code)))  # noqa: S302
     return None
+
+
+def _at(path: str, code: CodeType) -> CodeType:
+    """Return code that says where its source is: Python's own file tells where it was when it was compiled."""
+    if code.co_filename == path:
+        return code
+    parts = (_at(path, each) if isinstance(each, CodeType) else each for each in code.co_consts)
+    return code.replace(co_filename=path, co_consts=tuple(parts))
 
 
 def _by_date(date: int, size: int) -> bytes:

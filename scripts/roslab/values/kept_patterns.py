@@ -84,7 +84,7 @@ def _write() -> None:
     file = _file()
     if file is None or sys.dont_write_bytecode:
         return
-    own = f"{file}.{os.getpid()}"
+    own = f"{file}.{os.getpid()}-{os.urandom(4).hex()}"
     with suppress(OSError):  # the folder cannot be written
         with open(own, "wb") as stream:  # noqa: PTH123
             stream.write(marshal.dumps((_RELEASE, _kept)))

@@ -191,3 +191,11 @@ def test_a_clone_without_a_package_is_told(
     answer = _run(*options, remote.as_uri(), str(tmp_path / "copy"))
     assert answer.returncode == 0
     assert (said in answer.stdout) if said else ("has no package" not in answer.stdout)
+
+
+def test_a_repository_without_a_commit_stops_nothing(tmp_path: Path) -> None:
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    _git(empty, "init", "--quiet")
+    answer = _run("--ros2", empty.as_uri(), str(tmp_path / "copy"))
+    assert (answer.returncode, "has no package at no commit" in answer.stdout) == (0, True)

@@ -212,3 +212,29 @@ def test_a_name_that_a_module_lacks_is_told(program: Path) -> None:
     told = origins(program, *code).splitlines()
     file = program / "roslab" / "values" / "conda.py"
     assert told[1:] == ["True False", f"cannot import name 'nothing' from 'roslab.values.conda' ({file})"]
+
+
+def test_a_copy_names_its_own_sources(program: Path, tmp_path: Path) -> None:
+    origins(program)
+    copy = Path(shutil.copytree(program, tmp_path / "copy"))
+    file = copy / "roslab" / "values" / "conda.py"
+    told = [origins(copy, "print(conda.conda_package.__code__.co_filename)") for _ in range(2)][1]
+    assert told == f"_Loader {file}\n{file}\n"
+
+
+def test_damaged_modules_and_values_are_made_anew(program: Path, module: ModuleSpec, source: Path) -> None:
+    keep(module, source)
+    (kept,) = program.glob("**/*.modules") if origins(program) else ()
+    for file in (kept, kept_beside(module)):
+        whole = file.read_bytes()
+        length = 8 + int.from_bytes(whole[:8], "little")
+        file.write_bytes(whole[:length] + bytes(len(whole) - length))
+    again = KeptFile(module, "rows")
+    assert again.value(str(source), words) == ["a"]
+    again.write()
+    assert KeptFile(module, "rows").value(str(source), never) == ["a"]
+    where = program / "roslab" / "values" / "conda.py"
+    assert [origins(program, "print(conda.conda_package.__name__)") for _ in range(2)] == [
+        f"_Loader {where}\nconda_package\n"
+    ] * 2
+    assert kept.read_bytes()[length:].strip(b"\0")

@@ -77,7 +77,8 @@ lacks() { [ -z "$(find "${folder}" -name .git -prune -o \( "$@" \) -print -quit)
 manifests=(-name package.xml -o -name manifest.xml)
 if [ "${ros}" = 2 ]; then manifests=(-name package.xml -o -name CMakeLists.txt -o -name setup.py); fi
 if [ -n "${ros}" ] && lacks "${manifests[@]}"; then
-  said="${url} has no package at $(git -C "${folder}" rev-parse --short HEAD), so that the workspace builds none of it"
+  at="$(git -C "${folder}" rev-parse --quiet --verify --short HEAD || echo 'no commit')"
+  said="${url} has no package at ${at}, so that the workspace builds none of it"
   if [ -n "${plain}" ] && [ -f "${folder}/CMakeLists.txt" ]; then
     said+=": it is compiled by CMake as a library"
   elif [ -f "${folder}/CMakeLists.txt" ]; then

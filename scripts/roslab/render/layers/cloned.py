@@ -143,8 +143,12 @@ def _fetched(plan: Plan, source: Source) -> list[str]:
     folder = quote.shell_with_user(f"{WS}/src/{source.name}")
     commands = prepared(plan, source, folder)
     if source.only:  # launch files alone want them
-        needed = f"{PACKAGES} needed {folder}{words(source.only)} | cut --fields=1"
-        commands = [*commands, f"{PACKAGES} hide {folder} $({needed}) >/dev/null"]
+        needed = f'needed="$({PACKAGES} needed {folder}{words(source.only)} | cut --fields=1)"'
+        nothing = (
+            f"echo {quote.shell(f'roslab: {source.name} holds no {words(source.only).strip()}: all of it is compiled')}"
+        )
+        hidden = f'if [ -n "${{needed}}" ]; then {PACKAGES} hide {folder} ${{needed}} >/dev/null; else {nothing}; fi'
+        commands = [*commands, needed, hidden]
     return [_or_left_out(commands, source)] if source.unasked else commands
 
 
