@@ -91,6 +91,8 @@ class OwnScript:
     """Nothing else is built: what fails stops the build."""
     after: bool = False
     """It needs the library of the project, which is installed before."""
+    by_compiler: bool = False
+    """It is a Makefile that calls compilers alone: CMake has no part in it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -24,11 +24,13 @@ class Makefile:
     called_in: str | None = None
     """The folder in which a page calls it, ``None`` for its own."""
     target: str = ""
-    """The target that a page names, ``""`` for the first."""
+    """The target that a page names, else those that link where the first is an object file; ``""`` for the first."""
     parts: tuple[str, ...] = ()
     """The folders below in which it calls make."""
     only: str | None = None
     """The one program that it makes, by its path from there, where it names no other."""
+    alone: bool = False
+    """All that it calls is compilers and what any system has: no other Makefile, no script and no build tool."""
     stale: bool = False
     """The tree holds a file of the name of one of its programs: make would take it for done."""
     qt: tuple[str, ...] = ()

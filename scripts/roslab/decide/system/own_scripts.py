@@ -203,6 +203,7 @@ def _made(evidence: Evidence, kind: Kind) -> Choice[tuple[OwnScript, ...]]:
                     path=each.file,
                     command=each.script or _make(each),
                     required=each is made[0] if each.script else kind == "cpp" and builds_all(evidence) is each,
+                    by_compiler=each.alone,
                 )
                 for each in made
             ),

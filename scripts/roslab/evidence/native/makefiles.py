@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterable
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.makefile import Makefile
-from roslab.evidence.native import recursive_make
+from roslab.evidence.native import make_goals, recursive_make
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -94,7 +94,7 @@ def _as_told(repository: Repository, found: list[Makefile], mentions: Iterable[M
     part = {below for each in found for below in each.parts}
     further = [near[folder] for folder in targets if folder not in there | part]
     found = [*(each for file in further if (each := _makefile(file, repository))), *found] if further else found
-    return [replace(each, target=targets.get(each.folder, "")) for each in found[:MOST]]
+    return [replace(each, target=targets.get(each.folder, each.target)) for each in found[:MOST]]
 
 
 def _number(repository: Repository, *suffixes: str) -> int:
@@ -133,11 +133,18 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
     if _OF_ANY.search(text):
         for folder in (file.folder, *(folder for folder, _ in parts)):
             names += _mains(repository, folder)
+    linked = make_goals.linking(text)
+    names += [posixpath.basename(program) for _, program in linked]
+    sure = {posixpath.basename(program) for _, program in linked}  # also one that is called test
     return Makefile(
         file=file.path,
         line=1,
-        programs=(programs := tuple(dict.fromkeys(name for name in names if _may_be_made(name, names)))),
-        only=_only(text),
+        programs=(
+            programs := tuple(dict.fromkeys(name for name in names if name in sure or _may_be_made(name, names)))
+        ),
+        only=linked[0][1] if len(linked) == 1 else _only(text),
+        target=" ".join(target for target, _ in linked),
+        alone=not parts and make_goals.alone(text),
         stale=any(repository.has(posixpath.join(file.folder, name)) for name in programs),
         linked=compile_scripts.linked(text),
         cuda=compile_scripts.for_cuda(text),

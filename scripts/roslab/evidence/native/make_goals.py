@@ -1,0 +1,59 @@
+"""What make makes of a Makefile without being told: its first target, which in some is an object file alone.
+
+https://www.gnu.org/software/make/manual/html_node/Goals.html, read 2026-11-27
+"""
+
+from __future__ import annotations
+
+import posixpath
+
+from roslab.values.pattern import pattern
+
+_GOAL = pattern(r"^\.DEFAULT_GOAL\s*[:?]?=")
+_RULE = pattern(r"^([^\s#:=][^#:=]{0,400}?)\s*::?(?!=)")
+_PLAIN = pattern(r"[A-Za-z_][\w./-]{0,80}")
+_LINKED = pattern(r"(?<!\S)-o\s*(\$@|[\w./-]{1,80})(?=\s|$|#)")
+_ONLY_COMPILES = pattern(r"(?<!\S)-(?:c|S|E|MM?|fsyntax-only)(?!\S)")
+_NO_PROGRAMS = (".a", ".so", ".o", ".d", ".dll")
+_OTHERS = pattern(
+    r"\$[({]MAKE[)}]|\b(?:c?make|ninja|scons|bazel|meson|python[\d.]*|bash|sh)\b|\.(?:sh|py|mk)\b|/configure\b"
+)
+"""What a recipe calls beside compilers that may call CMake in turn."""
+
+
+def linking(text: str) -> tuple[tuple[str, str], ...]:
+    """Return the targets of a Makefile that link a program, each with its path, where the first target is an object.
+
+    None where make makes a program by itself, or its first target is not written in full.
+    """
+    rules = _rules(text)
+    if not rules or not rules[0][0].endswith(".o") or any(_GOAL.match(line) for line in text.splitlines()):
+        return ()
+    found: dict[str, str] = {}
+    for target, recipe in rules:
+        for line in recipe:
+            linked = None if _ONLY_COMPILES.search(line) else _LINKED.search(line)
+            program = (target if linked[1] == "$@" else linked[1]) if linked else ""
+            if program and not program.endswith(_NO_PROGRAMS) and _PLAIN.fullmatch(target):
+                found.setdefault(target, posixpath.normpath(program))
+    return tuple(found.items())
+
+
+def alone(text: str) -> bool:
+    """Tell whether the recipes and variables of a Makefile call no script, no other Makefile and no build tool."""
+    return not any(_OTHERS.search(line) for line in text.splitlines() if not line.lstrip().startswith("#"))
+
+
+def _rules(text: str) -> list[tuple[str, list[str]]]:
+    """Return the first target of each rule with its recipe, without those that make never takes for its goal."""
+    rules: list[tuple[str, list[str]]] = []
+    recipe: list[str] = []
+    for line in text.replace("\\\n", " ").splitlines():
+        if line.startswith("\t"):
+            recipe.append(line)
+        elif match := _RULE.match(line):
+            recipe = []
+            target = match[1].split()[0]
+            if "%" not in match[1] and (not target.startswith(".") or "/" in target):
+                rules.append((target, recipe))
+    return rules
