@@ -34,9 +34,21 @@ def test_it_is_looked_for_in_a_repository_of_its_name_of_the_same_owner(tree: Tr
 
 
 def test_what_a_manifest_needs_to_build_is_looked_for_too(tree: Tree) -> None:
-    needs = "<depend>acmesim</depend><depend>eigen</depend><depend>roscpp</depend><exec_depend>acmeviewer</exec_depend>"
+    needs = "<depend>acmesim</depend><depend>eigen</depend><depend>roscpp</depend><depend>acme_catkin</depend>"
+    needs += "<exec_depend>acmeviewer</exec_depend>"
     decision = tree(_files("", more={"package.xml": PACKAGE.format(needs)}))
     assert (decision.kind, _sought(decision)) == ("cpp", [f"{LAB}/acmesim"])
+
+
+def test_a_manifest_for_catkin_tells_nothing_of_what_cmake_alone_needs(tree: Tree) -> None:
+    needs = "<buildtool_depend>catkin</buildtool_depend><depend>acme_catkin</depend>"
+    page = {
+        "README.md": "# Arm\n```\nmkdir build && cd build\ncmake ..\nmake\n```\n",
+        "b.cpp": "#include <Eigen/Core>\n",
+    }
+    manifest = f"<package format='2'><name>arm</name>{needs}</package>"
+    decision = tree(_files("", more={"package.xml": manifest, **page}))
+    assert (decision.kind, _sought(decision)) == ("cpp", [])
 
 
 @pytest.mark.parametrize(

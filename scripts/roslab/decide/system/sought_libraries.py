@@ -13,10 +13,10 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.sought import MOST, public_owner
-from roslab.decide.ros.source_names import address, plain
+from roslab.decide.ros.source_names import address, plain, wraps
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.with_recipes import with_recipes
-from roslab.decide.ros.workspace import Packages
+from roslab.decide.ros.workspace import Packages, types
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.missing import provided
 from roslab.decide.system.names import Target, resolve
@@ -51,8 +51,8 @@ def with_tried(
 ) -> Choice[Sources]:
     """Return the sources with the libraries that are built before them, and those that the build looks for.
 
-    Of plain C++ that is what its CMake requires and what its package.xml names, where nothing known brings
-    it: a repository of that name, of the same owner, as it was on the day of the last commit. It stops nothing.
+    Of plain C++ that is what its CMake requires and what its package.xml, of plain CMake, names, where nothing known
+    brings it: a repository of that name, of the same owner, as it was on the day of the last commit. It stops nothing.
     """
     found = with_recipes(choice, libraries, config, evidence, ros=bool(target.ros_distro))
     owner = public_owner(evidence)
@@ -102,9 +102,9 @@ def _lacking(
 
 
 def _named(packages: Packages) -> Iterator[Dependency]:
-    """Yield what manifests name as needed to build, and neither rosdep nor any distribution of ROS has."""
-    for manifest in packages.built:
+    """Yield what manifests of plain CMake name as needed to build, and rosdep has not; no wrapper for catkin."""
+    for manifest in (each for each in packages.built if types(each) == {"cmake"}):
         for each in manifest.dependencies:
             known = each.name in rosdep_keys() or each.name in packages.names
-            if each.role == "build" and not (each.condition or known):
+            if each.role == "build" and not (each.condition or known or wraps(each.name)):
                 yield each
