@@ -11,6 +11,8 @@ from roslab.decide.chains import Local, local_bases
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.launch_calls import started_launch
+from roslab.decide.newest_pip import files_of
+from roslab.decide.python.raised_pins import raised_pins
 from roslab.decide.reasons import because, configured
 from roslab.decide.stops_without_gpu import without_gpu
 from roslab.decide.uncopied_packages import empty_folders, only_manifest, uncopied_by_command, uncopied_package
@@ -84,7 +86,7 @@ def decide_dockerfile(
     return Choice(
         answer=Dockerfile(file=best.file, context=best.context or ""),
         reasons=(_about(best, why, Weight.BELIEVED), *reasons[: MOST_REASONS - 1]),
-        warnings=empty_folders(best),
+        warnings=(*empty_folders(best), *raised_pins(files_of(best, evidence))),
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from urllib.parse import urlsplit
 
 from packaging.utils import canonicalize_name
@@ -36,6 +36,12 @@ def bounded_pips(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, st
             )
             break
     return found
+
+
+def files_of(authored: AuthorDockerfile, evidence: Evidence) -> list[RequirementFile]:
+    """Return the requirement files of the tree that a Dockerfile installs, with what they include."""
+    named = [each.written for each in authored.requirements if each.role == "file"]
+    return with_includes(evidence, (file for written in named for file in _file(written, evidence)))
 
 
 def _built(authored: AuthorDockerfile, evidence: Evidence, line: int) -> Iterator[tuple[str, str]]:
@@ -77,7 +83,7 @@ def _own(project: PythonProject) -> Iterator[tuple[str, str]]:
             return
 
 
-def _file(written: str, evidence: Evidence) -> Iterable[RequirementFile]:
+def _file(written: str, evidence: Evidence) -> list[RequirementFile]:
     """Return the requirements file of the tree that a step in the image names."""
     path = posixpath.normpath(written)
     inside = [file for file in evidence.requirements if f"/{path}".endswith(f"/{file.file}")]

@@ -63,6 +63,9 @@ class RequirementFile:
     options: tuple[str, ...]
     """Lines such as ``--extra-index-url …`` and ``-f …``."""
     purpose: Literal["run", "docs", "test", "dev", "vendored"]
+    raised: tuple[tuple[str, str, str], ...] = ()
+    """Pins that a bot raised: the package, the release before and after, the last one first. They are read only where
+    no Python has wheels for all pins."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

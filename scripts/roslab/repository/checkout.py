@@ -274,6 +274,10 @@ class Repository:
         """The paths of the submodules that the checkout's commit records, if git tells."""
         return git.links(self.path) if self.git_folder else ()
 
+    def subjects(self, path: str) -> tuple[str, ...]:
+        """Return the subjects of the commits that changed a file, the newest first, if git tells."""
+        return git.subjects(self.path, path) if self.git_folder else ()
+
     def _git_text(self, name: str) -> str:
         return text_of(f"{self.git_folder}/{name}")[:65536] if self.git_folder else ""
 

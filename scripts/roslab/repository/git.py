@@ -10,6 +10,8 @@ Root: TypeAlias = "str | os.PathLike[str]"
 """A checkout, or a folder of one."""
 SECONDS = 30.0
 """Seconds that git may take: it reads one object."""
+MOST_SUBJECTS = 200
+"""Most commits of a file that are looked at."""
 _SETTINGS = ("log.showSignature=false", "core.fsmonitor=false", "safe.bareRepository=explicit")
 """A folder of the tree can hold the files of a bare repository, whose configuration would then be read.
 https://git-scm.com/docs/git-config#Documentation/git-config.txt-safebareRepository"""
@@ -48,6 +50,11 @@ def entries(root: Root) -> dict[str, str]:
     """Return the object of each file and folder right below a checkout's folder: it changes with what is in it."""
     pairs = (line.split("\t", 1) for line in _read(root, "ls-tree", "HEAD").split("\n") if "\t" in line)
     return {name: what for what, name in pairs}
+
+
+def subjects(root: Root, path: str) -> tuple[str, ...]:
+    """Return the subjects of the last commits that changed a file, the newest first."""
+    return tuple(filter(None, _read(root, "log", f"-{MOST_SUBJECTS}", "--format=%s", "--", path).split("\n")))
 
 
 def branches(root: Root) -> tuple[str, ...]:

@@ -52,6 +52,7 @@ from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
+from roslab.decide.python.raised_pins import raised_pins
 from roslab.decide.python.refused import Repaired, elsewhere, of_pages, repair, right, untold
 from roslab.decide.python.too_new import in_python, loosened
 from roslab.decide.python.torch_build import decide_build
@@ -258,6 +259,7 @@ def decide_python(
             *left_to_parts(evidence, chosen.files),
             *left_to_others(evidence, chosen.files),
             *contradicting(evidence, chosen.files, chosen.contradicting),
+            *raised_pins(chosen.files),
             *contradicted((*everything, *installed_by_conda)),
         ),
     )

@@ -10,6 +10,7 @@ from typing import Literal
 from roslab.evidence import places
 from roslab.evidence.facts import RequirementFile
 from roslab.evidence.python import misspelt_lists
+from roslab.evidence.python.raised import raised
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -70,7 +71,7 @@ def read(repository: Repository, asked: Iterable[Requirement] = ()) -> tuple[Req
         ):
             continue
         there = tuple(constraint for constraint in file.constraints if repository.has(constraint))
-        found[path] = replace(file, constraints=there)
+        found[path] = replace(file, constraints=there, raised=raised(repository, path, file.requirements))
         pending += found[path].includes
     included = {path for file in found.values() for path in file.includes}
     aside = {path for file in found.values() for path in _left_out(repository, file)} - included
