@@ -646,6 +646,24 @@ def test_conda_installs_what_a_manifest_of_pixi_names(plan: Callable[..., Plan])
     assert "--file /tmp/manifests" not in text
 
 
+@pytest.mark.parametrize(
+    ("specs", "added"),
+    [
+        (("numpy<2", "python-dateutil"), True),
+        (("numpy<2", "python=3.11.*"), False),
+        (("conda-forge::python>=3.9", "numpy"), False),
+        (("python", "numpy"), False),
+    ],
+)
+def test_conda_takes_the_decided_python_where_no_package_names_one(
+    plan: Callable[..., Plan], specs: tuple[str, ...], *, added: bool
+) -> None:
+    channels = ("conda-forge",)
+    made = plan(manager="conda", conda_file="pixi.toml", conda_specs=specs, conda_channels=channels)
+    text = dockerfile(made)
+    assert (" python=3.12 " in " ".join(text.replace("\\\n", " ").split())) is added
+
+
 def test_a_script_that_compiles_is_run_as_root_and_stops_nothing() -> None:
     script = OwnScript(folder="lib", path="lib/make.sh", command="bash make.sh")
     venv = Python(version="3.10", manager="venv")

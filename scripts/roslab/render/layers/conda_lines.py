@@ -10,9 +10,12 @@ from roslab.plan.plan import Plan
 from roslab.plan.python import PythonPlan
 from roslab.render import quote
 from roslab.render.layers import building, caches, manifests, shell
+from roslab.values.pattern import pattern
 
 UNFOLD = "unfold-lists"
 """The script that they need where ``conda_flow`` is set."""
+_NAMES_PYTHON = pattern(r"(?:[\w.-]+::)?python(?![\w.-])")
+"""A package of conda that is Python itself, perhaps of a channel that the line names."""
 _PIP = "^ *- *pip:[[:space:]]*(#.*)?$"
 """The line above what a conda file has for pip, as sed finds it."""
 
@@ -36,9 +39,14 @@ def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
 
 
 def specs(python: PythonPlan) -> tuple[str, ...]:
-    """Return the packages that are given by name, without an old pip, in whose place another is asked for."""
+    """Return the packages that are given by name, without an old pip, in whose place another is asked for.
+
+    Where none is Python, the one that was decided comes first: conda would take its newest.
+    """
     old = python.conda_old_pip
-    return tuple(spec for spec in python.conda_specs if not (old and spec.partition("=")[0].strip() == "pip"))
+    kept = tuple(spec for spec in python.conda_specs if not (old and spec.partition("=")[0].strip() == "pip"))
+    named = any(_NAMES_PYTHON.match(spec) for spec in kept)
+    return kept if named or not python.version else (f"python={python.version}", *kept)
 
 
 def pip_part(plan: Plan, python: str, options: str) -> tuple[str, ...]:
