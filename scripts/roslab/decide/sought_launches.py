@@ -13,8 +13,9 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought import MOST, PACKAGE, folder_for, public_owner, tried
+from roslab.decide.ros.sought_by_pages import in_clones, run_by_page
 from roslab.decide.ros.sought_imports import modules_of_owner
-from roslab.decide.ros.source_names import address
+from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.weights import Weight
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.holders import holders
@@ -39,7 +40,7 @@ def with_found_by_launches(
     Before these comes where a table knows such a package to be. ``command``: the default one, whose launch file's
     packages are looked for already. Not for the old formats, whose images never had them, nor a package that others
     published, nor one a slip away from a package of the tree. So it is with modules that nodes import and nothing
-    brings; ``installed``: what pip installs.
+    brings; ``installed``: what pip installs. And first with packages that the README runs, in what that page clones.
     """
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     owner = public_owner(evidence)
@@ -64,10 +65,15 @@ def with_found_by_launches(
     tabled = holders(free) if build.startswith("catkin") else {}
     there = {name for held in tabled.values() for name in held}
     guessed = {f"{owner}/{name}": (name,) for name in free if owner and name not in there}
-    for url, names in (tabled | guessed).items():
+    brought = sources.names | {plain(name) for name in where} | {plain(source.name) for source in sources.everything}
+    run = {} if sources.with_unknown_packages else run_by_page(evidence, ros_distro, brought)
+    cloned = in_clones(run, evidence, taken)
+    held = tabled | guessed
+    held |= {url: tuple(dict.fromkeys((*names, *held.get(url, ())))) for url, names in cloned.items()}
+    for url, names in held.items():
         if address(url) in taken or len(found) >= MOST:
             continue
-        asked = free[names[0]]
+        asked = (run if url in cloned else free)[names[0]]
         source = Source(
             name=folder_for(url, [*sources.sources, *found]),
             repo=f"{url}.git",
@@ -78,6 +84,7 @@ def with_found_by_launches(
         )
         found.append(source)
         who = "nodes import" if names[0] in imported else "only launch files need"
+        who = f"{asked.file} runs programs of" if url in cloned else who
         why = "and nothing known brings it: it may be there, and is left out where not"
         reasons.append(because("source", source.name, f"{who} {', '.join(names)}, {why}", asked, weight=Weight.SOUGHT))
     return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))

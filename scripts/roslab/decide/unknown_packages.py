@@ -11,17 +11,15 @@ from roslab.decide.renamed_launches import renamings
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought import tried
+from roslab.decide.ros.sought_by_pages import PLACEHOLDER
 from roslab.decide.ros.source_names import plain
 from roslab.decide.system.needs import started
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released
-from roslab.values.pattern import pattern
 
 MOST = 5
 """Most packages that a message names."""
-_PLACEHOLDER = pattern(r"(?:^|_)(?:your|my|pkg|package|name|foo|bar|xxx+)(?:_|$)")
-"""A name that stands for another: `rosrun your_package your_node`."""
 
 
 def decide_unknown_packages(
@@ -40,7 +38,7 @@ def decide_unknown_packages(
         for each in (() if unread or config.compatible else started(evidence, kind))
         if each.strength == "prose" and each.file.startswith("README")
         if plain(each.name) not in known and not ever_released(each.name) and each.name.replace("_", "-") not in apt
-        if not (_PLACEHOLDER.search(each.name) or library("cmake", each.name, None))
+        if not (PLACEHOLDER.search(each.name) or library("cmake", each.name, None))
     }
     if not found:
         return Choice(answer=None)

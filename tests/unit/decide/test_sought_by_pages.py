@@ -1,0 +1,51 @@
+"""A package that the README runs programs of and nothing brings may lie in what the README clones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+FILES = {
+    "package.xml": "<package><name>planner</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "CMakeLists.txt": "project(planner)\nfind_package(catkin REQUIRED)\nadd_executable(plan a.cpp)\ncatkin_package()\n",
+    "a.cpp": "int main() {}\n",
+    "launch/plan.launch": '<launch><node pkg="planner" type="plan" name="plan"/></launch>\n',
+    ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/planner.git\n',
+    ".git/HEAD": "ref: refs/heads/main\n",
+}
+RUN = "## Run\n\n```\nroslaunch planner plan.launch\n```\n\n```\nroslaunch {} air.launch\n```\n"
+
+
+def page(*clones: str, package: str = "sightest", said: str = "") -> str:
+    lines = "\n".join(f"git clone https://github.com/{each}.git" for each in ("lab/planner", *clones))
+    build = f"## Build\n\n{said}\n\n```\ncd ${{WORK}}/src\n{lines}\n```\n\n"
+    return f"# Planner\n\nTested with ROS Noetic.\n\n{build}{RUN.format(package)}"
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        (page("mia/Sight-Fusion"), {"Sight-Fusion": ("sightest",)}),
+        (page("mia/Sight-Fusion", "mia/sightest_ros"), {"sightest_ros": ("sightest",)}),
+        (page("mia/a1", "mia/a2", "mia/a3"), dict.fromkeys(("a1", "a2", "a3"), ("sightest",))),
+        (page("mia/a1", "mia/a2", "mia/a3", "mia/a4"), {}),
+        (page("mia/Sight-Fusion", package="your_package"), {}),
+        (page("mia/Sight-Fusion", package="planner"), {}),
+        (page("mia/Sight-Fusion", package="rviz"), {}),
+        (page("mia/Sight-Fusion", said="Optional:"), {}),
+        (page(), {}),
+    ],
+)
+def test_where_it_is_looked_for(tree: Tree, text: str, found: dict[str, tuple[str, ...]]) -> None:
+    decision = tree({**FILES, "README.md": text})
+    assert {each.name: each.holding for each in decision.source if each.holding} == found
+    told = [each.message for each in decision.warnings]
+    assert any("runs programs of sightest: nothing is known" in each for each in told) == (
+        "sightest air" in text and not found
+    )
+    not_cloned = [each.split(",")[0].rpartition("/")[2] for each in told if each.startswith("not cloned")]
+    assert found.keys().isdisjoint(name.removesuffix(".git") for name in not_cloned)
