@@ -85,3 +85,15 @@ def test_no_workspace_no_search(tree: Tree) -> None:
     decision = tree({**cpp(LINK), **OWNER})
     assert not decision.source
     assert len(told(decision)) == 1
+
+
+@pytest.mark.parametrize(("header", "lacks"), [("eigen3/acme_line.h", False), ("acme/other.h", True)])
+def test_the_package_of_a_header_brings_the_library_of_its_name(tree: Tree, header: str, lacks: bool) -> None:
+    files = cpp(LINK) | {"a.cpp": f"#include <{header}>\nint main() {{}}\n"}
+    assert bool(told(tree(files))) is lacks
+
+
+@pytest.mark.parametrize("name", ["cgraph", "gvc", "cdt"])
+def test_the_libraries_of_graphviz(tree: Tree, name: str) -> None:
+    decision = tree(cpp(LINK.replace("acme_line", name)))
+    assert "libgraphviz-dev" in (*decision.apt, *decision.apt_guessed)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 
@@ -15,6 +16,7 @@ from roslab.decide.system.not_found import headers_by_name, shown_by
 from roslab.decide.system.required import reached, similar
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.libraries import header
 from roslab.values.dataclass import replace
 
 _SHORTEST = 3
@@ -33,7 +35,7 @@ def bare_links(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[t
     if any(git.kind == "submodule" and git.absent for git in evidence.sources):
         return
     alike = {*_named(evidence)}
-    told: set[str] = set()
+    told: set[str] = {*_with_headers(evidence)}
     for package, project in reached(evidence, packages, kind):
         for asked in () if project.sources or project.brought else project.bare:
             if asked.name not in told and not _family(asked.name, alike):
@@ -72,6 +74,16 @@ def _family(name: str, names: Collection[str]) -> bool:
     word = re.split(r"[^a-z]", name.lower(), maxsplit=1)[0]
     gazebo = name.endswith(_PLUGIN) and similar("gazebo", names)
     return gazebo or similar(plain(name), names) or (len(word) >= _SHORTEST and similar(word, names))
+
+
+def _with_headers(evidence: Evidence) -> Iterator[str]:
+    """Yield the names of the headers that the code includes and that a table knows: their package has the library.
+
+    ``cgraph`` of ``graphviz/cgraph.h``.
+    """
+    for each in evidence.code:
+        if each.namespace == "include" and each.strength == "used" and header(each.name, None):
+            yield posixpath.basename(each.name).partition(".")[0]
 
 
 def _named(evidence: Evidence) -> Iterator[str]:

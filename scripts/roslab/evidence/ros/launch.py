@@ -21,6 +21,7 @@ from roslab.evidence.ros.executed import executed
 from roslab.evidence.ros.included_launches import included
 from roslab.evidence.ros.launch_conditions import conditional, kept_by, started
 from roslab.evidence.ros.launch_switches import switches
+from roslab.evidence.ros.own_plugins import without_own
 from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.unmade_nodes import with_unmade
 from roslab.evidence.ros.worlds import opens_window
@@ -99,7 +100,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 line=1,
                 package=package,
                 ros=1 if old else 2,
-                dependencies=tuple(_named(text, file, python=python)),
+                dependencies=tuple(_named(without_own(text, repository, packages.values()), file, python=python)),
                 gui=_shows(text) or opens_window(text, conditional, python=python),
                 viewers=_waiting(text),
                 includes=included(text, file.name, package),
