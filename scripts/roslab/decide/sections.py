@@ -19,12 +19,20 @@ _USAGE = pattern(
 _ASIDE = pattern(
     r"\b(?:real|hardware|calibrat\w*|evaluat\w*|trouble\w*|faq|debug\w*|develop\w*|contribut\w*|convert\w*|conversion|"
     r"record(?:s|ing|er)?|tests?|testing|verif(?:y|ying|ication)|validat(?:e|ing|ion)|docker|format\w*|annotat\w*|benchmark\w*|advanced|optional|tools?|"
-    r"how to (?:install|build)|visuali[sz]\w*|pre-?process\w*|prepar\w*[ -](?:the )?data(?:sets?)?|"
-    r"data(?:sets?)?[ -](?:set-?up|prepar\w*|process\w*|generat\w*|download\w*|collect\w*|organi[sz]\w*))\b|"
+    r"how to (?:install|build)|visuali[sz]\w*)\b|"
     r"验证|测试|校验|标定|评估|真机|实机|可视化",
     re.IGNORECASE,
 )
 """A section about something else than starting it."""
+_MAKES_DATA = pattern(
+    r"\b(?:pre-?process\w*|prepar\w*[ -](?:the )?data(?:sets?)?|"
+    r"data(?:sets?)?[ -](?:set-?up|prepar\w*|process\w*|generat\w*|download\w*|collect\w*|organi[sz]\w*)|"
+    r"(?:generat(?:e|ing)|creat(?:e|ing)|transform(?:ing)?)[ ]+"
+    r"(?:(?:the|an?|your|own|new|offline|training|expert|raw)[ ]+){0,3}data(?:sets?)?)\b|"
+    r"^\W*(?:\d[\d.]*\W*)?data(?:sets?)?\W*$",
+    re.IGNORECASE,
+)
+"""A section that makes what the programs of others read."""
 _TROUBLE = pattern(
     r"\btrouble ?-?shoot\w*|\bfaqs?\b|\bgotchas?\b|\bq ?& ?a\b|\bfrequently asked\b|^\W*(?:issues|problems|errors)\W*$|"
     r"\b(?:known|common|possible|frequent)\s+(?:issues?|problems?|errors?|bugs?|pitfalls?)\b",
@@ -45,10 +53,15 @@ _TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNOR
 
 
 def about_running(heading: str) -> int:
-    """Return 1 for a section about running it, -1 for one about something else, else 0; the innermost title counts."""
+    """Return 1 for a section about running it, -1 for one about something else, else 0; the innermost title counts.
+
+    -2 for one that makes the data, which comes before anything else can be done with it.
+    """
     for title in reversed(WITHOUT.sub("", heading).split(" / ")):
         if _TRIED.search(title):
             return 1
+        if _MAKES_DATA.search(title):
+            return -2
         if _ASIDE.search(_AND_TEST.sub(r"\1", _TO_TEST.sub(r"\1\2", _TEST_SET.sub("", title)))):
             return -1
         if _USAGE.search(title):

@@ -629,12 +629,24 @@ def test_what_a_section_of_its_own_runs_whole_comes_before_what_has_blanks(
     assert " ".join(tree({**files, "README.md": page}).command) == f"python {command}"
 
 
-@pytest.mark.parametrize("title", ["Data Setup", "Prepare the datasets", "Dataset preparation", "Preprocessing"])
-def test_a_section_that_makes_the_data_comes_after_what_uses_it(tree: Tree, title: str) -> None:
-    page = f"## {title}\n### Particles\n```\npython particles.py\n```\n## Model\n```\npython train.py\n```\n"
+@pytest.mark.parametrize("model", ["Model", "Test"])
+@pytest.mark.parametrize(
+    "title",
+    [
+        "Data Setup",
+        "Prepare the datasets",
+        "Dataset preparation",
+        "Preprocessing",
+        "Generate the offline dataset",
+        "Transform data into our format",
+        "2. Dataset",
+    ],
+)
+def test_a_section_that_makes_the_data_comes_after_what_uses_it(tree: Tree, title: str, model: str) -> None:
+    page = f"## {title}\n### Particles\n```\npython particles.py\n```\n## {model}\n```\npython train.py\n```\n"
     files = {"particles.py": "import numpy\n", "train.py": "import numpy\n", "README.md": page}
     assert tree(files).command == ("python", "train.py")
-    alone = page.partition("## Model")[0]
+    alone = page.partition(f"## {model}")[0]
     assert tree({**files, "README.md": alone}).command == ("python", "particles.py")
 
 
