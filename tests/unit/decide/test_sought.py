@@ -99,6 +99,10 @@ def test_the_owner_is_known_by_the_origin(tree: Tree, origin: str, address: str)
     [
         ("nav", ("base_msgs",), {"base_msgs": ("base_msgs",), "base": ("base_msgs",)}),
         ("nav", ("base", "base_msgs"), {"base_msgs": ("base_msgs",), "base": ("base", "base_msgs")}),
+        ("nav", ("arm_ros",), {"arm_ros": ("arm_ros",), "arm": ("arm_ros",)}),
+        ("nav", ("armpy",), {"armpy": ("armpy",), "arm": ("armpy",)}),
+        ("nav", ("arm_py",), {"arm_py": ("arm_py",), "arm": ("arm_py",)}),
+        ("nav", ("xpy",), {"xpy": ("xpy",)}),
         ("nav", ("plan_lib",), {"plan_lib": ("plan_lib",), "plan": ("plan_lib",)}),
         ("nav", ("nav_x_msgs",), {"nav_x_msgs": ("nav_x_msgs",), "nav_x": ("nav_x_msgs",)}),
         ("base", ("base_msgs",), {"base_msgs": ("base_msgs",)}),  # the repository itself

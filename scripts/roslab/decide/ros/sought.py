@@ -40,8 +40,10 @@ PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 """A name that a package of ROS may have (REP 144), and no package of a system is likely to."""
 _OF_SYSTEM = pattern(r"[^a-z0-9-]|^(?:lib|python|ros-)|-(?:dev|pip)$")
 """In a name with a dash that is none of a package of ROS."""
-_PARTS = ("_msgs", "_srvs", "_interfaces", "_lib")
+_PARTS = ("_msgs", "_srvs", "_interfaces", "_lib", "_ros", "_py", "py")
 """Ends of the names of packages that often lie beside others, in a repository called without them."""
+_SHORTEST = 3
+"""Fewest letters of such a name."""
 MOST = 12
 """Most repositories that a build tries."""
 _MOST_LISTED = 4
@@ -254,7 +256,7 @@ def public_owner(evidence: Evidence) -> str:
 def _called(name: str) -> tuple[str, ...]:
     """Return the names that a repository with a package most likely has."""
     stem = next((name.removesuffix(part) for part in _PARTS if name.endswith(part)), "")
-    return (name, stem) if stem else (name,)
+    return (name, stem) if len(stem) >= _SHORTEST else (name,)
 
 
 def _linked(evidence: Evidence, here: str, known: AbstractSet[str], names: Collection[str]) -> Iterator[GitSource]:
