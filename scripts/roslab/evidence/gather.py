@@ -145,7 +145,7 @@ def gather(repository: Repository) -> Evidence:
     own = submodules.without(repository)
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
         own = repository  # of what is compiled, the submodules are a part
-    prose = own_packages.found(merge(reader(own) for reader in PROSE), own)
+    prose = submodules.with_launches(own_packages.found(merge(reader(own) for reader in PROSE), own), repository)
     said = pointed.read(own)
     python_projects = project.read(repository)
     stopped = stopped_setup.chosen(python_projects, prose.requirements)

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslab.evidence.facts import RequirementFile
+from roslab.evidence.prose.absent_launches import launch_there
+from roslab.evidence.prose.merged import Prose
 from roslab.evidence.ros import vcs
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 
 
@@ -15,6 +18,12 @@ def without(repository: Repository) -> Repository:
     folders = tuple(f"{name}/" for name in vcs.submodules(repository))
     inside = {file.path for file in repository.files if file.path.startswith(folders)} if folders else set()
     return repository.leaving_out(inside) if inside else repository
+
+
+def with_launches(prose: Prose, whole: Repository) -> Prose:
+    """Return what pages tell without launch files that the tree seemed to lack and that its submodules have."""
+    kept = (m for m in prose.mentions if m.topic != "unlaunched" or not launch_there(m.value.split()[2], whole))
+    return replace(prose, mentions=tuple(kept))
 
 
 def named(

@@ -36,3 +36,12 @@ def test_a_launch_file_that_the_package_lacks(tree: Tree, line: str, told: str) 
     decision = tree(FILES | {"README.md": f"# Demo\n## Run\n```\n{line}\n```\n"})
     said = [w for w in decision.warnings if "the page starts" in w.message]
     assert [w.message.endswith(told) and w.line == 4 for w in said] == [True] * bool(told)
+
+
+@pytest.mark.parametrize(("name", "told"), [("robot.launch.py", False), ("robots.launch.py", True)])
+def test_a_submodule_that_is_checked_out_may_have_it(tree: Tree, name: str, told: bool) -> None:
+    module = '[submodule "src/demo"]\n\tpath = src/demo\n\turl = https://github.com/lab/demo.git\n'
+    inside = {f"src/demo/{path}": text for path, text in FILES.items()}
+    page = {"README.md": f"# Demo\n## Run\n```\nros2 launch demo {name}\n```\n"}
+    decision = tree(inside | page | {".gitmodules": module})
+    assert any("the page starts" in w.message for w in decision.warnings) is told

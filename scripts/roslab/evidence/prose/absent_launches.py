@@ -29,5 +29,11 @@ def absent_launch(mention: Mention, repository: Repository) -> Iterator[Mention]
     found = _NAME.fullmatch(name)
     if found is None or not re.fullmatch(r"\w+", package) or ".launch" not in name:
         return
-    if not repository.named(*(f"{found[1]}{ending}" for ending in (*_ENDINGS, found[2]))):
+    if not launch_there(name, repository):
         yield replace(mention, topic="unlaunched", value=f"{words[0]} {package} {name}", files=())
+
+
+def launch_there(name: str, repository: Repository) -> bool:
+    """Tell whether the tree has a launch file of that name, with another ending, or one that the build fills in."""
+    found = _NAME.fullmatch(name)
+    return bool(found and repository.named(*(f"{found[1]}{ending}" for ending in (*_ENDINGS, found[2]))))
