@@ -18,6 +18,7 @@ from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import distro, ubuntus, ubuntus_with_python2
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import ros_sources
+from roslab.knowledge.vendor_packages import vendor_of
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
@@ -143,7 +144,9 @@ def translate(
         brought = bool(cloned or folder or tried)
         alone = not brought and any(m.topic == "only_in_manifest" and m.value == name for m in evidence.mentions)
         hint = _harmless(name, target) if alone else _hint(name, target, cloned=cloned, folder=folder, tried=tried)
-        return Translated(warning=warn(f"{message}: {hint}", key), unknown=not brought)
+        needs, installer = vendor_of(name)
+        vendors = f"; it needs {needs}, which the image lacks ({installer})" if needs else ""
+        return Translated(warning=warn(f"{message}: {hint}{vendors}", key), unknown=not brought)
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(

@@ -30,6 +30,7 @@ from roslab.knowledge.frameworks import imports
 from roslab.knowledge.holders import holders
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released
+from roslab.knowledge.vendor_packages import vendor_of
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name
 from roslab.values.origin import Place
@@ -238,7 +239,7 @@ def _addresses(
     owned: dict[str, tuple[str, ...]] = {}
     ours = controllers((each for each in asked.values() if each.namespace == "rosdep"), evidence)
     for name in (name for name in names if owner and name not in ours):
-        for called in () if ever_released(name) else _called(name):
+        for called in () if ever_released(name) or vendor_of(name)[0] else _called(name):
             url = f"{owner}/{called}"
             if called == name or not (called in known or ever_released(called)):
                 owned[url] = (*owned.get(url, ()), name)
