@@ -95,3 +95,38 @@ def test_the_author_s_workspace_leads_to_the_image_s(tmp_path: Path, file: str, 
     assert plan.author_folders == (linked if found else ())
     given = "/work/src/demo/config/a.yaml" if found else "demo/config/a.yaml"
     assert plan.run.command == ("python3", "tools/run.py", "-c", given)
+
+
+@pytest.mark.parametrize(
+    ("folder", "found"),
+    [
+        ("/home/jovyan/ws", False),
+        ("/home/jovyan/other", False),
+        ("/", False),
+        ("/usr", False),
+        ("/usr/local/ws", False),
+        ("/etc", False),
+        ("/root/ws", False),
+        ("/opt", False),
+        ("/opt/ros/noetic", False),
+        ("/-rf", False),
+        ("/work/-x", False),
+        ("/opt/ws", True),
+        ("/home/me/ws", True),
+        ("/work/../ws", True),
+    ],
+)
+def test_no_link_lies_in_a_folder_of_the_image(tmp_path: Path, folder: str, *, found: bool) -> None:
+    above = folder.replace("/work/..", "")
+    page = PAGE.replace("cd /work\n", f"cd {above}\n").replace("/work/", f"{above.rstrip('/')}/")
+    plan = planned(
+        tmp_path / "whole",
+        {
+            "run.sh": f'docker run -v "$(pwd)":{folder}/src demo\n',
+            "README.md": page,
+            "tools/run.py": PROGRAM,
+        },
+    )
+    linked = ((f"{above}/devel", "ws/devel"), (f"{above}/src", "ws/src/whole"))
+    assert plan.author_folders == (linked if found else ())
+    assert found or not any(word.startswith(f"{above}/src") for word in plan.run.command)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.ros.author_folders import of_image
 
 ROOT = "package.xml"
 
@@ -20,9 +21,13 @@ def signs_of_sources(evidence: Evidence, written: str) -> tuple[Mention, ...]:
 
 
 def mounted_in(evidence: Evidence) -> str:
-    """Return the folder of the author's container as whose ``src`` the repository is mounted, ``""`` for none."""
+    """Return the folder of the author's container as whose ``src`` the repository is mounted, ``""`` for none.
+
+    None of the image's own: no link stands for that one.
+    """
     alone = not any(manifest.file == ROOT for manifest in evidence.manifests)
-    return next((m.value for m in evidence.mentions if alone and m.topic == "as_sources" and m.value), "")
+    said = (m.value for m in evidence.mentions if alone and m.topic == "as_sources" and m.value)
+    return next((folder for folder in said if not of_image(folder)), "")
 
 
 def as_mounted(command: tuple[str, ...], evidence: Evidence) -> tuple[str, ...]:

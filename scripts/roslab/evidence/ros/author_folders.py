@@ -33,6 +33,8 @@ _MOUNTED = frozenset(("content", "data", "dataset", "datasets", "workspace"))
 """Folders at the top that users mount, or that a service has, rather than of one author."""
 _KEPT = ("/home/jovyan/", "/opt/ros/", "/opt/conda/")
 """Folders of the image, which are never the author's."""
+_OF_ALL = frozenset(("home", "media", "mnt", "opt", "srv"))
+"""Folders at the top in which others of the author's may lie, while they are no author's themselves."""
 
 
 def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[AuthorPath, ...]:
@@ -65,6 +67,14 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
                     path=path, file=file.path, line=line, prefix=prefix, folder=folder, made=made, there=there
                 )
     return tuple(found.values())
+
+
+def of_image(folder: str) -> bool:
+    """Tell whether a folder is the image's own, or has a name that programs take for an option: none for a link."""
+    parts = folder.strip("/").split("/")
+    if parts[0] in _SYSTEM | {""} or any(part.startswith("-") or part in {".", ".."} for part in parts):
+        return True
+    return f"/{'/'.join(parts)}/".startswith(_KEPT) or (len(parts) == 1 and parts[0] in _OF_ALL)
 
 
 def _commented(file: str, text: str, at: int) -> bool:
