@@ -56,7 +56,7 @@ def test_the_only_line_of_a_part_is_installed_by_itself(tmp_path: Path) -> None:
     (tmp_path / "run.py").write_text("import scipy\n")
     plan = plan_repository(tmp_path).plan
     assert (plan.python.conda_pip, plan.python.conda_instead, plan.python.pip) == (False, (), ("scipy==1.5.2",))
-    assert "take-pip-part" not in dockerfile(plan)
+    assert "--requirement environment.yml.pip" not in dockerfile(plan)
 
 
 def test_what_another_manifest_takes_from_git_is_taken_from_there(tree: Tree) -> None:
@@ -92,7 +92,7 @@ def test_lists_in_brackets_are_unfolded_before_lines_are_changed(tmp_path: Path,
     (tmp_path / "run.py").write_text("import click\n")
     plan = plan_repository(tmp_path).plan
     assert plan.python.conda_local == ("pytorch3d",)
-    steps = ["unfold-lists /tmp/manifests/environment.yml", "(pytorch3d)", "take-pip-part /tmp"]
+    steps = ["unfold-lists /tmp/manifests/environment.yml", "take-pip-part /tmp", "(pytorch3d)"]
     found = [dockerfile(plan).index(step) for step in steps]
     assert found == sorted(found)
 

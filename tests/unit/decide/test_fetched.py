@@ -13,6 +13,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
 from roslab.pipeline import plan_repository
+from roslab.render import image_scripts
 from roslab.render.dockerfile import dockerfile
 from roslab.repository.checkout import Repository
 
@@ -80,11 +81,14 @@ def test_the_folders_are_taken_out_of_the_file_before_conda_reads_it(tmp_path: P
     (tmp_path / ".gitmodules").write_text(MODULES, encoding="utf-8")
     (tmp_path / "run.py").write_text("import torch\n", encoding="utf-8")
     text = dockerfile(plan_repository(tmp_path).plan)
-    command = next(line for line in text.splitlines() if "sed --in-place --regexp-extended" in line and "pip:" in line)
-    command = command.strip().removeprefix("&& ").removesuffix(" \\").replace("/tmp/manifests", str(tmp_path))
+    command = next(line for line in text.splitlines() if "take-pip-part /tmp" in line)
+    command = command.strip().removeprefix("RUN ").removeprefix("&& ").removesuffix(" \\")
+    script = Path(image_scripts.__path__[0]) / "take-pip-part.sh"
+    command = command.replace("/tmp/manifests", str(tmp_path)).replace("take-pip-part", f"bash {script}")
     subprocess.run(["bash", "-c", command], check=True)
     left = (tmp_path / "environment.yml").read_text(encoding="utf-8")
     assert left == "name: a\ndependencies:\n  - python=3.8\n  - pytorch=1.12.1\n"
+    assert "environment.yml.pip" not in text
 
 
 @pytest.mark.parametrize(

@@ -14,21 +14,26 @@ from roslab.values.pattern import pattern
 
 UNFOLD = "unfold-lists"
 """The script that they need where ``conda_flow`` is set."""
+TAKE = "take-pip-part"
+"""The script that moves what a conda file has for pip to a file of its own."""
 _NAMES_PYTHON = pattern(r"(?:[\w.-]+::)?python(?![\w.-])")
 """A package of conda that is Python itself, perhaps of a channel that the line names."""
-_PIP = "^ *- *pip:[[:space:]]*(#.*)?$"
-"""The line above what a conda file has for pip, as sed finds it."""
 
 
 def changed(python: PythonPlan, file: str) -> tuple[str, ...]:
     """Return the commands that take out of a conda file what it cannot install, and correct its pip.
 
     Lists in brackets are unfolded before. None where the image has no such file: its packages are given by name.
+    Of the part for pip, lines are taken out once it is a file of its own: conda's may have the same names. Where all of
+    its lines are taken out, that file is not used.
     """
-    if python.conda_specs:
+    if python.conda_specs or not python.conda_file:
         return ()
     commands = [f"{UNFOLD} {quote.shell(file)}"] if python.conda_flow else []
-    commands += _without(python.conda_local, file, others=python.conda_pip)
+    if python.conda_pip or python.conda_local:
+        commands.append(f"{TAKE} {quote.shell(file)}")
+    if python.conda_pip and python.conda_local:
+        commands.append(_without(python.conda_local, f"{file}.pip"))
     if python.conda_no_channels:
         commands.append(_fewer_channels(python.conda_no_channels, file))
     if python.conda_old_pip:
@@ -74,19 +79,14 @@ def _fewer_channels(addresses: Sequence[str], file: str) -> str:
     return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
 
 
-def _without(entries: Sequence[str], file: str, *, others: bool) -> tuple[str, ...]:
+def _without(entries: Sequence[str], file: str) -> str:
     """Return the command that takes folders of the tree and packages out of what a conda file has for pip.
 
-    Folders are installed once they are there, the packages cannot be. ``others``: pip installs more than them.
+    Folders are installed once they are there, the packages cannot be.
     """
-    if not entries:
-        return ()
     names = "|".join(re.escape(entry) for entry in entries)
-    version = "( *[(<>=!~;@][^#]*)?"
-    entry = f"^ *- *[\"']?(-e +|--editable +)?([.]/)?({names})/?( *\\[[^]]*\\])?{version}[\"']?[[:space:]]*(#.*)?$"
-    entry += "" if others else f"|{_PIP}"
-    script = f"\\%{_PIP}%,${{\\%{entry}%d}}"
-    return (f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}",)
+    script = f"\\%^(-e +|--editable +)?([.]/)?({names})/?( *\\[[^]]*\\])?( *[(<>=!~;@].*)?$%d"
+    return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
 
 
 def _newer_pip(file: str) -> str:

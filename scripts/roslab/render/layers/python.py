@@ -127,13 +127,11 @@ def _conda(plan: Plan) -> str:
         more += f"CONDA_OVERRIDE_CUDA={quote.shell(python.conda_cuda)} "
     lists, file = locks.conda(plan)
     pip_part = _conda_pip(plan)
-    if without and python.conda_flow:
-        copy = shell.copy_script(conda_lines.UNFOLD) + copy
+    for script in (conda_lines.UNFOLD, conda_lines.TAKE):
+        if any(command.startswith(f"{script} ") for command in without):
+            copy = shell.copy_script(script) + copy
     if file:
         copy, source, without = lists, f"--file {file}", ()
-    elif pip_part:
-        copy = shell.copy_script("take-pip-part") + copy
-        without = (*without, f"take-pip-part {quote.shell(f'{manifests.FOLDER}/{python.conda_file}')}")
     old = f"{interpreter(plan)} -m pip install --no-cache-dir {quote.shell(python.setuptools)}"
     after = (*pip_part, *([old] if python.setuptools else ()))
     create = (
