@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from itertools import islice
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.program import Program
+from roslab.evidence.python.import_graph import ImportGraph
 from roslab.evidence.python.imports import modules_of, statements
 from roslab.evidence.python.modules import Module, modules, run_by_pages
 from roslab.evidence.python.through_modules import Modules
 from roslab.knowledge.frameworks import imports
 from roslab.repository.checkout import Repository
+
+MOST = 20_000
+"""Most mentions, those of what pages run first."""
 
 
 def read(
@@ -27,34 +32,52 @@ def read(
     if not unknown:
         return
     found = modules(repository)
-    where = {module.file.path: tuple(_imported(module, unknown)) for module in found}
+    where = {module.file.path: _imported(module, unknown) for module in found}
     if not any(where.values()):
         return
-    tree = Modules(found)
-    starts = run_by_pages(mentions) | {each.file for each in programs if not places.test(each.file)}
-    for start in sorted(starts & tree.by_file.keys()):
-        folder = tree.by_file[start].file.folder
-        seen: set[str] = set()
-        for file in (start, *sorted(tree.reached((start,), folder) - {start})):
-            for name, line in where[file]:
-                if name not in seen:
-                    seen.add(name)
-                    yield Mention(
-                        topic="reached",
-                        value=name,
-                        source="code",
-                        file=file,
-                        line=line,
-                        text=f"import {name}",
-                        inside=start,
-                    )
+    graph, run = Modules(found).graph, run_by_pages(mentions)
+    importing: dict[str, int] = {}
+    for file, names in where.items():
+        for name in names:
+            importing[name] = importing.get(name, 0) | graph.bit(file)
+    starts = (run | {each.file for each in programs if not places.test(each.file)}) & where.keys()
+    said: dict[str, tuple[Mention, ...]] = {}
+    left = MOST
+    for start in sorted(starts, key=lambda file: (file not in run, file)):
+        said[start] = tuple(islice(_reached(start, graph, importing, where), left))
+        left -= len(said[start])
+    for start in sorted(said):
+        yield from said[start]
 
 
-def _imported(module: Module, names: Collection[str]) -> Iterator[tuple[str, int]]:
-    """Yield those of the names that a module imports under no condition, each with its line."""
+def _reached(
+    start: str, graph: ImportGraph, importing: Mapping[str, int], where: Mapping[str, Mapping[str, int]]
+) -> Iterator[Mention]:
+    """Yield the names that a program reaches, each in the first file that imports it: its own, then by their paths."""
+    files = graph.reach(start) or 0
+    there = {name: graph.first(files & those) for name, those in importing.items() if files & those}
+    there |= dict.fromkeys(where[start], start)
+    for file in sorted({*there.values()}, key=lambda file: (file != start, file)):
+        for name, line in where[file].items():
+            if there[name] == file:
+                yield Mention(
+                    topic="reached",
+                    value=name,
+                    source="code",
+                    file=file,
+                    line=line,
+                    text=f"import {name}",
+                    inside=start,
+                )
+
+
+def _imported(module: Module, names: Collection[str]) -> dict[str, int]:
+    """Return those of the names that a module imports under no condition, each with its first line."""
+    found: dict[str, int] = {}
     if not any(name in module.text for name in names):
-        return
+        return found
     for match in statements(module.text):
         for name in modules_of(match) if not match["indent"] else ():
-            if name in names:
-                yield name, module.text.count("\n", 0, match.start()) + 1
+            if name in names and name not in found:
+                found[name] = module.text.count("\n", 0, match.start()) + 1
+    return found

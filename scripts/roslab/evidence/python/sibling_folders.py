@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import posixpath
 import sys
+from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
+from functools import reduce
+from operator import or_
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.python.from_root import LAYOUTS, installs_itself
-from roslab.evidence.python.modules import modules, run_by_pages
-from roslab.evidence.python.through_modules import imported
+from roslab.evidence.python.import_graph import ImportGraph
+from roslab.evidence.python.modules import Module, modules, run_by_pages
+from roslab.evidence.python.through_modules import imported, names_inside
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.repository.checkout import Repository
@@ -38,11 +42,16 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
         return
     run = run_by_pages(mentions)
     tree = _Tree(repository, texts, folders)
-    for module in modules(repository):
-        path = module.file.path
-        offered = path.count("/") <= DEEPEST and "__main__" in module.words and not places.test(path)
-        if path in run or offered:
-            yield from tree.needed_by(path)
+    programs = [module.file.path for module in modules(repository) if module.file.path in run or _offered(module)]
+    found = {path: tuple(tree.needed_by(path)) for path in sorted(programs, key=lambda path: path not in run)}
+    for path in programs:
+        yield from found[path]
+
+
+def _offered(module: Module) -> bool:
+    """Tell whether a program may be offered as a command though no page names it."""
+    path = module.file.path
+    return path.count("/") <= DEEPEST and "__main__" in module.words and not places.test(path)
 
 
 class _Tree:
@@ -51,31 +60,54 @@ class _Tree:
     def __init__(self, repository: Repository, texts: Mapping[str, str], folders: Mapping[str, str]) -> None:
         self._repository, self._texts, self._folders = repository, texts, folders
         self._imports: dict[str, tuple[str, ...]] = {}
+        self._inside = names_inside((*(file.path for file in repository.suffixed(".py")), *repository.folders))
+        self._graph = ImportGraph(texts, self._inside, self._tops, self._resolved)
+        self._needing: dict[str, int] = {}
+        """The files that import a module of a single folder, where the program's own folder does not have it."""
+        self._adding = sum(self._graph.bit(file) for file, text in texts.items() if _PATH in text)
 
     def needed_by(self, program: str) -> Iterator[Mention]:
         """Yield the folders that a program needs, in the order in which its imports come to them."""
-        searched = [posixpath.dirname(program), "", *LAYOUTS]
-        found: dict[str, Mention] = {}
-        seen, queue = {program}, [program]
-        while queue:
-            file = queue.pop(0)
-            if _PATH in self._texts[file]:
-                return
-            for name in self._imported(file):
-                reached, there = self._files(name, searched)
-                top = name.partition(".")[0]
-                if not there and top in self._folders:
-                    folder = self._folders[top]
-                    found.setdefault(folder, self._mention(top, file, folder, program))
-                    reached = [f"{folder}/{top}.py"]
-                queue += [path for path in dict.fromkeys(reached) if path not in seen]
-                seen.update(reached)
-        yield from found.values()
+        files, own = self._graph.reach(program), posixpath.dirname(program)
+        if files is None or files & self._adding:
+            return
+        needed = {top for top, needing in self._needing.items() if needing & files and self._folders[top] != own}
+        left = {self._folders[top] for top in needed}
+        needing = reduce(or_, (self._needing[top] for top in needed), 0)
+        seen, queue = {program}, deque([program])
+        while queue and left and self._graph.left > 0:
+            file = queue.popleft()
+            for top in self._tops_in_order(file) if needing >> self._graph.number[file] & 1 else ():
+                if top in needed and self._folders[top] in left:
+                    left.discard(self._folders[top])
+                    yield self._mention(top, file, self._folders[top], program)
+            imports = self._graph.imports(file, own)
+            self._graph.left -= len(imports)
+            queue += [path for path in imports if path not in seen]
+            seen.update(imports)
+
+    def _tops_in_order(self, file: str) -> Iterator[str]:
+        return (name.partition(".")[0] for name in self._imported(file) if not name.endswith("/"))
+
+    def _tops(self, file: str) -> frozenset[str]:
+        return frozenset(self._tops_in_order(file))
 
     def _imported(self, file: str) -> tuple[str, ...]:
         if file not in self._imports:
-            self._imports[file] = tuple(imported(self._texts[file], posixpath.dirname(file)))
+            self._imports[file] = tuple(dict.fromkeys(imported(self._texts[file], posixpath.dirname(file))))
         return self._imports[file]
+
+    def _resolved(self, file: str, folder: str | None) -> tuple[str, ...]:
+        found: list[str] = []
+        searched = ("", *LAYOUTS) if folder is None else (folder, "", *LAYOUTS)
+        for name in self._imported(file):
+            reached, there = self._files(name, searched)
+            top = name.partition(".")[0]
+            if not there and top in self._folders:
+                self._needing[top] = self._needing.get(top, 0) | self._graph.bit(file)
+                reached = [f"{self._folders[top]}/{top}.py"]
+            found += reached
+        return tuple(found)
 
     def _files(self, name: str, searched: Iterable[str]) -> tuple[list[str], bool]:
         """Return the files that an import runs, and whether a folder has its module; a folder alone is one too."""
@@ -83,8 +115,8 @@ class _Tree:
             return [path for path in (f"{name[:-1]}.py", f"{name}{_INIT}") if path in self._texts], True
         parts = name.split(".")
         for folder in searched:
-            whole = [posixpath.join(folder, *parts[:end]) for end in range(1, len(parts) + 1)]
-            if self._repository.has(f"{whole[0]}.py") or whole[0] in self._repository.folders:
+            if parts[0] in self._inside.get(folder, ()):
+                whole = [posixpath.join(folder, *parts[:end]) for end in range(1, len(parts) + 1)]
                 files = (path for each in whole for path in (f"{each}/{_INIT}", f"{each}.py"))
                 return [path for path in files if path in self._texts], True
         return [], False

@@ -6,6 +6,7 @@ import posixpath
 import re
 from collections.abc import Collection, Iterable, Iterator
 
+from roslab.evidence.python.import_graph import ImportGraph
 from roslab.evidence.python.modules import Module
 from roslab.values.pattern import pattern
 
@@ -34,36 +35,74 @@ class Modules:
         self.by_file = {module.file.path: module for module in modules}
         packages = {module.file.folder for module in self.by_file.values() if module.file.name == f"{_INIT}.py"}
         self._by_name: dict[str, list[str]] = {}
+        self._in_folder: dict[str, list[str]] = {}
         for path in self.by_file:
             self._by_name.setdefault(_importable(path, packages), []).append(path)
+            self._in_folder.setdefault(posixpath.dirname(path), []).append(path)
+        self._inside = names_inside(self.by_file)
         self._imports: dict[str, tuple[str, ...]] = {}
+        self.graph = ImportGraph(self.by_file, self._inside, self._tops, self._resolved)
 
-    def reached(self, starts: Iterable[str], folder: str | None = None) -> frozenset[str]:
-        """Return the files that these import at their top, by whichever way; ``folder``: where a program looks too."""
+    def reached(self, starts: Iterable[str]) -> frozenset[str]:
+        """Return the files that these import at their top, by whichever way."""
         queue = [*starts]
         reached: set[str] = set()
         while queue:
-            file = queue.pop()
-            for name in self._imported_by(file):
-                for found in _found(name, file, self.by_file, self._by_name, folder):
-                    if found not in reached:
-                        reached.add(found)
-                        queue.append(found)
+            new = [file for file in self.graph.imports(queue.pop(), None) if file not in reached]
+            reached.update(new)
+            queue += new
         return frozenset(reached)
+
+    def _tops(self, file: str) -> frozenset[str]:
+        return frozenset(name.partition(".")[0] for name in self._imported_by(file) if not name.endswith("/"))
 
     def _imported_by(self, file: str) -> tuple[str, ...]:
         if file not in self._imports:
             text, folder = self.by_file[file].text, posixpath.dirname(file)
-            self._imports[file] = (*imported(text, folder), *self._beside(file))
+            self._imports[file] = tuple(dict.fromkeys((*imported(text, folder), *self._beside(file))))
         return self._imports[file]
 
     def _beside(self, file: str) -> Iterator[str]:
         """Yield the modules beside the ``__init__.py`` of a package that imports all that lies in its folder."""
         (folder, name), text = posixpath.split(file), self.by_file[file].text
         whole = name == f"{_INIT}.py" and any(call in text for call in _LISTS)
-        for path in self.by_file if whole and folder and any(call in text for call in _BY_NAME) else ():
-            if posixpath.dirname(path) == folder and path != file:
+        for path in self._in_folder[folder] if whole and folder and any(call in text for call in _BY_NAME) else ():
+            if path != file:
                 yield f"{path.removesuffix('.py')}/"
+
+    def _resolved(self, file: str, folder: str | None) -> tuple[str, ...]:
+        places = (posixpath.dirname(file), *(() if folder is None else (folder,)))
+        return tuple(found for name in self._imported_by(file) for found in self._found(name, file, places))
+
+    def _found(self, name: str, file: str, places: Iterable[str]) -> Iterator[str]:
+        """Yield the files that an import runs: the module, and the packages around it."""
+        if name.endswith("/"):
+            yield from (path for path in (f"{name[:-1]}.py", f"{name}{_INIT}.py") if path in self.by_file)
+            return
+        parts = name.split(".")
+        for place in places:
+            if parts[0] not in self._inside.get(place, ()):
+                continue
+            whole = posixpath.join(place, *parts)
+            near = [path for path in (f"{whole}.py", f"{whole}/{_INIT}.py") if path in self.by_file and path != file]
+            if near:
+                yield from near
+                return
+        for end in range(1, len(parts) + 1):
+            yield from self._by_name.get(".".join(parts[:end]), ())
+
+
+def names_inside(files: Iterable[str]) -> dict[str, set[str]]:
+    """Return the names of the modules and of the folders in each folder of these files."""
+    found: dict[str, set[str]] = {}
+    for file in files:
+        folder, name = posixpath.split(file.removesuffix(".py"))
+        while name not in found.setdefault(folder, set()):
+            found[folder].add(name)
+            folder, name = posixpath.split(folder)
+            if not name:
+                break
+    return found
 
 
 def _importable(path: str, packages: Collection[str]) -> str:
@@ -92,21 +131,3 @@ def imported(text: str, folder: str) -> Iterator[str]:
             continue
         base = "/".join([folder, *[".."] * (len(dots) - 1)])
         yield from (f"{posixpath.normpath(posixpath.join(base, name.replace('.', '/')))}/" for name in names)
-
-
-def _found(
-    name: str, file: str, by_file: Collection[str], by_name: dict[str, list[str]], folder: str | None
-) -> Iterator[str]:
-    """Yield the files that an import runs: the module, and the packages around it."""
-    if name.endswith("/"):
-        yield from (path for path in (f"{name[:-1]}.py", f"{name}{_INIT}.py") if path in by_file)
-        return
-    for place in (posixpath.dirname(file), *(() if folder is None else (folder,))):
-        whole = posixpath.join(place, name.replace(".", "/"))
-        near = [path for path in (f"{whole}.py", f"{whole}/{_INIT}.py") if path in by_file and path != file]
-        if near:
-            yield from near
-            return
-    parts = name.split(".")
-    for end in range(1, len(parts) + 1):
-        yield from by_name.get(".".join(parts[:end]), ())
