@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from urllib.parse import urlsplit
-
-from packaging.utils import canonicalize_name
 
 from roslab.decide.python.manifests import with_includes
 from roslab.evidence.facts import AuthorDockerfile, Evidence, RequirementFile
 from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.frameworks import build_needs, imports
 from roslab.knowledge.tools import ALWAYS_ISOLATED, ALWAYS_ISOLATED_SINCE, INSTALLERS
+from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 
 
@@ -64,6 +62,8 @@ def _fetched(asked: Requirement) -> Iterator[tuple[str, str]]:
     """Yield a package from git or an archive, by its name or that of its repository."""
     if not asked.url or asked.wheel:
         return
+    from urllib.parse import urlsplit  # noqa: PLC0415 - few authors upgrade pip
+
     path = urlsplit(asked.url.removeprefix("git+")).path.strip("/").split("/")
     repository = canonicalize_name(path[1].partition("@")[0].removesuffix(".git")) if len(path) > 1 else ""
     for name in dict.fromkeys((asked.key, repository)):
