@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from roslab.config import Config, Override, configure, locate
 from roslab.decide import decide, nothing
 from roslab.decide.decision import Decision, Warning_
+from roslab.decide.logins import without_logins
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
@@ -162,7 +163,8 @@ def _with_version(
 
 
 def _without_secrets(decision: Decision) -> Decision:
-    """Return the decision without the logins and tokens that its messages would quote."""
+    """Return the decision without the logins and tokens that its steps would hold and its messages would quote."""
+    decision = without_logins(decision)
     return replace(
         decision,
         warnings=tuple(replace(each, message=redacted(each.message)) for each in decision.warnings),

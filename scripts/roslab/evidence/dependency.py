@@ -104,7 +104,7 @@ class GitSource:
     by_ssh: str = ""
     """The address of ssh that stands there, for a build that has a key; ``url`` is the same by https."""
     private: bool = False
-    """A link to what a page calls private, or an address with somebody's user name: others may not have it."""
+    """A link to what a page calls private, or an address with somebody's login: others may not have it."""
 
     @property
     def folder(self) -> str:

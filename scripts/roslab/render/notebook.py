@@ -17,6 +17,7 @@ from roslab.render import quote
 from roslab.render.output import MARKER, Beside
 from roslab.render.shell_block import Step, steps
 from roslab.values.pattern import pattern
+from roslab.values.redacted import bare
 
 Cell = tuple[Literal["markdown", "code"], str]
 MARKDOWN = (".md", ".markdown", ".mkd", ".mdown")
@@ -34,7 +35,8 @@ def notebook(plan: Plan, *, readme: str | None, readme_name: str = "README.md") 
     Markdown is split at its shell blocks and otherwise unchanged. A README in another markup becomes one text cell.
     Without a README, a few cells show how to start the program.
     """
-    if readme and readme.strip():
+    readme = bare(readme or "")
+    if readme.strip():
         if readme_name.lower().endswith(MARKDOWN):
             cells = list(_cells(readme))
         else:

@@ -22,7 +22,7 @@ def loose(sources: Iterable[Source]) -> tuple[Warning_, ...]:
 
 def private(name: str, git: GitSource) -> Warning_:
     """Return the warning about a source that may not be there for everybody."""
-    why = "its address has somebody's user name" if git.private else "a page calls it private"
+    why = "its address has somebody's login" if git.private else "a page calls it private"
     message = (
         f"{name} may not be there for everybody, as {why}: where {https(git.url)} cannot be cloned without a login"
     )

@@ -208,6 +208,7 @@ class _Chosen:
         self.reasons += reasons
         self.warnings += not_cloned(evidence, config)
         self.empty += [source for _, source in found]
+        self.warnings += [private(git.name, git) for git, _ in found if git.private]
         for git, _ in found:
             self._linked(git, self.ros)
 

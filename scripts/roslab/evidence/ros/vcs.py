@@ -30,8 +30,8 @@ _LOOKS = pattern(r"^repositories:[ \t]*(?:#.*)?$|^-[ \t]*(?:git|hg|svn|tar):", r
 _INLINE = pattern(r"\b(?:url|uri)[ \t]*:", re.MULTILINE)
 _SSH = pattern(r"^(?:ssh://)?(?:[\w.-]+@)([\w.-]+)(?::(?:\d+/)?|/)(.+)$")
 _BEHIND = pattern(r"^https?://([\w.-]+)/(?:https?:/{1,2})?([\w.-]+)/(.+)$")
-_LOGIN = pattern(r"^(https?://)[^/@:]+@([\w.-]+)(?=/)")
-"""An address with a user name and no password, which asks for that one's password."""
+_LOGIN = pattern(r"^(https?://)[^/\s]+@([\w.-]+)(?=/)")
+"""An address with a user name, which asks for that one's password where it has none."""
 _SWITCHED_OFF = pattern(r"^git://(?=(?:github|gitlab|bitbucket)\.(?:com|org)/)")
 _PLAIN_URL = pattern(r"^(?:https?|git|ssh)://|^[\w.-]+@[\w.-]+:")
 _GITMAN = frozenset({".gitman.yml", "gitman.yml"})
@@ -122,7 +122,7 @@ def missing(repository: Repository) -> tuple[str, ...]:
 def https(url: str, origin: str | None = None) -> str:
     """Return a URL that anybody can clone: https in place of ssh and git, relative ones resolved against ``origin``.
 
-    At a public host without a user name, for which that asks for a password.
+    At a public host without a login: for a user name alone it asks for a password, and a password is nobody else's.
     Of somebody's proxy, whose address ends in that of a public host (``https://proxy.org/https://github.com/a/b``), the
     public address: such proxies come and go.
     """
@@ -157,7 +157,7 @@ def served(url: str) -> str:
 
 
 def of_user(url: str) -> bool:
-    """Tell whether an address has somebody's user name, as a host gives it to who may see a private repository."""
+    """Tell whether an address has somebody's login, as a host gives it to who may see a private repository."""
     return bool(_LOGIN.match(url.strip()))
 
 
@@ -280,5 +280,6 @@ def _of_gitmodules(repository: Repository) -> Iterator[tuple[str, GitSource]]:
                 file=git_modules.FILE,
                 line=each.line,
                 kind="submodule",
+                private=of_user(each.url),
             )
             yield each.name, module
