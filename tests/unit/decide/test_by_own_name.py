@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.decide.python.by_own_name import MOST
 
 Tree = Callable[[dict[str, str]], Decision]
 PAGE = "# Run\n```\npython main.py\n```\n"
@@ -115,3 +117,21 @@ def test_what_stays_missing_stops_the_default_command(tree: Tree, module: str) -
     assert "the default command stops at this import: name the package under `pip`" in said["agents/plan.py"]
     assert "if it is needed" not in said["agents/plan.py"]
     assert said["agents/other.py"].endswith("in roslab.yaml if it is needed")
+
+
+def test_of_many_modules_only_some_are_tried_and_those_that_stop_the_command_first(tree: Tree) -> None:
+    others = {
+        "README.md": f"{PAGE}```\npython also.py\n```\n",
+        "also.py": "".join(f"import akeyword{n}s\n" for n in range(40)),
+    }
+    found = tried(tree, {**others, "agents/plan.py": "import zhashwords\n"})
+    assert len(found) == MOST
+    assert found[0] == "zhashwords"
+
+
+def test_thousands_of_modules_of_no_table_cost_little(tree: Tree) -> None:
+    files = {"main.py": "".join(f"import hash{n}words\n" for n in range(2000))}
+    files["requirements.txt"] = "".join(f"brumby-{n}\n" for n in range(700))
+    before = time.process_time()
+    assert len(tried(tree, files)) == MOST
+    assert time.process_time() - before < 8

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.decide.system.unreached import unreached
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
 TOP = "cmake_minimum_required(VERSION 3.10)\nproject(demo CXX)\nadd_executable(demo main.cpp)\n{}"
@@ -58,3 +63,19 @@ def test_what_pip_compiles_needs_its_own(tree: Tree, root: str, *, needed: bool)
         made[root] = f'{build}[project]\nname = "demo"\nversion = "1"\n'
     decision = tree({**FILES, **made})
     assert ("libgsl-dev" in {*decision.apt, *decision.apt_guessed}) is needed
+
+
+def test_thousands_of_projects_that_a_page_compiles_cost_little(tmp_path: Path) -> None:
+    made, page = {"CMakeLists.txt": TOP.format("")}, ""
+    for number in range(1500):
+        made[f"src/part{number}/CMakeLists.txt"] = OTHER.format("GSL")
+        page += f"cd ~/demo/src/part{number}\ncmake -S . -B build\n"
+    for path, text in {**FILES, **made, "README.md": f"# Build\n```\n{page}```\n"}.items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    evidence = gather(Repository.open(tmp_path))
+    before = time.process_time()
+    found = [unreached(evidence) for _ in range(9)]
+    assert time.process_time() - before < 2
+    assert "src/part0/CMakeLists.txt" not in found[0]

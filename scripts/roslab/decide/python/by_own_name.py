@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Set
+from itertools import islice
 
 from roslab.config.model import Config, Kind
 from roslab.decide.candidate import program_of
 from roslab.decide.command import decide_command
 from roslab.decide.python.lost import unknown_modules, with_told_links
-from roslab.decide.python.may_bring import begins_like, declares, names_there
+from roslab.decide.python.may_bring import absent, begins_like, declares, names_there
 from roslab.decide.python.own import OwnPython
 from roslab.decide.python.packages import Chosen
 from roslab.evidence.dependency import Dependency
@@ -22,6 +23,8 @@ from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.requirement_line import stated
 
+MOST = 16
+"""Most modules that are tried: code that imports more of no table lacks whole folders of its own."""
 SHORTEST = 5
 """Fewest letters of a module that is tried: shorter names of the index are taken by whoever came first."""
 
@@ -37,12 +40,11 @@ def with_unknown_modules(evidence: Evidence, config: Config, kind: Kind, own: Ow
     if not unknown:
         return chosen
     default, pages = _reached(evidence, config, kind, own.version)
-    places = {**pages, **default}
-    tried = tuple(
-        stated(used.name, "import", place.file, place.line)
-        for used in unknown
-        if (place := places.get(used.name)) and _may_be_tried(used, evidence, chosen)
-    )
+    reached = [(used, place) for used in unknown if (place := default.get(used.name) or pages.get(used.name))]
+    reached.sort(key=lambda pair: pair[0].name not in default)
+    others = _others(evidence, chosen) if reached else frozenset()
+    able = (stated(used.name, "import", at.file, at.line) for used, at in reached if _may_be_tried(used, others))
+    tried = tuple(islice(able, MOST)) if not absent(evidence) else ()
     stopping = tuple(default[used.name] for used in unknown if used.name in default)
     return replace(
         chosen,
@@ -81,25 +83,23 @@ def _places(evidence: Evidence, programs: Set[str]) -> dict[str, Mention]:
     return found
 
 
-def _may_be_tried(used: Dependency, evidence: Evidence, chosen: Chosen) -> bool:
-    """Tell whether nothing speaks against the package of a module's own name."""
+def _may_be_tried(used: Dependency, others: Set[str]) -> bool:
+    """Tell whether nothing speaks against the package of a module's own name; ``others``: of what may bring it."""
     name = used.name
     if len(bare_name(name)) < SHORTEST or never_by_name(name) or name in standard_modules():
         return False
     if ever_released(name) or of_ros(canonicalize_name(name)):
         return False
-    if any(git.kind == "submodule" and git.absent for git in evidence.sources):
-        return False  # its folders have names that nobody knows
-    return not begins_like(name, _others(evidence, chosen))
+    return not begins_like(name, others)
 
 
-def _others(evidence: Evidence, chosen: Chosen) -> set[str]:
+def _others(evidence: Evidence, chosen: Chosen) -> frozenset[str]:
     """Return the names of what may bring a module: packages, repositories that pages name, and the tree itself."""
     names = names_there(evidence, chosen) if declares(chosen) else set()
     names |= set(_words(git.name for git in evidence.sources))
     names |= set(_words((evidence.origin.rstrip("/").rpartition("/")[2].removesuffix(".git"),)))
     names |= set(_words(project.name for project in evidence.cmake if project.name))
-    return {bare_name(name) for name in names} - widespread_stems()
+    return frozenset(bare_name(name) for name in names) - widespread_stems()
 
 
 def _words(names: Iterable[str]) -> Iterator[str]:

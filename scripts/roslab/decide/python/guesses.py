@@ -80,7 +80,8 @@ def guesses(
                 found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
             continue
         name = canonicalize_name(package) if package else ""
-        covered = name in {*known, *found, *built} or any(same_module(name, other) for other in (*known, *found))
+        covered = not package or name in known or name in found or name in built
+        covered = covered or any(same_module(name, other) for other in (*known, *found))
         if not package or covered or name in tools or (heavy and name in FRAMEWORKS):
             continue
         by_apt = bool(apt) or dependency.name in ros_modules()

@@ -134,8 +134,8 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     if found and (declares(chosen) or absent(evidence)):
         known = names_there(_without_left(evidence), chosen)
         stems = {part for name in known for part in name.split("-")} | {bare_name(name) for name in known}
-        stems -= _of_itself(evidence, chosen)
-        found = [each for each in found if not excuses(stems, each.name) or begins_like(each.name, told)]
+        others = frozenset(stems - _of_itself(evidence, chosen))
+        found = [each for each in found if not excuses(others, each.name) or begins_like(each.name, told)]
     return found
 
 
@@ -153,7 +153,7 @@ def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Depend
     own |= {project.name for project in evidence.cmake if project.name}  # called after what it needs: px4_mpc
     own = {canonicalize_name(name) for name in own}
     known = names_there(evidence, chosen) | parts_of({canonicalize_name(name) for name in named} - own)
-    stems = {part for part in known if len(part) >= SHORTEST}
+    stems = frozenset(part for part in known if len(part) >= SHORTEST)
     for used in evidence.code:
         name = canonicalize_name(used.name)
         tabled = name in not_on_index() or used.name in imports() or of_python2(used.name) or on_index(evidence, used)

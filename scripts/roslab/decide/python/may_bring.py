@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterable, Iterator, Set
+from functools import lru_cache
 
 from roslab.decide.python.guesses import known_names, known_requirements
 from roslab.decide.python.packages import Chosen
@@ -65,7 +66,8 @@ def extras_of(evidence: Evidence) -> Iterator[Requirement]:
 def begins_like(module: str, stems: Set[str]) -> bool:
     """Tell whether a module has the beginning of a package's name, or that of it."""
     name = bare_name(module)
-    return any(len(stem) >= SHORTEST and (name.startswith(stem) or stem.startswith(name)) for stem in stems)
+    whole, begun = _begun(frozenset(stems))
+    return name in begun or any(name[:end] in whole for end in range(SHORTEST, len(name)))
 
 
 def excuses(stems: Set[str], module: str) -> bool:
@@ -74,9 +76,25 @@ def excuses(stems: Set[str], module: str) -> bool:
     What begins like a name without being parted from it is another one: ``torchsummary`` is none of ``torch``. So is
     what has only a beginning in common that packages of many authors share: ``torch_geometric``. A capital parts too.
     """
-    name = f"{canonicalize_name(_HUMP.sub('-', module))}-"
-    words = (f"{canonicalize_name(stem)}-" for stem in stems if len(stem) >= SHORTEST)
-    return any(
-        name == stem or stem.startswith(name) or (name.startswith(stem) and stem[:-1] not in widespread_stems())
-        for stem in words
-    )
+    name = canonicalize_name(_HUMP.sub("-", module))
+    whole, begun = _parted(frozenset(stems))
+    return name in begun or any(part in whole for part in _beginnings(name) if part not in widespread_stems())
+
+
+@lru_cache(maxsize=4)
+def _begun(stems: frozenset[str]) -> tuple[frozenset[str], frozenset[str]]:
+    """Return the names that are long enough, and all that these begin with: a tree may import thousands of modules."""
+    whole = frozenset(stem for stem in stems if len(stem) >= SHORTEST)
+    return whole, frozenset(stem[:end] for stem in whole for end in range(len(stem) + 1))
+
+
+@lru_cache(maxsize=4)
+def _parted(stems: frozenset[str]) -> tuple[frozenset[str], frozenset[str]]:
+    """Return the names that are long enough as an index has them, and what these begin with, parted from the rest."""
+    whole = frozenset(canonicalize_name(stem) for stem in stems if len(stem) >= SHORTEST)
+    return whole, whole | {part for stem in whole for part in _beginnings(stem)}
+
+
+def _beginnings(name: str) -> Iterable[str]:
+    """Yield what a name begins with, parted from the rest: ``a`` and ``a-b`` of ``a-b-c``."""
+    return (name[:at] for at, letter in enumerate(name) if letter == "-")

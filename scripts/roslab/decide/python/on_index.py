@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.guesses import ros_modules
@@ -21,10 +23,16 @@ def on_index(evidence: Evidence, used: Dependency) -> str | None:
     """
     if used.name in ros_modules() or ever_released(used.name):
         return None
-    links = [each for each in evidence.mentions if each.topic == "index_link"]
+    links = _links(evidence)
     found = next((each.value for each in links if _at(used, each)), None)
     found = found or next((each.value for each in links if _called_like(used.name, each.value)), None)
     return found or named_like(used.name)
+
+
+@lru_cache(maxsize=2)
+def _links(evidence: Evidence) -> tuple[Mention, ...]:
+    """Return the links to the index, found once for all the modules that the code imports."""
+    return tuple(each for each in evidence.mentions if each.topic == "index_link")
 
 
 def _at(used: Dependency, link: Mention) -> bool:

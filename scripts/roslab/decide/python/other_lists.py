@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 
 from roslab.decide.python.pins import of_conda
 from roslab.evidence import places
@@ -22,7 +23,7 @@ def as_in_list(guess: Requirement, evidence: Evidence) -> Requirement:
     """
     if guess.limited or guess.specifier or guess.url:
         return guess
-    said = [each for each in listed(evidence) if each.key == guess.key]
+    said = [each for each in _by_key(evidence).get(guess.key, ()) if _says(each)]
     closest = max((_shared(each.file, guess.file) for each in said), default=0)
     near = [each for each in said if _shared(each.file, guess.file) == closest]
     if len({each.written for each in near}) != 1:
@@ -38,12 +39,21 @@ def named_in_list(evidence: Evidence, used: Dependency) -> str | None:
     name = canonicalize_name(used.name)
     if name in not_on_index() or name in tooling("ros"):
         return None
-    return name if any(each.key == name for each in _entries(evidence)) else None
+    return name if name in _by_key(evidence) else None
 
 
 def listed(evidence: Evidence) -> Iterator[Requirement]:
     """Yield what lists ask for in a version or from an address, wherever a program of the tree may run."""
     yield from (each for each in _entries(evidence) if _says(each))
+
+
+@lru_cache(maxsize=2)
+def _by_key(evidence: Evidence) -> Mapping[str, Sequence[Requirement]]:
+    """Return what the lists ask for by name: the code may import thousands of modules."""
+    found: dict[str, list[Requirement]] = {}
+    for asked in _entries(evidence):
+        found.setdefault(asked.key, []).append(asked)
+    return found
 
 
 def _entries(evidence: Evidence) -> Iterator[Requirement]:

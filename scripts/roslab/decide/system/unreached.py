@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 from roslab.decide.linked_projects import linked_projects
 from roslab.decide.linking_projects import linking
@@ -12,8 +13,11 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 
 _SAYS = frozenset({"compiled", "installed_here", "build_script", "make"})
+DEEPEST = 32
+"""Most folders of a path, the last ones, that are compared."""
 
 
+@lru_cache(maxsize=4)
 def unreached(evidence: Evidence, *, by_page: bool = True) -> frozenset[str]:
     """Return the files of projects beside the one that is built, which adds none of them, and of what these add.
 
@@ -52,9 +56,21 @@ def unreached(evidence: Evidence, *, by_page: bool = True) -> frozenset[str]:
 
 def _said(projects: Iterable[CMakeProject], evidence: Evidence) -> Iterator[CMakeProject]:
     """Yield the projects in, or above, whose folders a page or a script compiles something."""
-    places = [f"/{posixpath.normpath(m.value.split(' ')[0])}/" for m in evidence.mentions if m.topic in _SAYS]
-    places += [f"/{posixpath.dirname(m.file)}/" for m in evidence.mentions if m.topic in _SAYS]
-    yield from (p for p in projects if any(f"/{_folder(p)}/" in place for place in places))
+    said = [mention for mention in evidence.mentions if mention.topic in _SAYS]
+    places = {posixpath.normpath(mention.value.split(" ")[0]) for mention in said}
+    places |= {posixpath.dirname(mention.file) for mention in said}
+    inside = {part for place in places for part in _parts(place)}
+    yield from (project for project in projects if _folder(project) in inside)
+
+
+def _parts(place: str) -> Iterator[str]:
+    """Yield every run of folders of a path, which may begin above the tree, and the root where it is that."""
+    words = place.strip("/").split("/")[-DEEPEST:]
+    if not place or place.startswith("/"):
+        yield ""
+    for start in range(len(words)):
+        for end in range(start + 1, len(words) + 1):
+            yield "/".join(words[start:end])
 
 
 def _reached(built: Iterable[CMakeProject], evidence: Evidence) -> tuple[frozenset[str], tuple[str, ...]]:
