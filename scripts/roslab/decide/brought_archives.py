@@ -3,38 +3,41 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from roslab.decide.ros.source_names import plain
 from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
 
-_ARCHIVE = pattern(r"(?:wget|curl)\s+\S+\.(?:tar(?:\.\w+)?|tgz|zip)$")
-_DEV = pattern(r"(?:lib)?([a-z][a-z+]*?)\d*(?:[.-].*)?-dev")
-_WORD = pattern(r"[A-Za-z][A-Za-z+]*")
+_ARCHIVE = pattern(
+    r"(?:wget|curl)\s+(?:\S+/)?(?:lib)?(?P<name>[a-z][a-z+_-]*?)"
+    r"(?P<version>[-_.]?v?\d+(?:[._-]\d+)*(?:[._-]?(?:a|alpha|b|beta|p|rc)\d*)?)?"
+    r"(?:[._-](?:library|sources?|src))?\.(?:tar(?:\.\w+)?|tgz|zip)",
+    re.IGNORECASE,
+)
+"""A library's name, and after it nothing but a version: ``opencv_contrib-3.4.6.zip`` is not OpenCV's."""
+_DEV = pattern(r"(?:lib)?([a-z][a-z+-]*?)(?:-?\d[\d.]*[a-z]?)?(?:-all)?-dev")
+_INTERPRETERS = frozenset({"python"})
+"""An archive is of another one than apt's, which stays beside it: a page that fetches one means that."""
 SHORTEST = 3
-UNKNOWN = "…"
-"""In the place of a value that nobody knows."""
 
 
-def libraries(evidence: Evidence, apt: Collection[str]) -> frozenset[str]:
-    """Return the names of libraries that packages of apt bring, or that CMake fetches, without ``lib`` and numbers."""
-    found = {match[1] for name in apt if (match := _DEV.fullmatch(name))}
-    fetched = (source.name for project in evidence.cmake for source in project.sources)
-    found |= {plain(name).rstrip("0123456789") for name in fetched}
-    return frozenset(name for name in found if len(name) >= SHORTEST)
+def libraries(evidence: Evidence, apt: Collection[str]) -> Mapping[str, str]:
+    """Return the names of libraries, without ``lib`` and numbers, each with the package of apt that brings it.
 
-
-def is_there(step: str, libraries: Collection[str]) -> bool:
-    """Tell whether a step only fetches the archive of one of these libraries: ``wget https://…/gmp-6.3.0.tar.xz``.
-
-    Of an archive whose name nobody knows the words before it tell: ``https://boostorg.example/source/….tar.gz``.
+    ``""`` for one that CMake fetches: there the tree itself says which release it is.
     """
-    if not _ARCHIVE.fullmatch(step):
-        return False
-    folders, _, file = step.rpartition("/")
-    if UNKNOWN not in file:
-        first = _WORD.match(file)
-        return first is not None and plain(first[0]).removeprefix("lib") in libraries
-    words = {plain(word) for word in re.split(r"[/.:_-]", folders)}
-    return any(word in {name, f"{name}org"} for word in words for name in libraries)
+    found = {plain(match[1]): name for name in sorted(apt) if (match := _DEV.fullmatch(name))}
+    fetched = (source.name for project in evidence.cmake for source in project.sources)
+    found |= dict.fromkeys((plain(name).rstrip("0123456789") for name in fetched), "")
+    return {name: by for name, by in found.items() if len(name) >= SHORTEST and name not in _INTERPRETERS}
+
+
+def in_its_place(step: str, libraries: Mapping[str, str]) -> str | None:
+    """Return what the image has in place of the archive that a step fetches, ``None`` for nothing.
+
+    ``""``: just what is fetched, as nothing says which release it is; else the package of apt, which has its own.
+    """
+    match = _ARCHIVE.fullmatch(step)
+    by = libraries.get(plain(match["name"])) if match else None
+    return by if by is None or (match and match["version"]) else ""

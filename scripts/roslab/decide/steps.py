@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from roslab.config.model import Config, Kind
 from roslab.decide import guides
-from roslab.decide.brought_archives import is_there, libraries
+from roslab.decide.brought_archives import in_its_place, libraries
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.matlab_code import matlab_code
 from roslab.decide.reasons import warn
@@ -33,6 +33,8 @@ _OF_ROS = pattern(r"\bros2?-apt-source\b")
 _UNASKED = "for nothing that is built asks for it by name"
 MOST = 8
 """Most steps that are told of one kind."""
+NAMED = 4
+"""Most of one script's steps that are named."""
 
 
 def decide_steps(
@@ -73,7 +75,7 @@ def _fetched(
     names: set[str],
     added: set[str],
     done: Collection[tuple[str, int]],
-    there: Collection[str],
+    there: Mapping[str, str],
     *,
     kind: Kind,
 ) -> Iterator[Warning_]:
@@ -88,15 +90,23 @@ def _fetched(
             and not (kind in {"ros1", "ros2"} and _OF_ROS.search(mention.value))
             and not only_python(mention.value, kind)
             and not (_answered(mention.value, names) or added & {*mention.value.split()})
-            and not is_there(mention.value, there)
+            and in_its_place(mention.value, there) != ""
         ):
             step = mention.value.partition(" | ")[0]
             if not any(step == each.value.partition(" | ")[0] for said in told.values() for each in said):
                 told.setdefault(mention.file if mention.source == "script" else step, []).append(mention)
     for first, *others in list(told.values())[:MOST]:
-        more = f" and {len(others)} more of this script" if others else ""
-        message = f"not part of the image: `{first.value}`{more}; put what it brings under `apt`, `source` or `custom`"
+        named = ", ".join(_named(each.value, there) for each in (first, *others[: NAMED - 1]))
+        more = f" and {len(others) + 1 - NAMED} more, see the script" if others[NAMED - 1 :] else ""
+        what = "they bring" if others else "it brings"
+        message = f"not part of the image: {named}{more}; put what {what} under `apt`, `source` or `custom`"
         yield warn(f"{message} in roslab.yaml", first)
+
+
+def _named(step: str, there: Mapping[str, str]) -> str:
+    """Return a step as it is told, with the release of Ubuntu that the image has in its place."""
+    instead = in_its_place(step, there)
+    return f"`{step}` (Ubuntu's {instead} is there instead)" if instead else f"`{step}`"
 
 
 def _data(evidence: Evidence, names: set[str], fetched: set[str]) -> Iterator[Warning_]:

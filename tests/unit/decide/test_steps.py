@@ -9,6 +9,7 @@ import pytest
 
 from roslab.config.model import Config
 from roslab.decide import decide
+from roslab.decide.brought_archives import in_its_place
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
@@ -310,8 +311,8 @@ def test_a_module_that_a_clone_may_bring_is_told(tree: Tree, code: str, said: st
 
 FETCHED = """\
 #!/bin/bash
-wget https://gmplib.org/download/gmp/gmp-6.3.0.tar.xz || wget https://example.org/mirror/gmp-6.3.0.tar.xz
-wget https://example.org/odd-1.0.tar.gz || wget https://mirror.org/odd-1.0.tar.gz
+wget https://gmplib.org/download/gmp/gmp.tar.xz
+wget https://example.org/odd-1.0.tar.gz
 wget https://boostorg.example.org/release/source/${BOOST}.tar.gz
 wget https://example.org/CGAL-6.0.1-library.tar.xz
 wget https://example.org/sdk.zip
@@ -319,27 +320,61 @@ make install
 """
 
 
-def test_one_line_tells_what_a_script_fetches_and_no_library_that_is_there(tree: Tree) -> None:
+def archives(tree: Tree, script: str, page: str = "") -> list[tuple[str, int | None]]:
     top = (
         "cmake_minimum_required(VERSION 3.14)\nproject(demo CXX)\nfind_package(Boost REQUIRED)\ninclude(FetchContent)\n"
         "FetchContent_Declare(CGAL URL https://example.org/CGAL.tar.xz)\nadd_executable(demo main.cpp)\n"
     )
-    page = "# Installation\n```\nsudo apt install libgmp-dev\n```\n"
-    files = {
-        "CMakeLists.txt": top,
-        "main.cpp": "int main() {}\n",
-        "README.md": page,
-        "install_dependencies.sh": FETCHED,
-    }
-    found = [w for w in tree(files).warnings if w.message.startswith("not part of the image")]
-    assert [(w.message.split(";")[0], w.file, w.line) for w in found] == [
-        (
-            "not part of the image: `wget https://example.org/odd-1.0.tar.gz` and 2 more of this script",
-            "install_dependencies.sh",
-            3,
-        )
+    files = {"CMakeLists.txt": top, "main.cpp": "int main() {}\n", "README.md": page, "install_dependencies.sh": script}
+    begin = "not part of the image: "
+    found = [w for w in tree(files).warnings if w.message.startswith(begin)]
+    return [(w.message.removeprefix(begin).split("; put")[0], w.line) for w in found]
+
+
+@pytest.mark.parametrize(
+    ("apt", "first", "line"),
+    [("libgmp-dev", "", 3), ("libgsl-dev", "`wget https://gmplib.org/download/gmp/gmp.tar.xz`, ", 2)],
+)
+def test_one_line_tells_what_a_script_fetches_and_no_library_that_is_there(
+    tree: Tree, apt: str, first: str, line: int
+) -> None:
+    rest = "`wget https://example.org/odd-1.0.tar.gz`, `wget https://boostorg.example.org/release/source/….tar.gz`"
+    page = f"# Installation\n```\nsudo apt install {apt}\n```\n"
+    assert archives(tree, FETCHED, page) == [(f"{first}{rest}, `wget https://example.org/sdk.zip`", line)]
+
+
+def test_of_many_steps_of_a_script_some_are_named(tree: Tree) -> None:
+    hosts = [f"wget https://h{number}.example.org/part{number}x.tar.gz" for number in range(12)]
+    named = ", ".join(f"`{each}`" for each in hosts[:4])
+    assert archives(tree, "#!/bin/bash\n" + "\n".join(hosts) + "\nmake install\n") == [
+        (f"{named} and 8 more, see the script", 2)
     ]
-    other = {**files, "README.md": page.replace("libgmp-dev", "libgsl-dev")}
-    (first,) = [w for w in tree(other).warnings if w.message.startswith("not part of the image")]
-    assert first.line == 2
-    assert "and 4 more of this script" in first.message
+
+
+@pytest.mark.parametrize(
+    ("apt", "path", "said"),
+    [
+        ("libopencv-dev", "opencv-3.4.6.tar.gz", " (Ubuntu's libopencv-dev is there instead)"),
+        ("libopencv-dev", "opencv.zip", None),
+        ("libopencv-dev", "opencv_contrib-3.4.6.zip", ""),
+        ("libboost-all-dev", "boost_1_83_0.tar.gz", " (Ubuntu's libboost-all-dev is there instead)"),
+        ("libboost-all-dev", "models/boost/$NAME.tar.gz", ""),
+        ("zlib1g-dev", "zlib.tar.gz", None),
+        ("zlib1g-dev", "zlib-1.2.13.tar.gz", " (Ubuntu's zlib1g-dev is there instead)"),
+        ("python3-dev", "Python-3.9.1.tgz", ""),
+        ("python3-dev", "Python.tgz", ""),
+        ("linux-libc-dev", "linux-6.1.tar.xz", ""),
+        ("default-libmysqlclient-dev", "default.zip", ""),
+        ("libgoogle-glog-dev", "google.zip", ""),
+    ],
+)
+def test_an_archive_of_another_thing_or_release_is_told(tree: Tree, apt: str, path: str, said: str | None) -> None:
+    page = f"# Installation\n```\nsudo apt install {apt}\n```\n"
+    step = f"wget https://example.org/{path}"
+    told = f"`{step.replace('$NAME', '…')}`{said}"
+    assert archives(tree, f"#!/bin/bash\n{step}\nmake install\n", page) == ([] if said is None else [(told, 2)])
+
+
+@pytest.mark.parametrize("file", ["boost_models.zip", "boost-data.tar.gz", "models/boost/….tar.gz", "boost_1_83_0.deb"])
+def test_only_a_version_follows_the_name_of_a_library(file: str) -> None:
+    assert in_its_place(f"wget https://example.org/{file}", {"boost": "libboost-all-dev"}) is None
