@@ -69,8 +69,8 @@ def test_thousands_of_projects_that_a_page_compiles_cost_little(tmp_path: Path) 
     made, page = {"CMakeLists.txt": TOP.format("")}, ""
     for number in range(1500):
         made[f"src/part{number}/CMakeLists.txt"] = OTHER.format("GSL")
-        page += f"cd ~/demo/src/part{number}\ncmake -S . -B build\n"
-    for path, text in {**FILES, **made, "README.md": f"# Build\n```\n{page}```\n"}.items():
+        page += f"```\ncd src/part{number}\nmkdir build && cd build\ncmake ..\nmake\n```\n"
+    for path, text in {**FILES, **made, "README.md": f"# Build\n{page}"}.items():
         target = tmp_path / path
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text, encoding="utf-8")
