@@ -16,7 +16,7 @@ MAX_SIZE = 64 * 1024
 MAX_FILES = 60
 _ENDINGS = (".sh", ".bash", ".zsh")
 _FUNCTION = pattern(
-    r"^[ \t]*(?:function[ \t]+)?([A-Za-z][\w-]*)[ \t]*\(\)[ \t]*\{\s*([^{}\n]{1,300}?)[ \t]*;?\s*\}", re.MULTILINE
+    r"^[ \t]*(?:function[ \t]+)?([A-Za-z][\w-]*)[ \t]*\(\)[ \t]*\{\s*([^{}\s][^{}\n]{0,299})(?:\n\s*)?\}", re.MULTILINE
 )
 """A function of one command: ``record() { ros2 run recorder record "$@"; }``."""
 _ALIAS = pattern(r"^[ \t]*alias[ \t]+([A-Za-z][\w-]*)=(['\"])([^'\"\n]{1,300})\2[ \t]*$", re.MULTILINE)
@@ -38,7 +38,8 @@ def functions(repository: Repository) -> dict[str, str]:
 
 def _defined(text: str) -> Iterator[tuple[str, str]]:
     """Yield the names that a script gives to a command, each with it; what fills in more than it is given is none."""
-    for name, line in _FUNCTION.findall(text):
+    for name, body in _FUNCTION.findall(text):
+        line = body.strip().removesuffix(";").rstrip()
         if (given := _GIVEN.sub("", line)) != line and _starts(given):
             yield name, given
     for name, _, line in _ALIAS.findall(text):
