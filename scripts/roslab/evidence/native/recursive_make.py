@@ -8,6 +8,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Callable, Iterable, Iterator
+from itertools import islice
 
 from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository
@@ -54,7 +55,8 @@ def called(text: str) -> tuple[str, ...]:
     text = text.replace("\\\n", " ")
     known = {name: value.split() for name, value in _SET.findall(text)}
     for name, words in _LOOP.findall(text):
-        known[name] = [each for word in words.split() for each in _meant(word, known)]
+        meant = dict.fromkeys(each for word in words.split() for each in _meant(word, known))
+        known[name] = [*islice(meant, MOST)]
     found = (folder for pattern_ in _CALLS for match in pattern_.finditer(text) for folder in _meant(match[1], known))
     return tuple(dict.fromkeys(posixpath.normpath(folder) for folder in found))
 
