@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
 
-from roslab.evidence.lex.justfile import parsed
+from hanging import ends
+from roslab.evidence.lex import justfile
+from roslab.evidence.lex.justfile import Justfile, parsed
+from roslab.evidence.prose.just_recipes import MAX_ADDED, with_recipes
 from roslab.pipeline import plan_repository
+from roslab.repository.checkout import Repository
 
 FILE = """\
 set dotenv-load
@@ -134,3 +139,57 @@ def test_a_call_of_what_is_not_known_stays(tmp_path: Path) -> None:
     for path, text in {**CODE, "justfile": FILE, "README.md": "```\njust date\n```\njust run\n"}.items():
         (tmp_path / path).write_text(text)
     assert plan_repository(tmp_path).plan.python.pip_guessed == ()
+
+
+def pages_of(folder: Path, just: str, pages: dict[str, str]) -> list[str]:
+    for path, text in {"justfile": just, **pages}.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
+    repository = Repository.open(folder)
+    return [with_recipes(text, repository, repository.named(Path(path).name)[0]) for path, text in pages.items()]
+
+
+def test_a_page_does_not_grow_without_end(tmp_path: Path) -> None:
+    long = "".join(f"    echo {'x' * 1_900}\n" for _ in range(29))
+    page = "just long\n" * 1_000 + "just short\n"
+    (grown,) = pages_of(tmp_path, f"long:\n{long}short:\n    ls\n", {"README.md": f"```\n{page}```\n"})
+    assert len(grown) <= len(page) + MAX_ADDED + len("```\n```\n")
+    assert grown.startswith("```\necho xxx")
+    assert grown.count("just long\n") == 999
+    assert grown.endswith("\nls\n```\n")
+
+
+def test_each_call_is_looked_up_once_for_all_pages(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[tuple[str, list[str]]] = []
+    lines_of = Justfile.lines_of
+
+    def counted(self: Justfile, name: str, given: Sequence[str] = ()) -> tuple[str, ...] | None:
+        asked.append((name, [*given]))
+        return lines_of(self, name, given)
+
+    monkeypatch.setattr(Justfile, "lines_of", counted)
+    page = "```\njust a\njust a\njust b c\njust gone\n```\n"
+    found = pages_of(tmp_path, "a:\n    ls\nb x:\n    cat {{x}}\n", {f"docs/p{each}.md": page for each in range(5)})
+    assert found == ["```\nls\nls\ncat c\njust gone\n```\n"] * 5
+    assert asked == [("a", []), ("b", ["c"]), ("gone", [])]
+
+
+def test_values_do_not_multiply() -> None:
+    """Each recipe has the argument a hundred times, and gives that to the next."""
+    recipes = "".join(f"r{each} *x:\n    just r{each + 1} {'{{x}} ' * 100}\n" for each in range(10))
+    with ends():
+        assert parsed(f"{recipes}r10 *x:\n    echo {{{{x}}}}\n").lines_of("r0", ["a" * 19]) is None
+    assert parsed("a *x:\n    just b {{x}} {{x}}\nb *x:\n    echo {{x}}\n").lines_of("a", ["c"]) == ("echo c c",)
+
+
+def test_thousands_of_lines_are_not_filled(monkeypatch: pytest.MonkeyPatch) -> None:
+    filled: list[str] = []
+    kept = justfile._filled
+
+    def counted(line: str, values: Mapping[str, str]) -> str | None:
+        filled.append(line)
+        return kept(line, values)
+
+    monkeypatch.setattr(justfile, "_filled", counted)
+    assert parsed("a:\n" + "    echo a\n" * 2_000).lines_of("a") is None
+    assert len(filled) <= justfile.MOST + 1

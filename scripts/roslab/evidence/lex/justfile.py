@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from itertools import chain
 
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -53,8 +54,11 @@ class Justfile:
 
     def lines_of(self, name: str, given: Sequence[str] = ()) -> tuple[str, ...] | None:
         """Return what a shell runs for ``just NAME``; ``None`` where that is not known, or is no short command."""
-        found = self._lines(name, tuple(given), set())
-        return tuple(found) if found and len(found) <= MOST else None
+        try:
+            found = self._lines(name, tuple(given), set())
+        except _TooLongError:
+            return None
+        return tuple(found) if found else None
 
     def _lines(self, name: str, given: tuple[str, ...], done: set[tuple[str, tuple[str, ...]]]) -> list[str] | None:
         """Return the lines of a recipe and of those that it needs, none of what is ``done``: each runs once."""
@@ -65,23 +69,33 @@ class Justfile:
         if (name, given) in done:
             return []
         done.add((name, given))
+        known = {**self.variables, **values}
+        parts = chain(
+            (self._lines(*other, done) for other in recipe.first),
+            (self._line(line, known, done) for line in recipe.lines),
+            (self._lines(*other, done) for other in recipe.after),
+        )
         found: list[str] = []
-        for other in recipe.first:
-            if (needed := self._lines(*other, done)) is None:
+        for part in parts:
+            if part is None:
                 return None
-            found += needed
-        for line in recipe.lines:
-            filled = _filled(line, {**self.variables, **values})
-            if filled is None:
-                return None
-            called = _JUST.match(filled)
-            inside = self._lines(called[1], tuple(called[2].split()), done) if called else None
-            found += [filled] if inside is None else inside
-        for other in recipe.after:
-            if (needed := self._lines(*other, done)) is None:
-                return None
-            found += needed
+            found += part
+            if len(found) > MOST:
+                raise _TooLongError
         return found
+
+    def _line(self, line: str, known: Mapping[str, str], done: set[tuple[str, tuple[str, ...]]]) -> list[str] | None:
+        """Return what a line of a recipe stands for, those of another one if it calls that."""
+        filled = _filled(line, known)
+        if filled is None:
+            return None
+        called = _JUST.match(filled)
+        inside = self._lines(called[1], tuple(called[2].split()), done) if called else None
+        return [filled] if inside is None else inside
+
+
+class _TooLongError(Exception):
+    """A command stands for more lines than are taken."""
 
 
 def parsed(text: str) -> Justfile:
@@ -166,7 +180,7 @@ def _filled(line: str, values: Mapping[str, str]) -> str | None:
         return found or ""
 
     filled = _FILLED.sub(value, line)
-    return None if unknown else filled.strip()
+    return None if unknown or len(filled) > MAX_LINE else filled.strip()
 
 
 def _text(written: str | None) -> str | None:
