@@ -49,3 +49,51 @@ def test_the_list_of_another_repository(tree: Tree, image: str, found: list[tupl
 
 def test_none_is_read_where_nothing_is_missing(tree: Tree) -> None:
     assert _lists(tree, IMAGE.format(CLONE, "$HOME/lists/$FILE"), "<depend>rclcpp</depend>") == []
+
+
+RAW = "https://raw.githubusercontent.com/{}/v1/{}.rosinstall"
+
+
+def _named(tree: Tree, *lines: str) -> list[tuple[str, str | None, str]]:
+    """Return the name, the address and the lists that are kept, of what a script takes lists from."""
+    files = {
+        "package.xml": PACKAGE.format("<depend>tool_msgs_x</depend>"),
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+        "README.md": "ROS 2 Humble\n",
+        "setup.sh": "".join(f"{line}\n" for line in lines),
+    }
+    found = [each for each in tree(files).source if each.prepare]
+    return [(e.name, e.repo, e.prepare.partition("\\) ")[2].removesuffix(" -delete")) for e in found]
+
+
+def test_all_lists_of_one_repository_are_kept(tree: Tree) -> None:
+    lines = [f"wstool merge {RAW.format('lab/lists', name)}" for name in ("a", "b", "sub/c")]
+    kept = "! -path ./a.rosinstall ! -path ./b.rosinstall ! -path ./sub/c.rosinstall"
+    assert _named(tree, *lines) == [("lists", LISTS, kept)]
+    lines = ["git clone https://github.com/lab/lists src/x", "wstool merge -t src src/x/a.rosinstall"]
+    lines.append(f"wstool merge {RAW.format('lab/lists', 'b')}")
+    found = _named(tree, *lines)
+    assert [each[::2] for each in found] == [("lists", "! -path ./a.rosinstall ! -path ./b.rosinstall")]
+
+
+def test_two_owners_of_one_name_have_folders_of_their_own(tree: Tree) -> None:
+    found = _named(tree, *(f"wstool merge {RAW.format(owned, 'a')}" for owned in ("foo/ws", "baz/ws")))
+    assert [each[:2] for each in found] == [
+        ("ws", "https://github.com/foo/ws.git"),
+        ("baz_ws", "https://github.com/baz/ws.git"),
+    ]
+
+
+@pytest.mark.parametrize("owned", ["upstream/demo", "upstream/Demo"])
+def test_what_the_repository_is_a_fork_of_is_not_cloned_into_its_folder(tree: Tree, owned: str) -> None:
+    assert _named(tree, f"wstool init src {RAW.format(owned, 'x')}") == []
+    clone = f"git clone https://github.com/{owned}.git src/x"
+    assert _named(tree, clone, "wstool merge -t src src/x/a.rosinstall") == []
+
+
+@pytest.mark.parametrize("name", ["..", ".", ".git", ".hidden", "-x"])
+def test_an_odd_name_is_no_folder(tree: Tree, name: str) -> None:
+    assert _named(tree, f"wstool merge {RAW.format(f'lab/{name}', 'a')}") == []
+    merged = "wstool merge -t src src/odd/a.rosinstall"
+    assert _named(tree, f"git clone https://github.com/lab/{name} src/odd", merged) == []
+    assert _named(tree, "git clone https://github.com/lab/plain src/odd", merged) != []

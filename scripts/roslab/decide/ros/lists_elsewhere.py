@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Source
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
-from roslab.decide.ros.source_names import address, drifts, fixed
+from roslab.decide.ros.sought import folder_for
+from roslab.decide.ros.source_names import address, drifts, fixed, itself_in
 from roslab.decide.ros.weights import Weight
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence, Mention
-from roslab.evidence.ros.vcs import https
+from roslab.evidence.ros.vcs import https, nobodys
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -23,59 +24,81 @@ _RAW = pattern(
 )
 """A file of a repository by its address: owner and name, branch, path."""
 _PATH = pattern(r"[\w.+/-]+")
+_NAME = pattern(r"[A-Za-z0-9_][\w.-]*")
+"""A name that a folder may have: none of ``..``, ``.git`` and ``-x``, as odd addresses end."""
 
 
-def with_lists(choice: Choice[Sources], missing: Dependency | None, evidence: Evidence, before: str) -> Choice[Sources]:
+def with_lists(
+    choice: Choice[Sources], missing: Dependency | None, evidence: Evidence, before: str, itself: set[str]
+) -> Choice[Sources]:
     """Return the sources with the repositories from which lists are handed on, where a package is ``missing``.
 
-    ``before``: the day of what is cloned without a tag or commit.
+    ``before``: the day of what is cloned without a tag or commit; ``itself``: the repository's own names, as the one
+    that it is a fork of has them, too.
     """
-    there = {source.name for source in choice.answer.everything}
-    found = {source.name: (source, said) for source, said in _lists(evidence, before)} if missing else {}
-    added = [each for name, each in found.items() if name not in there]
+    there = choice.answer.everything
+    found = list(_lists(evidence, there, before, itself)) if missing else []
     why = "takes a list of repositories from it, and nothing known brings a package"
-    reasons = (because("source", s.name, f"{said.file} {why}", said, weight=Weight.LISTED) for s, said in added)
-    sources = (*choice.answer.sources, *(source for source, _ in added))
+    reasons = (because("source", s.name, f"{said.file} {why}", said, weight=Weight.LISTED) for s, said in found)
+    sources = (*choice.answer.sources, *(source for source, _ in found))
     return replace(choice, answer=replace(choice.answer, sources=sources), reasons=(*choice.reasons, *reasons))
 
 
-def _lists(evidence: Evidence, before: str) -> Iterator[tuple[Source, Mention]]:
-    """Yield the repositories with such a list, at the branch that is cloned, each with what hands the list on.
+def _lists(
+    evidence: Evidence, there: Iterable[Source], before: str, itself: set[str]
+) -> Iterator[tuple[Source, Mention]]:
+    """Yield the repositories with such lists, each once, with what hands the first of its lists on.
 
-    The build keeps no other list of them: of what this one names it clones what holds a missing package.
+    Each at the branch that is cloned, or that the first address names. The build keeps no other lists of them: of what
+    these name it clones what holds a missing package.
     """
-    here = address(evidence.origin) if evidence.origin else ""
+    others = list(there)
+    known = {address(each.repo) for each in others if each.repo}
+    if evidence.origin:
+        known.add(address(evidence.origin))
+    by_address: dict[str, list[tuple[GitSource, str, Mention]]] = {}
     for said in (mention for mention in evidence.mentions if mention.topic == "handed"):
-        url, ref, path = _by_address(said.value) or _in_clone(said, evidence) or ("", None, "")
-        if not url or address(url) == here or not _PATH.fullmatch(path):
+        git, path = _by_address(said) or _in_clone(said, evidence) or (None, "")
+        if git and _PATH.fullmatch(path) and address(git.url) not in known and not itself_in(git, itself):
+            by_address.setdefault(address(git.url), []).append((git, path, said))
+    for same in by_address.values():
+        git, _, said = same[0]
+        url = https(git.url).rstrip("/")
+        name, ref = folder_for(url, others), fixed(git.ref)
+        if nobodys(url) or not _NAME.fullmatch(name) or any(each.name == name for each in others):
             continue
-        kept = f"! -path {shlex.quote(f'./{path}')}"
-        yield (
-            Source(
-                name=url.removesuffix(".git").rpartition("/")[2],
-                repo=https(url),
-                ref=fixed(ref),
-                build="none",
-                before="" if ref and not drifts(ref) else before,
-                unasked=True,
-                prepare=f"find . -type f \\( -name '*.rosinstall' -o -name '*.repos' \\) {kept} -delete",
-                place=Place(file=said.file, line=said.line),
-            ),
-            said,
+        paths = dict.fromkeys(path for _, path, _ in same)
+        kept = " ".join(f"! -path {shlex.quote(f'./{path}')}" for path in paths)
+        source = Source(
+            name=name,
+            repo=url,
+            ref=ref,
+            build="none",
+            before="" if ref and not drifts(ref) else before,
+            unasked=True,
+            prepare=f"find . -type f \\( -name '*.rosinstall' -o -name '*.repos' \\) {kept} -delete",
+            place=Place(file=said.file, line=said.line),
         )
+        others.append(source)
+        yield source, said
 
 
-def _by_address(value: str) -> tuple[str, str | None, str] | None:
-    match = _RAW.fullmatch(value)
-    return (f"https://github.com/{match[1] or match[2]}.git", match[3], match[4]) if match else None
+def _by_address(said: Mention) -> tuple[GitSource, str] | None:
+    match = _RAW.fullmatch(said.value)
+    if match is None:
+        return None
+    owned = match[1] or match[2]
+    url, name = f"https://github.com/{owned}.git", owned.rpartition("/")[2]
+    git = GitSource(name=name, url=url, ref=match[3], strength="prose", file=said.file, line=said.line, kind="link")
+    return git, match[4]
 
 
-def _in_clone(said: Mention, evidence: Evidence) -> tuple[str, str | None, str] | None:
+def _in_clone(said: Mention, evidence: Evidence) -> tuple[GitSource, str] | None:
     """Return the clone of the same script or Dockerfile in whose folder the list is, and the path there."""
     clones: list[GitSource] = [git for git in evidence.sources if git.kind == "clone" and git.file == said.file]
     clones += [git for each in evidence.dockerfiles if each.file == said.file for git in each.clones]
     for git in clones:
         _, there, path = f"/{said.value}".rpartition(f"/{git.folder}/")
         if there:
-            return git.url, git.ref, path
+            return git, path
     return None

@@ -110,7 +110,7 @@ def decide_sources(
     chosen.known((*used, *launched), known | rosdep_keys(), 1 if kind == "ros1" else 2, ros_distro or "")
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys() | by_page(used, evidence)
-    choice = with_lists(chosen.choice(files), unknown, evidence, chosen.before)
+    choice = with_lists(chosen.choice(files), unknown, evidence, chosen.before, itself)
     names = frozenset(plain(each.name) for each in needed)
     answer = with_imported(replace(choice.answer, asked=names, within=inside_packages(evidence)), evidence)
     return with_sought(

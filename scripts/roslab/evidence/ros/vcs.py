@@ -199,7 +199,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
     if any("${" in str(part) for entry in entries for part in entry):
         return  # a template that a script of the author fills in
     for name, url, ref in entries:
-        if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()) or _nobodys(url):
+        if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()) or nobodys(url):
             continue
         yield GitSource(
             name=name,
@@ -214,7 +214,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
         )
 
 
-def _nobodys(url: str) -> bool:
+def nobodys(url: str) -> bool:
     """Tell whether an address at a public host lacks the owner or the name: a template that nobody has filled in."""
     host, _, path = https(url).partition("://")[2].partition("/")
     return host in public_hosts() and len([part for part in path.removesuffix(".git").split("/") if part]) < SHORTEST
