@@ -51,3 +51,21 @@ def test_curses_by_the_name_of_its_time(tree: Tree, ubuntu: str, package: str) -
     )
     decision = tree({"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n", "README.md": f"Tested on Ubuntu {ubuntu}.\n"})
     assert package in decision.apt
+
+
+@pytest.mark.parametrize(
+    ("ubuntu", "packages"),
+    [
+        ("22.04", {"libqt6svg6-dev", "libqt6websockets6-dev"}),
+        ("24.04", {"qt6-svg-dev", "qt6-websockets-dev"}),
+    ],
+)
+def test_parts_of_qt6_by_the_names_of_their_ubuntu(tree: Tree, ubuntu: str, packages: set[str]) -> None:
+    cmake = (
+        "cmake_minimum_required(VERSION 3.16)\nproject(demo CXX)\n"
+        "find_package(Qt6 REQUIRED COMPONENTS Svg WebSockets)\nadd_executable(d a.cpp)\n"
+    )
+    page = f"Tested on Ubuntu {ubuntu}.\n"
+    decision = tree({"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n", "README.md": page})
+    assert packages <= {*decision.apt, *decision.apt_guessed}
+    assert not [each for each in decision.warnings if "Qt6" in each.message]
