@@ -33,6 +33,8 @@ from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.requirement_line import stated
 
+_CONFIGURED = "roslab.yaml"
+"""A row that says why and names it says also how to install the package."""
 MOST = 8
 """Most modules that are named in one warning."""
 _OF_ROS = frozenset({"ros1", "ros2"})
@@ -49,8 +51,9 @@ def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> 
         row = not_on_index()[canonicalize_name(used.name)]
         if not (row.instead or (ubuntu and system_package(used.name, ubuntu))):
             of_conda = f" from {' or '.join(row.conda)}, by an environment file" if row.conda else ""
-            then = f"install it{of_conda or ' with `pip`, `custom` or `source` in roslab.yaml'} ({row.source})"
-            yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}; {then}", used)
+            then = f"; install it{of_conda or ' with `pip`, `custom` or `source` in roslab.yaml'}"
+            then = f"{'' if _CONFIGURED in row.why else then} ({row.source})"
+            yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}{then}", used)
     yield from _tried(chosen)
     unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen)]
     places = {each.value: each for each in chosen.stopping}
