@@ -66,18 +66,25 @@ def compiles_for_here(evidence: Evidence) -> bool:
 def problems(
     evidence: Evidence, dockerfile: str | None, build_tool: BuildTool, projects: Collection[str]
 ) -> tuple[Warning_, ...]:
-    """Return what the readers found wrong as warnings; of an option for one machine also what the build does about it.
+    """Return what the readers found wrong as warnings, and of options for one machine what the build does about it.
 
-    ``dockerfile``: the author's own, if that is built; ``projects``: the folders that pip installs.
+    Of these only the first that is compiled, else the first, is told. ``dockerfile``: the author's own, if that is
+    built; ``projects``: the folders that pip installs.
     """
     own = f"; {dockerfile}, which is the author's, compiles with it as it stands: take it out here"
     does = "; a generated Dockerfile compiles for usual PCs since 2013, or for ARM of 64 bits, in its place"
     other = "; the image does not compile it"
     found = []
+    native = [each for each in evidence.problems if told([each])]
+    compiled = (each for each in native if _compiles(each[1] or "", evidence, build_tool, projects))
+    first = next(compiled, None)
+    shown = (native[0] if dockerfile else first or native[0]) if native else None
     for message, file, line in evidence.problems:
         what = ""
         if told([(message, file, line)]):
-            what = own if dockerfile else does if _compiles(file or "", evidence, build_tool, projects) else other
+            if (message, file, line) != shown:
+                continue
+            what = own if dockerfile else does if first else other
         found.append(Warning_(message=f"{message}{what}", file=file, line=line))
     return tuple(found)
 

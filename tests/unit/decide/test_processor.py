@@ -315,3 +315,10 @@ def test_what_the_build_does_about_it_is_said_where_it_is_compiled(
     (said,) = [each.message for each in found.warnings if each.message.startswith(FLAG)]
     assert ("in its place" in said) is compiled
     assert ("the image does not compile it" in said) is not compiled
+
+
+def test_the_first_that_is_compiled_is_told(tree: Callable[[dict[str, str]], Decision]) -> None:
+    top = f"{CMAKE}add_subdirectory(deep/er)\n"
+    files = {"CMakeLists.txt": top, "main.cpp": "int main() {}\n", "a/CMakeLists.txt": OTHER}
+    found = tree({**files, "deep/er/CMakeLists.txt": "add_compile_options(-march=native)\n"})
+    assert [each.file for each in found.warnings if each.message.startswith(FLAG)] == ["deep/er/CMakeLists.txt"]

@@ -23,7 +23,7 @@ _WHY = (
 
 
 def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
-    """Yield what the author should know of the first such option: the message, the file and the line.
+    """Yield what the author should know of each file's first such option: the message, the file and the line.
 
     Makefiles count where neither CMake nor ROS builds the tree.
     """
@@ -31,11 +31,11 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
     if not repository.named("CMakeLists.txt", "package.xml"):
         files = [*repository.named(*MAKEFILES), *repository.suffixed(".mk")]
     kept = (f for f in files if f.size <= MAX_SIZE and not places.test(f.path) and not places.example(f.path))
-    for file in sorted(kept, key=lambda f: (places.vendored(f.path), f.path.count("/"), f.path))[:MAX_FILES]:
+    once = {file.path: file for file in kept}.values()
+    for file in sorted(once, key=lambda f: (places.vendored(f.path), f.path.count("/"), f.path))[:MAX_FILES]:
         text = repository.read(file)
         if "=native" in text and (match := _NATIVE.search(text)):
             yield f"{match[1]}{_WHY}", file.path, text.count("\n", 0, match.start(1)) + 1
-            return
 
 
 def told(problems: Iterable[tuple[str, str | None, int | None]]) -> bool:
