@@ -327,11 +327,16 @@ ROS = {"package.xml": "<package><name>a</name><buildtool_depend>catkin</buildtoo
     [
         ({}, set[str]()),
         ({"README.md": "```\nvim a\n```\n"}, set[str]()),
+        ({"run.sh": "#!/usr/bin/env zsh\necho vim\n# tmux\n"}, {"zsh"}),
+        ({"run.sh": "#!/bin/bash -e\ncd a && tmux new -d -s a\n"}, {"tmux"}),
+        ({"main.py": "import subprocess\nsubprocess.Popen(['screen', '-d'])\n"}, {"screen"}),
+        ({"main.py": "import os\nos.system('cd a; htop')\n"}, {"htop"}),
+        ({"run.sh": "#!/bin/bash\ntmux() {\n:\n}\ntmux\n"}, set[str]()),
         (ROS, {"python3-vcstool"}),
     ],
 )
 def test_what_serves_the_author_alone_is_left_out(tmp_path: Path, files: dict[str, str], names: set[str]) -> None:
-    own = "vim neovim tmux zsh htop kitware-archive-keyring python3-vcstool ros-dev-tools"
+    own = "vim neovim tmux screen zsh htop kitware-archive-keyring python3-vcstool ros-dev-tools"
     made = {
         "Dockerfile": f"FROM ubuntu:20.04\nRUN apt-get install -y libgsl-dev {own}\n",
         "CMakeLists.txt": "project(a)\nadd_executable(a a.cpp)\n",
@@ -343,3 +348,12 @@ def test_what_serves_the_author_alone_is_left_out(tmp_path: Path, files: dict[st
     offered = {*found.apt, *found.apt_guessed}
     assert "libgsl-dev" in offered
     assert offered & {*own.split()} - {"ros-dev-tools"} == names
+
+
+def test_what_ubuntu_has_too_stays(tmp_path: Path) -> None:
+    asked = "python3-rospkg python3-catkin-pkg python3-rosdistro python3-rospkg-modules"
+    (tmp_path / "Dockerfile").write_text(f"FROM ubuntu:20.04\nRUN apt-get install -y {asked}\n")
+    (tmp_path / "CMakeLists.txt").write_text("project(a)\nadd_executable(a a.cpp)\n")
+    (tmp_path / "a.cpp").write_text("int main() {}\n")
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="a")
+    assert {*found.apt, *found.apt_guessed} & {*asked.split()} == {*asked.split()[:3]}

@@ -240,7 +240,7 @@ def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependenc
     for dependency in written:
         if dependency.file not in ours or written_for(dependency.name) in {None, ros_distro, "{distro}"}:
             yield dependency
-    used = {m.value.split(" ")[0] for m in evidence.mentions if m.topic in {"command", "session"}}
+    used = {m.value.split(" ")[0] for m in evidence.mentions if m.topic in {"command", "session", "started"}}
     own = authors_own(ros=ros_distro is not None)
     authors = [authored for authored in evidence.dockerfiles if authored.purpose in {"project", "ci"}]
     fitting = [authored for authored in authors if ros_distro and ros_distro in distros_in(authored.base or "")]

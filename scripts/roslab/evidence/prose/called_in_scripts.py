@@ -23,6 +23,7 @@ _CALLED = pattern(
     re.MULTILINE,
 )
 """A word where a command begins, also in ``$(…)``."""
+_FUNCTION = pattern(r"\b([A-Za-z][\w.+-]*)[ \t]*\(\)")
 _NOT_RUN = pattern(
     r"(?m)(?:^|(?<=\s))#.*$|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\\n]|\\[^\n]){0,500}\"|'[^'\n]{0,500}'|[^;&|\"'\n]){0,500}"
 )
@@ -50,17 +51,24 @@ def unpackaged(repository: Repository, said: Iterable[Mention]) -> tuple[Mention
 
 
 def _calls(repository: Repository, said: Iterable[Mention]) -> Iterator[tuple[str, str, int]]:
-    """Yield each program with its script and the first line that calls it; functions of the script are none."""
+    """Yield each program with its script and the first line that calls it."""
     commands = (mention for mention in said if mention.topic == "command" and mention.source == "readme")
     files = dict.fromkeys(file for mention in commands for file in mention.files if file.endswith(_SCRIPT))
     known = (programs().keys() | unpackaged_programs().keys()) - _EVERYWHERE
     for file in files:
         if not repository.has(file) or places.vendored(file):
             continue
-        text = _NOT_RUN.sub("", repository.read(file, limit=MAX_SIZE))
-        seen: set[str] = set()
-        for match in _CALLED.finditer(text):
-            name = match[1]
-            if name in known and name not in seen and not re.search(rf"\b{re.escape(name)}[ \t]*\(\)", text):
-                seen.add(name)
-                yield name, file, text.count("\n", 0, match.start(1)) + 1
+        yield from (
+            (name, file, line) for name, line in calls_of(repository.read(file, limit=MAX_SIZE)) if name in known
+        )
+
+
+def calls_of(script: str) -> Iterator[tuple[str, int]]:
+    """Yield each word where a command of a script begins, with its first line; functions of the script are none."""
+    text = _NOT_RUN.sub("", script)
+    functions = set(_FUNCTION.findall(text))
+    seen: set[str] = set()
+    for match in _CALLED.finditer(text):
+        if (name := match[1]) not in functions | seen:
+            seen.add(name)
+            yield name, text.count("\n", 0, match.start(1)) + 1

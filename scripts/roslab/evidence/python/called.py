@@ -62,6 +62,15 @@ def _by_libraries(module: Module) -> Iterator[Dependency]:
 
 
 def _called(module: Module) -> Iterator[Dependency]:
+    for called, line in programs_of(module):
+        if name := programs().get(called):
+            yield Dependency(
+                namespace="apt", name=name, strength="used", file=module.file.path, line=line, role="called"
+            )
+
+
+def programs_of(module: Module) -> Iterator[tuple[str, int]]:
+    """Yield the programs that a module calls by names which it writes out, each with its line; Python is none."""
     text = module.text
     lines = _IMPORTED.findall(text) if "from subprocess import" in text else ()
     imported = {name for line in lines for name in _WORD.findall(line)}
@@ -71,9 +80,5 @@ def _called(module: Module) -> Iterator[Dependency]:
         parts = [match["said"]] if match["list"] else _NEXT.split(match["said"])
         for words in map(str.split, parts):
             called = words[1:] if words[:1] == ["sudo"] else words
-            name = programs().get(called[0]) if called and not _PYTHON.match(called[0]) else None
-            if name:
-                line = text.count("\n", 0, match.start("said")) + 1
-                yield Dependency(
-                    namespace="apt", name=name, strength="used", file=module.file.path, line=line, role="called"
-                )
+            if called and not _PYTHON.match(called[0]):
+                yield called[0], text.count("\n", 0, match.start("said")) + 1
