@@ -32,7 +32,7 @@ from roslab.decide.python.alternatives import one_way
 from roslab.decide.python.compiling import decide_compiling
 from roslab.decide.python.environment import decide_python
 from roslab.decide.python.installed import installed
-from roslab.decide.python.lost_extensions import with_lost_extensions
+from roslab.decide.python.of_lost_extensions import with_lost_extensions
 from roslab.decide.python.other_environments import of_one_environment
 from roslab.decide.python.own import decide_version
 from roslab.decide.python.pins import pins

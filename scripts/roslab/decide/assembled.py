@@ -9,7 +9,7 @@ from roslab.decide.author_folders import decide_author_folders
 from roslab.decide.base import BaseImage
 from roslab.decide.command import Command
 from roslab.decide.conflicts import decide_conflicts
-from roslab.decide.cuda.on_gpu import needs_gpu, without_cuda
+from roslab.decide.cuda.on_gpu import needs_gpu, told_of_no_gpu
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript
 from roslab.decide.foreign_interpreters import decide_interpreters
@@ -294,7 +294,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             *problems(evidence, of.dockerfile, of.build_tool.answer, of.python.answer.projects),
             *(warn(message, origin) for message, origin in config.warnings),
             *(warning for choice in choices for warning in choice.warnings),
-            *(() if of.on_cuda or of.own.answer or config.gpu is not None else without_cuda(evidence, of.everything)),
+            *(() if of.on_cuda or of.own.answer or config.gpu is not None else told_of_no_gpu(evidence, of.everything)),
         ),
         reasons=tuple(reason for choice in choices for reason in choice.reasons),
     )

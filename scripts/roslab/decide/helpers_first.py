@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import LAUNCHERS, Candidate, program_of
 from roslab.decide.sections import about_running
 from roslab.evidence.facts import Evidence
 from roslab.values.name import bare_name
@@ -25,7 +25,6 @@ _SUFFIX = pattern(r"[_-](?:ros2?|node|pkg|py|cpp)$")
 _LETTERS = 6
 """Letters by which two words are one: ``estimation`` and ``estimator``."""
 _TITLE = " / "
-_LAUNCHERS = frozenset({"roslaunch", "rosrun", "ros2"})
 
 
 def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: Evidence) -> Candidate:
@@ -35,13 +34,13 @@ def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: 
     """
     candidates = tuple(candidates)
     first = _behind_optional(first, candidates, evidence)
-    if first.argv[0] not in _LAUNCHERS or not any(map(_HELPS.search, _names(first))):
+    if first.argv[0] not in LAUNCHERS or not any(map(_HELPS.search, _names(first))):
         return first
     title = first.heading.partition(_TITLE)[0]
     words = _words(evidence.origin.rstrip("/").rpartition("/")[2].removesuffix(".git")) | _words(title)
     best, most = first, _shared(first, words)
     for each in candidates:
-        same = each.strong and each.file == first.file and each.argv[0] in _LAUNCHERS and not (each.cut or each.lacking)
+        same = each.strong and each.file == first.file and each.argv[0] in LAUNCHERS and not (each.cut or each.lacking)
         meant = about_running(each.heading) >= about_running(first.heading)
         if same and meant and not any(map(_HELPS.search, _names(each))) and (shared := _shared(each, words)) > most:
             best, most = each, shared

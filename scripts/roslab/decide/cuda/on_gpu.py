@@ -40,7 +40,7 @@ def computing_there(evidence: Evidence, command: tuple[str, ...] | str) -> Menti
     return next((mention for mention in said if mention.value in started), None)
 
 
-def without_cuda(evidence: Evidence, installed: Iterable[Requirement]) -> tuple[Warning_, ...]:
+def told_of_no_gpu(evidence: Evidence, installed: Iterable[Requirement]) -> tuple[Warning_, ...]:
     """Warn where a page requires CUDA and a framework is installed that computes on it: the image has none."""
     asked = (m for m in evidence.mentions if m.topic == "cuda" and "/" not in m.file and m.source == "readme")
     said = next((m for m in asked if _REQUIRES.search(m.heading) or _REQUIRES.search(m.text)), None)

@@ -18,6 +18,9 @@ from roslab.knowledge.released import ever_released
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.requirement import Requirement
 
+_SHORTEST = 4
+"""Fewest letters of a beginning that two names have in common by more than chance."""
+
 
 def modules_of_owner(evidence: Evidence, installed: Iterable[Requirement]) -> Iterator[Dependency]:
     """Yield the modules at the top of nodes that nothing brings, each once, as packages of ROS.
@@ -44,7 +47,3 @@ def modules_of_owner(evidence: Evidence, installed: Iterable[Requirement]) -> It
             yield Dependency(
                 namespace="ros", name=name, strength="declared", file=said.file, line=said.line, role="exec"
             )
-
-
-_SHORTEST = 4
-"""Fewest letters of a beginning that two names have in common by more than chance."""

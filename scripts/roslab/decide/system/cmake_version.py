@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterable
 
 from roslab.config.model import Kind
 from roslab.decide.ros.workspace import packages_of
+from roslab.decide.system.added_projects import added_by
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
@@ -35,7 +35,9 @@ def needed_cmake(evidence: Evidence) -> Dependency | None:
     projects = [project for project in evidence.cmake if not places.aside(project.file)]
     built = [p for p in projects if (p.file.rpartition("/")[0] in folders or (not folders and p.top_level))]
     built.sort(key=lambda project: project.file.count("/"))
-    parts = {p.file: p for p in (*built, *_below(built, projects), *reached(built, evidence.cmake))}
+    parts = {
+        p.file: p for p in (*built, *_below(built, projects), *added_by(built, evidence.cmake, usual=True).projects)
+    }
     return highest(built, parts.values())
 
 
@@ -44,20 +46,6 @@ def highest(built: Iterable[CMakeProject], parts: Iterable[CMakeProject]) -> Dep
     demands = [project.minimum for project in built if project.minimum]
     demands += [each for project in parts for each in project.newer]
     return max(demands, key=lambda demand: Version(demand.version or "0"), default=None)
-
-
-def reached(built: Iterable[CMakeProject], projects: Iterable[CMakeProject]) -> list[CMakeProject]:
-    """Return the files that a usual build of these projects reads, over as many files that add others as there are."""
-    by_folder = {project.file.rpartition("/")[0]: project for project in projects}
-    found: dict[str, CMakeProject] = {}
-    left = list(built)
-    while left:
-        for folder in left.pop().adds:
-            part = by_folder.get(posixpath.normpath(folder))
-            if part is not None and part.usual and part.file not in found:
-                found[part.file] = part
-                left.append(part)
-    return list(found.values())
 
 
 def _below(built: Iterable[CMakeProject], projects: Iterable[CMakeProject]) -> list[CMakeProject]:

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from roslab.decide.programs import top_of
 from roslab.decide.ros.workspace import packages_of, ros_versions
-from roslab.decide.system.cmake_version import highest, reached
+from roslab.decide.system.added_projects import added_by
+from roslab.decide.system.cmake_version import highest
 from roslab.decide.system.page_releases import built_older
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -187,6 +188,6 @@ def needs_newer_cmake(evidence: Evidence, ubuntu: str, cmake: str) -> str | None
     if ubuntu not in TOO_OLD_FOR_PIP:
         return None
     built = tuple(_built(evidence))
-    asked = highest(built, (*built, *reached(built, evidence.cmake)))
+    asked = highest(built, added_by(built, evidence.cmake, usual=True).projects)
     newest = asked.version if asked else None
     return newest if newest and Version(newest) > Version(cmake) else None

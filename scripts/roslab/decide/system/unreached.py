@@ -9,6 +9,7 @@ from functools import lru_cache
 from roslab.decide.linked_projects import linked_projects
 from roslab.decide.linking_projects import linking
 from roslab.decide.programs import beside_top, top_of
+from roslab.decide.system.added_projects import added_by, folder_of
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 
@@ -41,16 +42,17 @@ def unreached(evidence: Evidence, *, by_page: bool = True) -> frozenset[str]:
         *(p for p, _ in linking(evidence, top)),
         *(p for p, _ in linked_projects(evidence)),
     ]
-    built += [p for p in alone if _folder(p) in python]
+    built += [p for p in alone if folder_of(p) in python]
     built += list(_said(alone, evidence)) if by_page else []
-    folders, unknown = _reached(built, evidence)
+    added = added_by(built, evidence.cmake)
+    folders = {folder_of(project) for project in added.projects}
     left = {
-        _folder(p)
+        folder_of(p)
         for p in alone
-        if _folder(p) not in folders and not any(p.file.startswith(begins) for begins in unknown)
+        if folder_of(p) not in folders and not any(p.file.startswith(begins) for begins in added.unknown)
     }
     return frozenset(
-        each.file for each in evidence.cmake if _folder(each) in left or (each.added and each.top in left - {""})
+        each.file for each in evidence.cmake if folder_of(each) in left or (each.added and each.top in left - {""})
     )
 
 
@@ -60,7 +62,7 @@ def _said(projects: Iterable[CMakeProject], evidence: Evidence) -> Iterator[CMak
     places = {posixpath.normpath(mention.value.split(" ")[0]) for mention in said}
     places |= {posixpath.dirname(mention.file) for mention in said}
     inside = {part for place in places for part in _parts(place)}
-    yield from (project for project in projects if _folder(project) in inside)
+    yield from (project for project in projects if folder_of(project) in inside)
 
 
 def _parts(place: str) -> Iterator[str]:
@@ -71,24 +73,3 @@ def _parts(place: str) -> Iterator[str]:
     for start in range(len(words)):
         for end in range(start + 1, len(words) + 1):
             yield "/".join(words[start:end])
-
-
-def _reached(built: Iterable[CMakeProject], evidence: Evidence) -> tuple[frozenset[str], tuple[str, ...]]:
-    """Return the folders that projects add, over any number of others, and how paths begin whose ends are unknown."""
-    by_folder = {_folder(project): project for project in evidence.cmake}
-    left, found, unknown = list(built), set[str](), dict[str, None]()
-    while left:
-        project = left.pop()
-        if (folder := _folder(project)) in found:
-            continue
-        found.add(folder)
-        for added in project.adds:
-            if "$" in added:
-                unknown[added.partition("$")[0]] = None
-            elif (part := by_folder.get(posixpath.normpath(added))) is not None:
-                left.append(part)
-    return frozenset(found), tuple(unknown)
-
-
-def _folder(project: CMakeProject) -> str:
-    return project.file.rpartition("/")[0]
