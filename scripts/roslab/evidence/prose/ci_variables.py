@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from roslab.evidence.lex.yaml import Scalar
 
 _USED = pattern(r"\$(?:\{\{[ ]{0,9}env\.([A-Za-z_]\w*)[ ]{0,9}\}\}|\{([A-Za-z_]\w*)\}|([A-Za-z_]\w*))")
+_SET = pattern(r"(?:^|[\s;&])([A-Za-z_]\w*)=")
 _PLAIN = pattern(r"[\w./:@+=,~-]+(?: [\w./:@+=,~-]+)*")
 """A value without quotes, and without another variable or expression."""
 
@@ -27,10 +28,12 @@ def filled(value: Scalar) -> str:
     if value.key != "run" or not value.variables or "$" not in text:
         return text
 
+    own = {*_SET.findall(text)}
+
     def written(match: re.Match[str]) -> str:
         name = match[1] or match[2] or match[3]
         meant = value.variables.get(name, "")
-        own = match[1] is None and re.search(rf"(?:^|[\s;&])(?:export )?{name}=", text)
-        return match[0] if own or "DISTRO" in name.upper() or not _PLAIN.fullmatch(meant) else meant
+        set_here = match[1] is None and name in own
+        return match[0] if set_here or "DISTRO" in name.upper() or not _PLAIN.fullmatch(meant) else meant
 
     return _USED.sub(written, text)

@@ -20,7 +20,9 @@ _NAME = pattern(
 _LIST = pattern(r"require|depend|conda|env|spec|package|pip|freeze")
 """A word in the name of a list that conda may have written."""
 _SHAPE = pattern(r"^dependencies\s*:", re.MULTILINE)
-_FLOW = pattern(r"^(?:(channels|dependencies) *:|[ ]*- *\{? *(pip) *:)(?:[ \t]*(?:#.*)?\r?\n)*[ \t]*\[", re.MULTILINE)
+_FLOW = pattern(
+    r"^(?:(channels|dependencies) *:|[ ]*- *(?:\{ *)?(pip) *:)(?:[ \t]*(?:#.*)?\r?\n)*[ \t]*\[", re.MULTILINE
+)
 """A list in brackets, as the image's script unfolds it."""
 _OPTIONS = ("-f ", "-i ", "--extra-index-url", "--find-links", "--index-url")
 _FOLDER = pattern(r"(?:(?:-e|--editable)\s+)?((?:\.{1,2}|[\w.-]+/)(?:[\w.-]+/?)*|\./?[\w./-]*)(?:\[[\w,-]+\])?")

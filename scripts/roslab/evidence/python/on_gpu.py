@@ -18,7 +18,7 @@ MOST = 40
 """Most groups of programs of which the modules are followed."""
 _SETTINGS = (".yaml", ".yml")
 _SET = pattern(
-    r"^[ \t]*[\"']?\w*device\w*[\"']?[ \t]*:[ \t]*[\"']?cuda(?::\d+)?[\"']?[ \t]*(?:#[^\n]*)?$", re.MULTILINE
+    r"^[ \t]*[\"']?(?=\w*device)\w+[\"']?[ \t]*:[ \t]*[\"']?cuda(?::\d+)?[\"']?[ \t]*(?:#[^\n]*)?$", re.MULTILINE
 )
 _MOVES = pattern(
     r"^[^#\n]*(?:\.cuda\(\)|\.to\([ \t]*[\"']cuda|\btorch\.device\([ \t]*[\"']cuda|\bcuda\.synchronize\(\))",
@@ -28,7 +28,7 @@ _BRANCH = pattern(r"\b(?:if|else|elif|try|except)\b")
 _DEFAULT = pattern(r"\b(?:def|lambda)\b")
 _ASKS = ("is_available", "device_count", "mem_get_info")
 """Calls by which code finds out whether there is a GPU."""
-_NAME = pattern(r"[\w.-]+\.ya?ml\b")
+_NAME = pattern(r"(?<![\w.-])[\w.-]+\.ya?ml\b")
 
 
 def read(repository: Repository, launched: Iterable[LaunchFile]) -> Iterator[Mention]:

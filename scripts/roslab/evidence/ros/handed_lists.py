@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Literal
 
 from roslab.evidence import places
@@ -66,10 +66,12 @@ def _elsewhere(repository: Repository) -> tuple[Mention, ...]:
 def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
     text = repository.read(file)
     source = _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile")
+    values: dict[str, str] | None = None
     for match in matching_lines(_HANDED, text, "wstool", "rosws", "rosinstall", "vcs"):
         if "#" in match["before"] and source != "readme":
             continue
-        for word in (each.strip("\"'") for each in _filled(match["rest"], text).split()):
+        values = dict(reversed(_SET.findall(text))) if values is None else values
+        for word in (each.strip("\"'") for each in _filled(match["rest"], values).split()):
             if word.endswith(_USUAL) and "/" in word and not repository.named(posixpath.basename(word)):
                 line = text.count("\n", 0, match.start("rest")) + 1
                 yield Mention(
@@ -77,9 +79,8 @@ def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
                 )
 
 
-def _filled(command: str, text: str) -> str:
+def _filled(command: str, values: Mapping[str, str]) -> str:
     """Return a command with the values that its text gives to variables, of several the first."""
-    values = dict(reversed(_SET.findall(text)))
     return _VARIABLE.sub(lambda found: values.get(found[1], found[0]), command)
 
 

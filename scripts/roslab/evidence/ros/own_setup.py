@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
@@ -23,9 +24,10 @@ _IN_PYTHON = pattern(
     re.MULTILINE,
 )
 """A command that Python hands to a shell, with the folder in braces, or put in between."""
-_ITSELF = r"^[ \t]*(?:readonly[ \t]+|export[ \t]+)?{}=[^\n]*(?:BASH_SOURCE|\$\{{?0\b)[^\n]*$"
+_ITSELF = pattern(r"^[ \t]*(?:readonly[ \t]+|export[ \t]+)?(\w+)=([^\n]*(?:BASH_SOURCE|\$\{?0\b)[^\n]*)$", re.MULTILINE)
 """A variable that is set to the folder of the script, or one above it."""
-_OF_PYTHON = pattern(r"^(\w+)[ \t]*=[ \t]*([^\n]*\b__file__\b[^\n]*)$", re.MULTILINE)
+_OF_PYTHON = pattern(r"^(\w+)[ \t]*=([^\n]*\b__file__\b[^\n]*)$", re.MULTILINE)
+_WORD = pattern(r"\w+")
 _UP = pattern(r"\bdirname\(|\.parent\b(?!s)|/\.\.(?![\w.])|[\"']\.\.[\"']")
 _ABOVE = pattern(r"/\.\.(?![\w.])")
 
@@ -56,7 +58,8 @@ def _sourced(file: str, text: str) -> Iterator[tuple[re.Match[str], str]]:
     if file.endswith(".py"):
         folders = {match[1]: len(_UP.findall(match[2])) - 1 for match in _OF_PYTHON.finditer(text)}
         for match in _IN_PYTHON.finditer(text) if folders else ():
-            name = match[1] or match[2] or next((each for each in folders if re.search(rf"\b{each}\b", match[0])), "")
+            words = {*_WORD.findall(match[0])}
+            name = match[1] or match[2] or next((each for each in folders if each in words), "")
             up = folders.get(name, -1) + len(_ABOVE.findall(match[3]))
             yield match, f"../{match[4]}" if name in folders and up == depth + 1 else ""
         return
@@ -68,5 +71,13 @@ def _sourced(file: str, text: str) -> Iterator[tuple[re.Match[str], str]]:
 
 def of_root(text: str, name: str, depth: int) -> bool:
     """Tell whether a variable names the folder that lies so many folders above the script's own."""
-    found = re.search(_ITSELF.format(re.escape(name)), text, re.MULTILINE)
-    return found is not None and len(_ABOVE.findall(found[0])) == depth
+    return _folders_above(text).get(name) == depth
+
+
+@lru_cache(maxsize=4)
+def _folders_above(text: str) -> dict[str, int]:
+    """Return the variables that are first set to the folder of a script or one above it, with by how many above."""
+    found: dict[str, int] = {}
+    for name, value in _ITSELF.findall(text):
+        found.setdefault(name, len(_ABOVE.findall(value)))
+    return found

@@ -44,7 +44,7 @@ awk -v quotes="[\"']" '
     for (at = 1; at <= size; at++) {
       rest = substr(file, at)
       line = substr(rest, 1, index(rest, "\n") - 1)
-      if (match(rest, /^((channels|dependencies) *:|[ ]*- *[{]? *pip *:)([ \t]*(#[^\n]*)?\n)*[ \t]*\[/)) {
+      if (match(rest, /^((channels|dependencies) *:|[ ]*- *([{] *)?pip *:)([ \t]*(#[^\n]*)?\n)*[ \t]*\[/)) {
         at += RLENGTH - 1
         indent = "  "
         if (match(line, /^ *- */)) indent = substr(line, 1, index(line, "-") - 1) "    "

@@ -1,0 +1,141 @@
+"""Texts that repeat what begins a pattern are read in a time that grows with their length alone."""
+
+from __future__ import annotations
+
+import posixpath
+from pathlib import Path
+
+import pytest
+
+from hanging import ends
+from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.lex.yaml import Scalar
+from roslab.evidence.prose import ci_variables
+from roslab.evidence.python import conda, on_gpu
+from roslab.evidence.ros import handed_lists, only_in_manifest, own_setup, package_xml
+from roslab.repository.checkout import Repository
+
+LONG = 20_000
+
+
+def tree_of(folder: Path, files: dict[str, str]) -> Repository:
+    for path, text in files.items():
+        file = folder / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    return Repository.open(folder)
+
+
+def scalar(text: str, **variables: str) -> Scalar:
+    return Scalar("run", text, 1, item=False, variables=variables)
+
+
+def test_a_setting_of_many_blanks_before_no_file(tmp_path: Path) -> None:
+    repository = tree_of(tmp_path, {"a.py": f"# /setup.\na={' ' * 2 * LONG}x\n"})
+    with ends():
+        assert not [*own_setup.read(repository)]
+
+
+@pytest.mark.parametrize("named", ["{here}", "{other}", "{}"])
+def test_the_folder_in_a_command_of_python(tmp_path: Path, named: str) -> None:
+    code = "import os\nhere  =  os.path.dirname(os.path.dirname(__file__))\n"
+    run = f"run('source {named}/install/setup.bash'.format(here))\n"
+    found = [each.value for each in own_setup.read(tree_of(tmp_path, {"a.py": code + run}))]
+    assert found == ([] if named == "{other}" else ["../install"])
+
+
+def test_many_variables_and_many_commands_that_name_them(tmp_path: Path) -> None:
+    count = 1_500
+    shell = "".join(f'source "$v{each}/install/setup.bash"\n' for each in range(count))
+    code = "".join(f"v{each}=__file__\n" for each in range(count)) + 'run("source {}/install/setup.sh")\n' * 500
+    repository = tree_of(tmp_path, {**{f"a{n}.sh": shell for n in range(40)}, **{f"a{n}.py": code for n in range(40)}})
+    with ends():
+        assert not [*own_setup.read(repository)]
+
+
+def test_the_first_set_of_a_folder_counts() -> None:
+    text = 'export a="${BASH_SOURCE%/*}/.."\na=$(dirname "$0")\n  b="$(dirname "${0}")"\nc=/opt\n'
+    assert own_setup.of_root(text, "a", 1)
+    assert own_setup.of_root(text, "b", 0)
+    assert not any(own_setup.of_root(text, name, depth) for name, depth in (("a", 0), ("b", 1), ("c", 0), ("d", 0)))
+
+
+def test_a_command_that_names_a_variable_many_times() -> None:
+    with ends():
+        assert ci_variables.filled(scalar("echo " + "$A " * 2 * LONG, A="b")) == "echo " + "b " * 2 * LONG
+
+
+@pytest.mark.parametrize("own", ["A=c; ", "export A=c\n", "a;A=c ", "export export A=c\n"])
+def test_a_variable_that_a_command_sets_itself_stays(own: str) -> None:
+    assert ci_variables.filled(scalar(f"{own}echo $A $AB ${{{{ env.A }}}}", A="b", AB="d")) == f"{own}echo $A d b"
+
+
+@pytest.mark.parametrize("entry", ["pip", "{pip", "{ pip", "{  pip "])
+def test_the_part_of_pip_in_brackets(tmp_path: Path, entry: str) -> None:
+    close = "}" if "{" in entry else ""
+    text = f"name: a\ndependencies:\n  - python=3.9\n  -   {entry}: [numpy]{close}\n"
+    (found,) = conda.read(tree_of(tmp_path, {"environment.yml": text}))
+    assert found.flow == {"pip"}
+
+
+def test_an_entry_of_many_blanks(tmp_path: Path) -> None:
+    text = f"name: a\ndependencies:\n  - python=3.9\n  -{' ' * 12 * LONG}numpy\n"
+    with ends():
+        (found,) = conda.read(tree_of(tmp_path, {"environment.yml": text}))
+    assert found.flow == frozenset()
+
+
+def test_many_lists_whose_names_variables_hold(tmp_path: Path) -> None:
+    script = "".join(f"A{each}=lists\nvcs import < $A{each}/b{each}.repos\n" for each in range(2_500))
+    with ends():
+        found = handed_lists.read(tree_of(tmp_path, {f"a{each}.sh": f"{script}A7=other\n" for each in range(20)}))
+    assert [each.value for each in found] == [f"lists/b{each}.repos" for each in range(2_500)] * 20
+
+
+@pytest.mark.parametrize(
+    ("code", "left_over"),
+    [
+        ("/* " * 2 * LONG, True),
+        ("/* my_old_thing */ int a; // my_old_thing */\n/*/ my_old_thing */", True),
+        ("*//* my_old_thing */", True),
+        ("// /*\nint my_old_thing; // */", False),
+        ('a("b/*"); my_old_thing();', False),
+        ("/* a */ my_old_thing /* b */", False),
+        ("/**/ my_old_thing", False),
+    ],
+)
+def test_a_name_in_comments_is_none_of_the_code(tmp_path: Path, code: str, *, left_over: bool) -> None:
+    xml = "<package format='2'><name>a</name><depend>my_old_thing</depend></package>"
+    repository = tree_of(
+        tmp_path, {"package.xml": xml, "CMakeLists.txt": "project(a)\n", **{f"a{n}.cpp": code for n in range(40)}}
+    )
+    with ends():
+        found = [each.value for each in only_in_manifest.read(repository, package_xml.read(repository))]
+    assert found == (["my_old_thing"] if left_over else [])
+
+
+@pytest.mark.parametrize(
+    ("setting", "told"),
+    [
+        ("device: cuda", True),
+        ("  'my_device_name' : cuda:0  # a", True),
+        ("devices: cpu", False),
+        ("device" * 2 * LONG + " cuda", False),
+    ],
+    ids=["plain", "quoted", "cpu", "long"],
+)
+def test_a_setting_for_the_gpu(tmp_path: Path, setting: str, *, told: bool) -> None:
+    files = {"launch/a.launch": "", "a.yaml": f"{setting}\n", "node.py": "import rospy\n"}
+    repository = tree_of(tmp_path, files)
+    launch = LaunchFile(
+        file="launch/a.launch",
+        line=1,
+        package="a",
+        ros=1,
+        dependencies=(),
+        gui=False,
+        loaded=("node.py", "a.yaml"),
+    )
+    with ends():
+        found = [posixpath.basename(each.value) for each in on_gpu.read(repository, [launch])]
+    assert found == (["a.launch"] if told else [])
