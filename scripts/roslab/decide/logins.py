@@ -11,7 +11,7 @@ from typing import Any
 from roslab.decide.decision import Decision, Warning_
 from roslab.decide.reasons import warn
 from roslab.knowledge.compiled import public_hosts
-from roslab.values.dataclass import fields, replace
+from roslab.values.dataclass import fields, is_dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.redacted import bare, hosts_of_secrets
 
@@ -43,7 +43,7 @@ class _Search:
             if all(new is old for new, old in zip(parts, value, strict=True)):
                 return value
             return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
-        return self._fact(value, at) if hasattr(value, "__dataclass_fields__") else value
+        return self._fact(value, at) if is_dataclass(value) else value
 
     def _fact(self, value: Any, at: Place | None) -> Any:
         file, line = getattr(value, "file", None), getattr(value, "line", None)

@@ -12,13 +12,13 @@ from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
-__all__ = ["Field", "asdict", "dataclass", "field", "fields", "replace"]
+__all__ = ["Field", "asdict", "dataclass", "field", "fields", "is_dataclass", "replace"]
 
 _HASH = "__hash__"
 """Where a value keeps its hash, among its fields, of which none has such a name."""
 
 if TYPE_CHECKING:  # the checker takes them for the standard ones
-    from dataclasses import Field, asdict, dataclass, field, fields, replace
+    from dataclasses import Field, asdict, dataclass, field, fields, is_dataclass, replace
 else:
 
     class Field:
@@ -72,6 +72,10 @@ else:
         """Return the fields of a class or of a value of it, in the order in which they are written."""
         return tuple(value.__record_fields__.values())
 
+    def is_dataclass(value: Any) -> bool:
+        """Return whether a value, or a class, has fields; to ask for the standard ones would make them."""
+        return hasattr(value, "__record_fields__")
+
     def replace(value: Any, /, **changes: Any) -> Any:
         """Return a value of the same class with some fields changed."""
         kept = value.__dict__
@@ -81,7 +85,7 @@ else:
 
     def asdict(value: Any) -> Any:
         """Return the fields by name, and so on within them, through tuples, lists and mappings."""
-        if hasattr(value, "__record_fields__"):
+        if is_dataclass(value):
             return {name: asdict(getattr(value, name)) for name in value.__record_fields__}
         if isinstance(value, (list, tuple)):
             return type(value)([asdict(each) for each in value])

@@ -7,6 +7,7 @@ import dataclasses
 import os
 import subprocess
 import sys
+from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
 
@@ -156,3 +157,18 @@ def test_a_plan_starts_without_what_few_repositories_need() -> None:
     code = f"import sys; import roslab.cli.planning; sys.exit(sorted({slow} & sys.modules.keys()) or 0)"
     here = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     assert subprocess.run([sys.executable, "-c", code], env=here, check=False).returncode == 0
+
+
+def test_a_plan_ends_without_the_standard_fields(tmp_path: Path) -> None:
+    """What asks a class for its standard fields, if only whether it has them, imports them and makes them."""
+    (tmp_path / "requirements.txt").write_text("numpy\n")
+    code = f"import sys; from roslab.cli.main import main; sys.exit(main(['plan', {str(tmp_path)!r}])"
+    code += " or sorted({'dataclasses', 'inspect'} & sys.modules.keys()) or 0)"
+    here = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run([sys.executable, "-c", code], env=here, check=False, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_is_dataclass() -> None:
+    point: Any = classes(quick)[0]
+    assert [quick.is_dataclass(each) for each in (point, point(x=1), str, "text")] == [True, True, False, False]
