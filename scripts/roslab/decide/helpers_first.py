@@ -53,7 +53,7 @@ def _behind_optional(first: Candidate, candidates: Iterable[Candidate], evidence
     It may leave arguments to the reader: what the package is for is meant, and not what makes its data.
     """
     steps = {(m.file, m.line) for m in evidence.mentions if m.topic == "optional_step"}
-    if first.argv[0] not in _LAUNCHERS or (first.file, first.line) not in steps:
+    if first.argv[0] not in LAUNCHERS or (first.file, first.line) not in steps:
         return first
     package, program = program_of(first.argv)[-2:]
     for each in candidates:
@@ -61,7 +61,7 @@ def _behind_optional(first: Candidate, candidates: Iterable[Candidate], evidence
         same = (
             each.strong
             and each.file == first.file
-            and each.argv[0] in _LAUNCHERS
+            and each.argv[0] in LAUNCHERS
             and (each.file, each.line) not in steps
         )
         if same and named[0] == package and named[1] != program and _alike(named[1], package):
