@@ -9,7 +9,6 @@ from roslab.decide.decision import Warning_
 from roslab.decide.ros.source_names import address
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
-from roslab.knowledge.base_programs import base_programs
 from roslab.knowledge.compiled import programs
 from roslab.knowledge.released import ever_released
 from roslab.knowledge.unpackaged_programs import unpackaged_programs
@@ -48,5 +47,7 @@ def _cloned(evidence: Evidence) -> set[str]:
 
 
 def _known(program: str) -> bool:
+    from roslab.knowledge.base_programs import base_programs  # noqa: PLC0415 - few programs execute others
+
     packaged = program in programs() or program in base_programs() or ever_released(program)
     return packaged or bool(_OF_ROS.fullmatch(program)) or program.endswith(".py")

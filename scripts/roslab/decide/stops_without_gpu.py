@@ -8,7 +8,6 @@ from roslab.decide.decision import Warning_
 from roslab.decide.newest_pip import project_of
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import AuthorDockerfile, Evidence
-from roslab.knowledge.stops_without_gpu import stops_without_gpu
 from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
@@ -51,6 +50,8 @@ def _steps(authored: AuthorDockerfile, evidence: Evidence) -> Iterator[tuple[int
 
 def _fetched(authored: AuthorDockerfile, evidence: Evidence) -> Iterator[tuple[int, str, str]]:
     """Yield what is known of other repositories: the line, the words for it, and what pip is given instead."""
+    from roslab.knowledge.stops_without_gpu import stops_without_gpu  # noqa: PLC0415 - most trees have no Dockerfile
+
     for clone in authored.clones:
         for folder in stops_without_gpu().get(_address(clone.url), ()):
             package = f"'git+{clone.url}#subdirectory={folder}'"

@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
-from roslab.knowledge.listed_repositories import listed_repository
 from roslab.knowledge.released import ever_released
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -57,6 +56,8 @@ def listed(paths: Mapping[str, str]) -> tuple[GitSource, ...]:
     """
     found = []
     for path, commit in paths.items():
+        from roslab.knowledge.listed_repositories import listed_repository  # noqa: PLC0415 - few trees have lost links
+
         name = path.rpartition("/")[2]
         if (url := listed_repository(name)) and not places.aside(path):
             found.append(

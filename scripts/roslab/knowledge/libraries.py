@@ -136,15 +136,18 @@ def cmake_packages(ubuntu: str | None) -> str:
 @cache
 def packaged(ubuntu: str | None) -> frozenset[str]:
     """Return the packages of libraries that an Ubuntu is known to have."""
-    found: set[str] = set()
+    found: list[str] = []
     for naming in _TABLES:
         head, by_name = _table(naming)
         apt, only = head.index("apt"), head.index("ubuntu")
         for lines in by_name.values():  # of a thousand names no other cell is wanted
+            if len(lines) == 1 and not lines[0][only]:
+                found.append(lines[0][apt])
+                continue
             certain = [line[apt] for line in lines if ubuntu in line[only].split()]
             others = (line[apt] for line in lines if not line[only])
-            found.update((certain[0] if certain else next(others, "")).split())
-    return frozenset(found)
+            found.append(certain[0] if certain else next(others, ""))
+    return frozenset(" ".join(found).split())
 
 
 @cache

@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator
 
 from roslab.config.model import Config
-from roslab.decide.cuda.gpus import gpu_limits, knows_gpus
 from roslab.decide.cuda.version import NO_CUDA, Cuda
 from roslab.decide.cuda.weight import Weight
 from roslab.decide.decision import Choice
@@ -75,6 +74,8 @@ def for_packages(choice: Choice[Cuda], evidence: Evidence, config: Config, ros: 
     authored = any("nvidia" in (each.base or "") for each in evidence.dockerfiles if each.purpose == "project")
     if ros is None or own is None or project is None or authored or config.base.cuda or config.base.image:
         return choice
+    from roslab.decide.cuda.gpus import gpu_limits, knows_gpus  # noqa: PLC0415 - few trees need CUDA
+
     asked, limits = next(_asked(evidence), None), gpu_limits(evidence)
     if (asked is None or asked.has(own)) and knows_gpus(own, limits):
         return choice

@@ -11,7 +11,6 @@ from roslab.decide.cuda.beside_torch import conda_torch
 from roslab.decide.cuda.for_libtorch import CUDNN, for_libtorch
 from roslab.decide.cuda.imported import imported
 from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
-from roslab.decide.cuda.of_wheel import of_wheel
 from roslab.decide.cuda.weight import Weight
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
@@ -216,6 +215,8 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None, *,
         of, runs = f" of {day}" if day else "", f" for Python {python}" if python else ""
         why = f"{pin.name} is not pinned: its newest wheel{of}{runs}"
         if table == "torch" and not compiles:
+            from roslab.decide.cuda.of_wheel import of_wheel  # noqa: PLC0415 - few trees need CUDA
+
             answer, what = of_wheel(newest)
             why = f"{why} is {newest.package} {newest.first} with {what}"
             yield because("cuda", answer, why, asked, weight=Weight.UNPINNED), ()

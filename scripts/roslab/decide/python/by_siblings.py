@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from roslab.knowledge.released_with import released_with
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -18,6 +17,8 @@ def by_siblings(said: Iterable[Requirement]) -> Iterator[Requirement]:
     said = tuple(said)
     found: dict[tuple[str, int, str], str] = {}
     for each in said:
+        from roslab.knowledge.released_with import released_with  # noqa: PLC0415 - few pages name packages
+
         release, _, build = (each.release or "").partition("+")
         framework, of = released_with().get((each.key, release), ("", ""))
         at = (each.file, each.line, framework)

@@ -9,7 +9,6 @@ from roslab.decide.python.pins import Pin
 from roslab.decide.python.ranges import Range
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because
-from roslab.knowledge.last_for_python import last_for_python
 
 FEWEST = 3
 """Releases that show by more than chance that there was no newer one for the author's Python."""
@@ -31,6 +30,8 @@ def _last(releases: Mapping[str, Pin]) -> Iterator[Range]:
     """Yield the Python of the most of them, if they are several."""
     found: dict[str, list[Pin]] = {}
     for name, pin in releases.items():
+        from roslab.knowledge.last_for_python import last_for_python  # noqa: PLC0415 - few trees pin releases
+
         if python := last_for_python().get((name, pin.release or "")):
             found.setdefault(python, []).append(pin)
     python, last = max(found.items(), key=lambda each: len(each[1]), default=("", []))

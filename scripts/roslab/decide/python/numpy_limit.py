@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Choice
 from roslab.decide.python.bounds import Constraints, decide_bounds, needing_numpy
-from roslab.decide.python.numpy_of_builds import numpy_of_builds
 from roslab.decide.python.torch_build import numpy_of
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because, warn
@@ -45,7 +44,11 @@ def numpy_limit(
     if not system:
         limited = any(each.key == "numpy" for each in limits)
         found = numpy_of((*_no_old_numpy(of_conda), *asked, *limits))
-        return found if found.answer or limited else numpy_of_builds(asked, python)
+        if found.answer or limited:
+            return found
+        from roslab.decide.python.numpy_of_builds import numpy_of_builds  # noqa: PLC0415 - not for ROS
+
+        return numpy_of_builds(asked, python)
     own = row("system_numpys", ubuntu or "")
     if own is None:
         return Choice(answer=())

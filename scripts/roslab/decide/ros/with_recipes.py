@@ -12,7 +12,6 @@ from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import BARE, told, why
 from roslab.decide.system.libtorch_on_cpu import libtorch_on_cpu
-from roslab.decide.system.unbrought_options import without_unbrought
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.recipes import licence, of_ros, recipe_at
@@ -38,6 +37,8 @@ def with_recipes(
     warnings = list(choice.warnings)
     for source, asked in recipes:
         if source.name not in choice.answer.names and source.name not in added:
+            from roslab.decide.system.unbrought_options import without_unbrought  # noqa: PLC0415 - few trees need recipes
+
             added[source.name], untaken = without_unbrought(source, asked)
             warnings += untaken
             brought |= _brought(asked, evidence)

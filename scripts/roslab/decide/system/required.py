@@ -15,7 +15,6 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python_project import PythonProject
-from roslab.knowledge.other_names import other_names
 
 
 def required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
@@ -145,6 +144,8 @@ def similar(wanted: str, names: Iterable[str]) -> bool:
 
 def provided_as(name: str, names: Collection[str]) -> bool:
     """Tell whether something is called like a name of CMake, or like another name of that library."""
+    from roslab.knowledge.other_names import other_names  # noqa: PLC0415 - few projects require more
+
     others = (plain(other) for other in other_names(name))
     return similar(plain(name), names) or any(len(other) >= SHORTEST and similar(other, names) for other in others)
 

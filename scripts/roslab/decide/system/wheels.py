@@ -8,7 +8,6 @@ from roslab.decide.python.image_python import Python
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.apt_renames import name_in
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports, older_wheels, wheels
 from roslab.knowledge.not_on_index import not_on_index
@@ -31,6 +30,8 @@ def apt_for_wheels(
     for apt, asked in needed:
         if python.manager == "conda" and apt == _TK:
             continue
+        from roslab.knowledge.apt_renames import name_in  # noqa: PLC0415 - few wheels need more
+
         name = name_in(apt, ubuntu or "bookworm")
         found.setdefault(name.replace("python3-", "python-") if of_python2 else name, asked)
     if ubuntu and python.manager == "venv" and (drawn := _drawing_by_tk(evidence)):

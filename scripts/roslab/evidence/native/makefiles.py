@@ -12,7 +12,6 @@ from collections.abc import Collection, Iterable
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.makefile import Makefile
-from roslab.evidence.native import make_goals, recursive_make
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -89,6 +88,8 @@ def _as_told(repository: Repository, found: list[Makefile], mentions: Iterable[M
         return found
     files = (file for name in _NAMES for file in repository.named(name) if file.path.count("/") <= FAR + 1)
     near = {file.folder: file for file in files if file.size <= MAX_SIZE and not places.vendored(file.path)}
+    from roslab.evidence.native import recursive_make  # noqa: PLC0415 - few pages call make
+
     targets = dict(recursive_make.told(said, near))
     there = {each.folder for each in found}
     part = {below for each in found for below in each.parts}
@@ -116,7 +117,7 @@ def _files(repository: Repository) -> list[File]:
 
 
 def _makefile(file: File, repository: Repository) -> Makefile | None:
-    from roslab.evidence.native import compile_scripts  # noqa: PLC0415 - as above
+    from roslab.evidence.native import compile_scripts, make_goals, recursive_make  # noqa: PLC0415 - as above
 
     text = repository.read(file)
     if _OTHERS.search(text):

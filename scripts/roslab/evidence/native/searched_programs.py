@@ -8,7 +8,6 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native.cmake_needs import made_here
-from roslab.knowledge.base_programs import base_programs
 from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -64,6 +63,8 @@ def _names(call: Call) -> Iterator[str]:
 
 def _there(name: str, repository: Repository) -> bool:
     """Tell whether every image has a program, or the tree has its file, or its name is not known."""
+    from roslab.knowledge.base_programs import base_programs  # noqa: PLC0415 - few projects search programs
+
     of_base = name in base_programs() or _PYTHON.match(name)
     return bool(of_base) or not _NAME.match(name) or bool(repository.named(name))
 

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose import mentions
-from roslab.evidence.prose.ci_wheels import without_runners
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.other_branches import told
@@ -116,6 +115,8 @@ def _is_ci(file: File) -> bool:
 def _read(text: str, values: tuple[Scalar, ...] | None, path: str) -> Prose:
     found = _by_lines(text, path) if values is None else _by_values(values, text, path)
     uncommented = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
+    from roslab.evidence.prose.ci_wheels import without_runners  # noqa: PLC0415 - a tree without CI has none
+
     said = without_runners(mentions.read(uncommented, path, "ci"), uncommented, path)
     return replace(found, mentions=(*found.mentions, *said))
 

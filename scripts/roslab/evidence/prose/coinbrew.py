@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence.lex.shell import Command
-from roslab.knowledge.coinbrew import coinbrew
 from roslab.values.pattern import pattern
 
 NAME = "coinbrew"
@@ -23,6 +22,8 @@ def packages(command: Command) -> Iterator[tuple[str, int]]:
     called = next((at for at, word in enumerate(words[:2]) if word.rpartition("/")[2] == NAME), None)
     if called is None or called + 1 >= len(words) or words[called + 1] not in _VERBS:
         return
+    from roslab.knowledge.coinbrew import coinbrew  # noqa: PLC0415 - few pages call it
+
     for word, line in zip(words[called + 2 :], command.lines[called + 2 :], strict=False):
         if package := coinbrew().get(_END.sub("", word).lower()):
             yield package, line

@@ -13,7 +13,6 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.always_run import always_run
 from roslab.evidence.lex.xml_comments import without_xml_comments
-from roslab.evidence.ros import author_paths
 from roslab.evidence.ros.given_arguments import Given, filled, given_to
 from roslab.evidence.ros.gone import included_elsewhere
 from roslab.repository.checkout import File, Repository
@@ -108,6 +107,8 @@ class _Follow:
         for path in self.loaded(start):
             file = self._file(path) if path != start and path.endswith(".py") and path not in self.launch else None
             if file is not None:
+                from roslab.evidence.ros import author_paths  # noqa: PLC0415 - few launch files load programs
+
                 yield from ((path, folder, line) for folder, line in author_paths.read(self.repository.read(file)))
 
     def _installed(self, path: str) -> bool:
