@@ -19,8 +19,8 @@ MANIFEST = (
 CMAKE = "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
 HERE = "#!/bin/bash\nhere=$(cd $(dirname $0); pwd)\n"
 PAGE = (
-    "# Demo\n\nROS Noetic\n\n## Usage\n\n```bash\ncd /work\ncatkin_make\n"
-    "python3 /work/src/tools/run.py -c /work/src/demo/config/a.yaml\n```\n"
+    "# Demo\n\nROS Noetic\n\n## Usage\n\n```bash\ncd /author\ncatkin_make\n"
+    "python3 /author/src/tools/run.py -c /author/src/demo/config/a.yaml\n```\n"
 )
 CLONE = "ROS Noetic\n```\nmkdir ws\ncd ws\ngit clone https://github.com/a/{}.git src\ncatkin_make\n```\n"
 PROGRAM = "import argparse\nif __name__ == '__main__':\n    argparse.ArgumentParser().parse_args()\n"
@@ -74,26 +74,26 @@ def test_one_package_lies_in_the_src_of_any_workspace(tmp_path: Path) -> None:
     [
         (
             "docker/run.sh",
-            HERE + "docker run --rm \\\n    -v /dev:/dev \\\n    -v $here/../:/work/src \\\n    demo\n",
+            HERE + "docker run --rm \\\n    -v /dev:/dev \\\n    -v $here/../:/author/src \\\n    demo\n",
             True,
         ),
-        ("run.sh", 'docker run -v "$(pwd)":/work/src demo\n', True),
-        ("run.sh", "docker run --volume=${PWD}:/work/src:rw demo\n", True),
-        ("docker/run.sh", 'docker run -v "$(pwd)":/work/src demo\n', False),  # of the folder it is called in
-        ("docker/run.sh", HERE + "docker run -v $here:/work/src demo\n", False),
-        ("run.sh", 'docker run -v "$(pwd)":/work/src/demo demo\n', False),
+        ("run.sh", 'docker run -v "$(pwd)":/author/src demo\n', True),
+        ("run.sh", "docker run --volume=${PWD}:/author/src:rw demo\n", True),
+        ("docker/run.sh", 'docker run -v "$(pwd)":/author/src demo\n', False),  # of the folder it is called in
+        ("docker/run.sh", HERE + "docker run -v $here:/author/src demo\n", False),
+        ("run.sh", 'docker run -v "$(pwd)":/author/src/demo demo\n', False),
         ("run.sh", 'docker run -v "$(pwd)":/other/src demo\n', False),  # in which nothing builds
-        ("docker-compose.yml", "services:\n  demo:\n    image: demo\n    volumes:\n      - ./:/work/src\n", True),
-        ("docker/compose.yaml", "services:\n  demo:\n    image: demo\n    volumes:\n      - ..:/work/src:rw\n", True),
-        ("docker/compose.yaml", "services:\n  demo:\n    image: demo\n    volumes:\n      - .:/work/src\n", False),
+        ("docker-compose.yml", "services:\n  demo:\n    image: demo\n    volumes:\n      - ./:/author/src\n", True),
+        ("docker/compose.yaml", "services:\n  demo:\n    image: demo\n    volumes:\n      - ..:/author/src:rw\n", True),
+        ("docker/compose.yaml", "services:\n  demo:\n    image: demo\n    volumes:\n      - .:/author/src\n", False),
     ],
 )
 def test_the_author_s_workspace_leads_to_the_image_s(tmp_path: Path, file: str, text: str, *, found: bool) -> None:
     files = {file: text, "README.md": PAGE, "tools/run.py": PROGRAM}
     plan = planned(tmp_path / "whole", files)
-    linked = (("/work/devel", "ws/devel"), ("/work/src", "ws/src/whole"))
+    linked = (("/author/devel", "ws/devel"), ("/author/src", "ws/src/whole"))
     assert plan.author_folders == (linked if found else ())
-    given = "/work/src/demo/config/a.yaml" if found else "demo/config/a.yaml"
+    given = "/author/src/demo/config/a.yaml" if found else "demo/config/a.yaml"
     assert plan.run.command == ("python3", "tools/run.py", "-c", given)
 
 
@@ -110,15 +110,15 @@ def test_the_author_s_workspace_leads_to_the_image_s(tmp_path: Path, file: str, 
         ("/opt", False),
         ("/opt/ros/noetic", False),
         ("/-rf", False),
-        ("/work/-x", False),
+        ("/author/-x", False),
         ("/opt/ws", True),
         ("/home/me/ws", True),
-        ("/work/../ws", True),
+        ("/author/../ws", True),
     ],
 )
 def test_no_link_lies_in_a_folder_of_the_image(tmp_path: Path, folder: str, *, found: bool) -> None:
-    above = folder.replace("/work/..", "")
-    page = PAGE.replace("cd /work\n", f"cd {above}\n").replace("/work/", f"{above.rstrip('/')}/")
+    above = folder.replace("/author/..", "")
+    page = PAGE.replace("cd /author\n", f"cd {above}\n").replace("/author/", f"{above.rstrip('/')}/")
     plan = planned(
         tmp_path / "whole",
         {
