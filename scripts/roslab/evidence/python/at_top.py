@@ -11,7 +11,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.python.imports import modules_of, statements
 from roslab.evidence.python.modules import Module, modules, run_by_pages
-from roslab.evidence.python.through_modules import through_modules
+from roslab.evidence.python.through_modules import of_tree
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -33,8 +33,8 @@ def read(repository: Repository, mentions: Iterable[Mention], launched: Iterable
         if module.file.path in run:
             yield from _of(module, "at_top")
     nodes = {*_started(launched), *_installed(repository)}
-    starting = [module for module in modules(repository) if module.file.path in nodes] if nodes else []
-    reached = nodes | through_modules(starting, modules(repository)) if starting else frozenset()
+    starting = [module.file.path for module in modules(repository) if module.file.path in nodes] if nodes else []
+    reached = nodes | of_tree(repository).reached(starting) if starting else frozenset()
     for module in modules(repository) if reached else ():
         if module.file.path in reached:
             yield from _of(module, "node_import")

@@ -18,7 +18,7 @@ from roslab.evidence.python.of_python3 import of_python3
 from roslab.evidence.python.programs import read as programs
 from roslab.evidence.python.rendered import rendered
 from roslab.evidence.python.shown_by_imports import names, shown_by_imports
-from roslab.evidence.python.through_modules import through_modules
+from roslab.evidence.python.through_modules import of_tree
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.knowledge.windows import shown
@@ -178,7 +178,7 @@ def _add_of_nodes(
     left = [(file, match, top) for file, match, top in whole if top in found and not match["indent"]]
     left = [each for each in left if each[2] in _OF_NODES and found[each[2]].role != "node"]
     nodes = [each for each in modules(repository) if left and not places.test(each.file.path) and _of_node(each)]
-    reached = through_modules(nodes, modules(repository)) if nodes else frozenset()
+    reached = of_tree(repository).reached(each.file.path for each in nodes) if nodes else frozenset()
     for file, match, top in left:
         if file in reached and found[top].role != "node":
             line = match.string.count("\n", 0, match.start()) + 1

@@ -9,7 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.python.modules import modules
-from roslab.evidence.python.through_modules import through_modules
+from roslab.evidence.python.through_modules import of_tree
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -43,8 +43,7 @@ def read(repository: Repository, launched: Iterable[LaunchFile]) -> Iterator[Men
     for each in nodes if named or moving else ():
         programs = frozenset(path for path in each.loaded if path in of_python and path != each.file)
         if programs not in reached and len(reached) < MOST:
-            starting = [of_python[path] for path in programs]
-            reached[programs] = programs | through_modules(starting, of_python.values())
+            reached[programs] = programs | of_tree(repository).reached(programs)
         there = reached.get(programs, programs)
         if any(word in of_python[path].text for path in there for word in _ASKS):
             continue

@@ -12,7 +12,7 @@ from roslab.evidence.program import Program
 from roslab.evidence.python.import_graph import ImportGraph
 from roslab.evidence.python.imports import modules_of, statements
 from roslab.evidence.python.modules import Module, modules, run_by_pages
-from roslab.evidence.python.through_modules import Modules
+from roslab.evidence.python.through_modules import of_tree
 from roslab.knowledge.frameworks import imports
 from roslab.repository.checkout import Repository
 
@@ -35,7 +35,7 @@ def read(
     where = {module.file.path: _imported(module, unknown) for module in found}
     if not any(where.values()):
         return
-    graph, run = Modules(found).graph, run_by_pages(mentions)
+    graph, run = of_tree(repository).graph, run_by_pages(mentions)
     importing: dict[str, int] = {}
     for file, names in where.items():
         for name in names:

@@ -14,7 +14,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.python.from_root import LAYOUTS, installs_itself
 from roslab.evidence.python.import_graph import ImportGraph
 from roslab.evidence.python.modules import Module, modules, run_by_pages
-from roslab.evidence.python.through_modules import imported, names_inside
+from roslab.evidence.python.through_modules import names_inside, of_tree
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.repository.checkout import Repository
@@ -59,7 +59,7 @@ class _Tree:
 
     def __init__(self, repository: Repository, texts: Mapping[str, str], folders: Mapping[str, str]) -> None:
         self._repository, self._texts, self._folders = repository, texts, folders
-        self._imports: dict[str, tuple[str, ...]] = {}
+        self._modules = of_tree(repository)
         self._inside = names_inside((*(file.path for file in repository.suffixed(".py")), *repository.folders))
         self._graph = ImportGraph(texts, self._inside, self._tops, self._resolved)
         self._needing: dict[str, int] = {}
@@ -87,20 +87,15 @@ class _Tree:
             seen.update(imports)
 
     def _tops_in_order(self, file: str) -> Iterator[str]:
-        return (name.partition(".")[0] for name in self._imported(file) if not name.endswith("/"))
+        return (name.partition(".")[0] for name in self._modules.imported(file) if not name.endswith("/"))
 
     def _tops(self, file: str) -> frozenset[str]:
         return frozenset(self._tops_in_order(file))
 
-    def _imported(self, file: str) -> tuple[str, ...]:
-        if file not in self._imports:
-            self._imports[file] = tuple(dict.fromkeys(imported(self._texts[file], posixpath.dirname(file))))
-        return self._imports[file]
-
     def _resolved(self, file: str, folder: str | None) -> tuple[str, ...]:
         found: list[str] = []
         searched = ("", *LAYOUTS) if folder is None else (folder, "", *LAYOUTS)
-        for name in self._imported(file):
+        for name in self._modules.imported(file):
             reached, there = self._files(name, searched)
             top = name.partition(".")[0]
             if not there and top in self._folders:

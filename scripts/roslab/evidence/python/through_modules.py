@@ -7,7 +7,8 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence.python.import_graph import ImportGraph
-from roslab.evidence.python.modules import Module
+from roslab.evidence.python.modules import Module, modules
+from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _FROM = pattern(r"^from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+(\([^()]*\)|[^\n#;]*)", re.MULTILINE)
@@ -18,21 +19,24 @@ _BY_NAME = ("__import__(", "import_module(")
 """Calls of a package that lists its folder and imports what lies there by its name."""
 
 
-def through_modules(nodes: Iterable[Module], others: Iterable[Module]) -> frozenset[str]:
-    """Return the files of the modules that ``nodes`` import at their top, and those that these import in turn.
+def of_tree(repository: Repository) -> Modules:
+    """Return the modules of a repository, whose imports are read once for all who follow them."""
+    return repository.once(_of_tree)
+
+
+def _of_tree(repository: Repository) -> Modules:
+    return Modules(modules(repository))
+
+
+class Modules:
+    """The modules of a tree by the names under which others import them.
 
     Imports inside of functions and of ``try`` may never run, and are not followed. A module is found by its whole name
     from the folder above its outermost package, or beside the file that imports it.
     """
-    nodes = tuple(nodes)
-    return Modules((*nodes, *others)).reached(module.file.path for module in nodes)
 
-
-class Modules:
-    """The modules of a tree by the names under which others import them."""
-
-    def __init__(self, modules: Iterable[Module]) -> None:
-        self.by_file = {module.file.path: module for module in modules}
+    def __init__(self, found: Iterable[Module]) -> None:
+        self.by_file = {module.file.path: module for module in found}
         packages = {module.file.folder for module in self.by_file.values() if module.file.name == f"{_INIT}.py"}
         self._by_name: dict[str, list[str]] = {}
         self._in_folder: dict[str, list[str]] = {}
@@ -40,6 +44,7 @@ class Modules:
             self._by_name.setdefault(_importable(path, packages), []).append(path)
             self._in_folder.setdefault(posixpath.dirname(path), []).append(path)
         self._inside = names_inside(self.by_file)
+        self._written: dict[str, tuple[str, ...]] = {}
         self._imports: dict[str, tuple[str, ...]] = {}
         self.graph = ImportGraph(self.by_file, self._inside, self._tops, self._resolved)
 
@@ -56,10 +61,16 @@ class Modules:
     def _tops(self, file: str) -> frozenset[str]:
         return frozenset(name.partition(".")[0] for name in self._imported_by(file) if not name.endswith("/"))
 
+    def imported(self, file: str) -> tuple[str, ...]:
+        """Return what a module imports at its top, each once, as ``_imported`` names it."""
+        if file not in self._written:
+            names = _imported(self.by_file[file].text, posixpath.dirname(file))
+            self._written[file] = tuple(dict.fromkeys(names))
+        return self._written[file]
+
     def _imported_by(self, file: str) -> tuple[str, ...]:
         if file not in self._imports:
-            text, folder = self.by_file[file].text, posixpath.dirname(file)
-            self._imports[file] = tuple(dict.fromkeys((*imported(text, folder), *self._beside(file))))
+            self._imports[file] = tuple(dict.fromkeys((*self.imported(file), *self._beside(file))))
         return self._imports[file]
 
     def _beside(self, file: str) -> Iterator[str]:
@@ -115,7 +126,7 @@ def _importable(path: str, packages: Collection[str]) -> str:
     return ".".join(parts)
 
 
-def imported(text: str, folder: str) -> Iterator[str]:
+def _imported(text: str, folder: str) -> Iterator[str]:
     """Yield the whole names that a module imports at its top, and for relative ones their paths without an ending.
 
     What stands behind ``import`` may be a module or something in one.
