@@ -155,7 +155,6 @@ def _symbol(names: Names, _: Image) -> Names:
 
 
 _INCLUDED = pattern(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60})/([\w.+-]{2,60})/")
-_FOLDERS = pattern(r"(?:\bcd |/)((?:/?[\w.$-]{1,60}/){1,8}[\w.-]{1,60})")
 
 
 def _built_with(names: Names, where: Image) -> Names:

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.hidden import hidden
-from roslab.evidence.lex.cmake import NOTHING, PROJECT, WHOLE, Call, calls
+from roslab.evidence.lex.cmake import PROJECT, WHOLE, Call, calls
 from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, own_project
+from roslab.evidence.native.added import Added
 from roslab.evidence.native.authors_parts import authors_parts
 from roslab.evidence.native.bare_links import with_bare
 from roslab.evidence.native.cmake_reading import Reading
@@ -25,7 +26,7 @@ from roslab.evidence.native.searched import held, searched
 from roslab.evidence.native.searched_programs import searched_programs
 from roslab.evidence.native.settled import settled
 from roslab.repository.checkout import File, Repository, nearest
-from roslab.values.dataclass import dataclass, field, replace
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_PROJECTS = 3_000
@@ -85,7 +86,7 @@ _FROM_HERE = pattern(r"^\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR)\}/|^
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
     """Return every CMakeLists.txt with anything of interest, sorted by path; build folders are skipped."""
     files = nearest(repository.named("CMakeLists.txt"))
-    added: dict[str, _Added] = {}
+    added: dict[str, Added] = {}
     found = [_project(repository, file, added) for file in files[:MAX_PROJECTS] if "/CMakeFiles/" not in file.path]
     kept = (
         p
@@ -110,33 +111,9 @@ def modules(repository: Repository) -> frozenset[str]:
     return frozenset(match[1] or match[2] for match in found if match)
 
 
-@dataclass(kw_only=True, slots=True)
-class _Added:
-    """What holds where a folder is added."""
-
-    options: dict[str, bool] = field(default_factory=dict)
-    """Those that are declared, and whether each is on."""
-    switches: tuple[str, ...] = ()
-    """The conditions that an option decides."""
-    by_tool: tuple[str, ...] = ()
-    """Those that the build tool decides."""
-    unset: tuple[str, ...] = ()
-    """Those of one variable that is no declared option."""
-    names: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: NOTHING)
-    """What variables call the project that adds it and the whole."""
-    within: bool = False
-    """It is a part of a project that is not about tests alone."""
-    top: str | None = None
-    """The folder of the first file of those that add it."""
-    always: bool = False
-    """No condition stands before it, nor before the one that adds it."""
-    usual: bool = True
-    """So is it in a usual build: where a condition stands before one of them, it is an option that is on."""
-
-
-def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CMakeProject:
+def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMakeProject:
     """Read one file; the folders that it adds go into ``added``, so parents must be read first."""
-    above = added.get(file.folder, _Added())
+    above = added.get(file.folder, Added())
     reading = Reading(switches=above.switches, by_tool=above.by_tool, unset=above.unset)
     adds: list[str] = []
     options = dict(above.options)
@@ -151,7 +128,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
             usual = above.usual and not call.in_function and cmake_needs.made_here(call.conditions)
             by_tool = (*above.by_tool, *filter(of_workspace, call.conditions))
             top = file.folder if above.top is None else above.top
-            there = _Added(
+            there = Added(
                 options=dict(options),
                 names=_names(reading.name, above),
                 switches=switches,
@@ -239,7 +216,7 @@ def _project(repository: Repository, file: File, added: dict[str, _Added]) -> CM
     )
 
 
-def _names(project: str | None, above: _Added) -> Mapping[str, tuple[str, ...]]:
+def _names(project: str | None, above: Added) -> Mapping[str, tuple[str, ...]]:
     """Return the variables with the names of a project and of the whole for the folders that it adds."""
     return {WHOLE: (project,), **above.names, PROJECT: (project,)} if project else above.names
 
