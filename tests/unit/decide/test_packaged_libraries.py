@@ -17,9 +17,9 @@ CMAKE = "project(demo)\nfind_package(catkin REQUIRED)\nfind_package(GTSAM REQUIR
 PPA = "add-apt-repository ppa:borglab/gtsam-release-4.0\napt update\n"
 
 
-def _text(tmp_path: Path, page: str) -> str:
+def _text(tmp_path: Path, page: str, cmake: str = CMAKE) -> str:
     (tmp_path / "package.xml").write_text(PACKAGE)
-    (tmp_path / "CMakeLists.txt").write_text(CMAKE)
+    (tmp_path / "CMakeLists.txt").write_text(cmake)
     (tmp_path / "README.md").write_text(f"ROS Noetic\n```\n{page}\n```\n")
     return dockerfile(plan_repository(tmp_path).plan)
 
@@ -43,7 +43,7 @@ def test_apt_is_asked_before_the_recipe_is_built(tmp_path: Path, page: str, *, a
 def test_it_is_built_where_apt_has_it_not(tmp_path: Path, *, there: bool) -> None:
     (tmp_path / "tree").mkdir()
     text = _text(tmp_path / "tree", f"{PPA}apt install libgtsam-dev")
-    run = re.search(r"RUN (apt-get update \\\n && if apt-get install --simulate[\s\S]*?)\n\n", text)
+    run = re.search(r"RUN --mount=\S+ \\\n +(apt-get update \\\n && if apt-get install --simulate[\s\S]*?)\n\n", text)
     assert run
     (tmp_path / "bin").mkdir()
     stand_ins = {"apt-get": f'[ "$1" = update ] || {str(there).lower()}', "git": "exit 0", "cmake": "exit 0"}
@@ -57,3 +57,17 @@ def test_it_is_built_where_apt_has_it_not(tmp_path: Path, *, there: bool) -> Non
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "built").exists() is not there
     assert ("gtsam is not compiled" in done.stdout) is there
+
+
+def test_a_library_after_it_has_the_packages_of_apt(tmp_path: Path) -> None:
+    text = _text(tmp_path, f"{PPA}apt install libgtsam-dev", f"{CMAKE}find_package(Pangolin REQUIRED)\n")
+    stages = dict(re.findall(r"^FROM base AS library-\d-(\w+)\n([\s\S]*?)(?=^FROM )", text, re.MULTILINE))
+    assert [name for name, stage in stages.items() if "install-optional-apt libgtsam-dev" in stage] == ["pangolin"]
+
+
+def test_apt_is_asked_with_its_login(tmp_path: Path) -> None:
+    (tmp_path / "roslab.yaml").write_text("format: 3\nsecrets: [apt_auth]\n")
+    text = _text(tmp_path, f"{PPA}apt install libgtsam-dev")
+    asked = [step for step in text.split("\nRUN ") if "apt-get install --simulate --yes" in step and "gtsam" in step]
+    assert asked
+    assert all("--mount=type=secret,id=apt_auth" in step for step in asked)

@@ -10,7 +10,7 @@ from roslab.plan.packages import asked_files, own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import caches, locks, patches, required, secrets, shell
-from roslab.render.layers.packaged import unless_packaged
+from roslab.render.layers.packaged import asking_apt, unless_packaged
 from roslab.values.pattern import pattern
 from roslab.values.secret import NETRC, SSH
 
@@ -128,7 +128,8 @@ def library_stages(plan: Plan) -> str:
         unpacks = ("curl", "unzip") if library.zip else ()  # as `fetch` does
         depends = ("build-essential", "ca-certificates", "cmake", "git", *ssh, *unpacks, *library.depends)
         lines.append(shell.apt_install(tuple(dict.fromkeys(depends)), secrets.for_apt(plan)))
-        lines += _offered(plan, library, depends)
+        packaged = tuple(name for earlier in plan.libraries[:index] for name in earlier.instead)
+        lines += _offered(plan, library, (*packaged, *library.offered), depends)
         lines += [
             f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])
         ]
@@ -136,27 +137,27 @@ def library_stages(plan: Plan) -> str:
         reads = required.reads(library)
         if given.mounts or reads or library.patches:  # what is compiled has no part in them
             cloned = unless_packaged(library, _told(library, fetched, "cloned"))
-            lines.append(shell.run(*cloned, secrets=patches.mounted(library, given)))
+            mounted = asking_apt(library, plan, patches.mounted(library, given))
+            lines.append(shell.run(*cloned, secrets=mounted))
             fetched = []
         if reads:
             lines.append(required.of_library(plan, library, f"{SOURCES}/{library.name}"))
         for script in (CONFIGURE,) * library.unread + (INSTALL_BY_MAKE,) * library.by_make:
             lines.append(shell.copy_script(script).rstrip())
         compiled = _told(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")], "compiled")
-        lines.append(
-            shell.run(
-                *unless_packaged(library, compiled),
-                "mkdir --parents /installed",
-                secrets=secrets.for_pip(plan) if library.build == "pip" else secrets.NONE,
-            )
-        )
+        needed = secrets.for_pip(plan) if library.build == "pip" else secrets.NONE
+        commands = (*unless_packaged(library, compiled), "mkdir --parents /installed")
+        lines.append(shell.run(*commands, secrets=asking_apt(library, plan, needed)))
         stages.append("\n".join(lines))
     return "\n\n".join(stages)
 
 
-def _offered(plan: Plan, library: Source, there: tuple[str, ...]) -> list[str]:
-    """Return the instruction that installs what a page installs before it builds a library, as far as apt knows it."""
-    names = [name for name in library.offered if name not in there]
+def _offered(plan: Plan, library: Source, offered: tuple[str, ...], there: tuple[str, ...]) -> list[str]:
+    """Return the instruction that installs what a page installs before it builds a library, as far as apt knows it.
+
+    So it is with the packages of libraries before it that are not compiled where apt has them.
+    """
+    names = [name for name in dict.fromkeys(offered) if name not in there]
     if not names:
         return []
     comment = f"What is installed before {library.name} where its author's page or CI builds it"
