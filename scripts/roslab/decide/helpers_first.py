@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from roslab.decide.candidate import LAUNCHERS, Candidate, program_of
+from roslab.decide.purposes import alike, words_of
 from roslab.decide.sections import about_running
 from roslab.evidence.facts import Evidence
 from roslab.values.name import bare_name
@@ -20,10 +21,7 @@ _HELPS = pattern(
 
 https://index.ros.org/p/robot_state_publisher/ and its like, 2026-11-27
 """
-_WORD = pattern(r"[A-Z]?[a-z]{3,}|[A-Z]{3,}(?![a-z])")
 _SUFFIX = pattern(r"[_-](?:ros2?|node|pkg|py|cpp)$")
-_LETTERS = 6
-"""Letters by which two words are one: ``estimation`` and ``estimator``."""
 _TITLE = " / "
 
 
@@ -36,8 +34,7 @@ def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: 
     first = _behind_optional(first, candidates, evidence)
     if first.argv[0] not in LAUNCHERS or not any(map(_HELPS.search, _names(first))):
         return first
-    title = first.heading.partition(_TITLE)[0]
-    words = _words(evidence.origin.rstrip("/").rpartition("/")[2].removesuffix(".git")) | _words(title)
+    words = {word for name in (*first.names, first.heading.partition(_TITLE)[0]) for word in words_of(name)}
     best, most = first, _shared(first, words)
     for each in candidates:
         same = each.strong and each.file == first.file and each.argv[0] in LAUNCHERS and not (each.cut or each.lacking)
@@ -80,9 +77,7 @@ def _names(candidate: Candidate) -> tuple[str, ...]:
     return tuple(name.partition(".")[0] for name in program_of(candidate.argv)[-2:])
 
 
-def _shared(candidate: Candidate, words: set[str]) -> int:
-    return len(_words(" ".join(_names(candidate))) & words)
-
-
-def _words(name: str) -> set[str]:
-    return {word.lower()[:_LETTERS] for word in _WORD.findall(name.replace("_", " "))}
+def _shared(candidate: Candidate, words: Iterable[str]) -> int:
+    """Return how many of the words are in the names of the package or the program, in whichever form."""
+    own = {word for name in _names(candidate) for word in words_of(name)}
+    return sum(any(alike(word, each) for each in own) for word in words)

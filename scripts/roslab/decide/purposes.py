@@ -34,9 +34,11 @@ def of_purpose(candidate: Candidate, found: str) -> bool:
     package = words[-2] if words[0] in LAUNCHERS else ""
     if found.strip("_.-") in package.split("_"):
         return True
-    there = [word for name in candidate.names for word in _words(name)]
-    first = next((word for word in _words(found) if not _UPKEEP.fullmatch(word)), "")  # the rest is what it is done to
-    return any(_same(first, other) for other in there) if first else False
+    there = [word for name in candidate.names for word in words_of(name)]
+    first = next(
+        (word for word in words_of(found) if not _UPKEEP.fullmatch(word)), ""
+    )  # the rest is what it is done to
+    return any(alike(first, other) for other in there) if first else False
 
 
 def names_of_whole(evidence: Evidence) -> Iterator[str]:
@@ -48,11 +50,12 @@ def names_of_whole(evidence: Evidence) -> Iterator[str]:
     yield from own if len(own) == 1 else ()
 
 
-def _words(name: str) -> Iterator[str]:
+def words_of(name: str) -> Iterator[str]:
+    """Yield the words of a name, in small letters."""
     yield from (word.lower() for word in _BREAK.split(name) if word)
 
 
-def _same(one: str, other: str) -> bool:
+def alike(one: str, other: str) -> bool:
     """Tell whether two words are forms of one: what they share is long enough, and the rest of each is an ending."""
     root = commonprefix((one, other))  # noqa: RUF071 - of letters, not of folders
     ends = [word[len(root) :] for word in (one, other)]
