@@ -19,12 +19,17 @@ _QUERY = pattern(
     r"([?&](?:[\w-]*(?:token|secret|passw(?:or)?d|signature|credential)|api[-_]?key|key|auth|sig)=)[^&\s'\"]+",
     re.IGNORECASE,
 )
+_VALUE = r"(?:'[^'\n]*'|\"[^\"\n]*\"|[^\s'\"]+)"
 _OPTION = pattern(
-    r"(--(?:\w+-)?passw(?:or)?d[= ]\s*|(?:^|\s)(?:-u|--user)[= ]\s*(?![\d$])(?=[^\s:/]+:[^\s/])|"
-    r"\bauthorization:\s*(?:\w+\s+)?(?=[^\s'\"]{8}))[^\s'\"]+",
+    r"(--(?:\w+-)?passw(?:or)?d[= ]\s*|"
+    r"\bcurl\b[^\n|;&]{0,200}?\s(?:-u\s*|--user[= ]\s*)(?=['\"]?[^\s:'\"]+:)|"
+    r"\b(?:sshpass|docker\s+login)\b[^\n|;&]{0,200}?\s-p\s*|"
+    r"\b(?:wandb|huggingface-cli)\s+login\s+(?:--\w+\s+){0,4}(?=[^\s-]{8})|"
+    r"\b(?:authorization|private-token|x-api-key):\s*(?:\w+\s+)?(?=[^\s'\"]{4}))" + _VALUE,
     re.IGNORECASE,
 )
-"""Of wget and curl; ``--user 1000:1000`` is docker's, and ``pip install --user`` names nobody."""
+"""What programs are given on their command line; ``docker run --user 1000:1000`` names nobody."""
+_VARIABLE = pattern(r"\b([A-Z][A-Z0-9_]*(?:TOKEN|SECRET|PASSWORD|PASSWD|API_?KEY|ACCESS_KEY)=)(?![$<{(])" + _VALUE)
 _TOKEN = pattern(r"\b(?:gh[pousr]_\w{20,}|github_pat_\w{20,}|glpat-[\w-]{20,}|hf_[A-Za-z0-9]{20,})")
 """https://github.blog/engineering/platform-security/behind-githubs-new-authentication-token-formats/,
 https://docs.gitlab.com/security/tokens/ and https://huggingface.co/docs/hub/security-tokens, read 2026-11-27."""
@@ -39,7 +44,9 @@ def redacted(text: str) -> str:
     if "://" in text:
         text = _LOGIN.sub(lambda match: f"{match[1] or match[2]}{HIDDEN}@", text)
         text = _QUERY.sub(rf"\1{HIDDEN}", text)
-    return _TOKEN.sub(HIDDEN, _OPTION.sub(rf"\1{HIDDEN}", text))
+    for form in (_OPTION, _VARIABLE):
+        text = form.sub(rf"\1{HIDDEN}", text)
+    return _TOKEN.sub(HIDDEN, text)
 
 
 def bare(text: str, public: Collection[str] = ()) -> str:
