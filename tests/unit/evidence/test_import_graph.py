@@ -14,17 +14,10 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.python import imports, programs, reached, sibling_folders
 from roslab.evidence.python.import_graph import ImportGraph
 from roslab.repository.checkout import Repository
+from trees import tree_of
 
 GUARD = "if __name__ == '__main__':\n    print('a')\n"
 MANY = 300
-
-
-def tree_of(folder: Path, files: dict[str, str]) -> Repository:
-    for path, text in files.items():
-        file = folder / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
-    return Repository.open(folder)
 
 
 def reached_in(repository: Repository) -> list[Mention]:

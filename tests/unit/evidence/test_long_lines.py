@@ -13,17 +13,9 @@ from roslab.evidence.lex.yaml import Scalar
 from roslab.evidence.prose import ci_variables
 from roslab.evidence.python import conda, on_gpu
 from roslab.evidence.ros import handed_lists, only_in_manifest, own_setup, package_xml
-from roslab.repository.checkout import Repository
+from trees import tree_of
 
 LONG = 20_000
-
-
-def tree_of(folder: Path, files: dict[str, str]) -> Repository:
-    for path, text in files.items():
-        file = folder / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
-    return Repository.open(folder)
 
 
 def scalar(text: str, **variables: str) -> Scalar:
