@@ -81,6 +81,7 @@ def _fetched(
 ) -> Iterator[Warning_]:
     """Yield a warning for each step, of those of one script one for all."""
     told: dict[str, list[Mention]] = {}
+    seen: set[str] = set()
     for mention in evidence.mentions:
         if (
             mention.topic == "step"
@@ -93,8 +94,9 @@ def _fetched(
             and in_its_place(mention.value, there) != ""
         ):
             step = mention.value.partition(" | ")[0]
-            if not any(step == each.value.partition(" | ")[0] for said in told.values() for each in said):
+            if step not in seen:
                 told.setdefault(mention.file if mention.source == "script" else step, []).append(mention)
+            seen.add(step)
     for first, *others in list(told.values())[:MOST]:
         named = ", ".join(_named(each.value, there) for each in (first, *others[: NAMED - 1]))
         more = f" and {len(others) + 1 - NAMED} more, see the script" if others[NAMED - 1 :] else ""
