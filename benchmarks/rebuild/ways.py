@@ -16,7 +16,6 @@ from unittest.mock import patch
 
 from benchmarks.rebuild.builds import Builder, FailedBuildError, Figures, Registry, builder, figures, registry
 from benchmarks.rebuild.repositories import Change
-
 from lab import engine
 from roslab.engine.docker import native_platform
 from roslab.github.tree import Carrier, keep, source_of, take

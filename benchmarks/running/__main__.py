@@ -16,7 +16,6 @@ from pathlib import Path
 from benchmarks.running import page
 from benchmarks.running.measure import Way, measure
 from benchmarks.running.rows import chosen, due, dump, listed, read, write
-
 from roslab.engine.docker import output, say
 
 HERE = Path(__file__).resolve().parent

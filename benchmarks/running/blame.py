@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import yaml
-from benchmarks.running.rows import Whose
 
+from benchmarks.running.rows import Whose
 from roslab.explain.answer import Explanation, explain
 from roslab.knowledge.code_limits import version_of
 from roslab.knowledge.distros import cmake_of_ubuntu, python_of_ubuntu

@@ -18,7 +18,6 @@ from typing import Any
 from benchmarks.running import blame
 from benchmarks.running.blame import Base
 from benchmarks.running.rows import Listed, Row
-
 from roslab.engine import disk
 from roslab.engine import docker as engine
 from roslab.engine.bases import mend
