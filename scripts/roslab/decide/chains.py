@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, MendedBase, Reason
@@ -14,6 +15,9 @@ from roslab.decide.reasons import because
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
+
+if TYPE_CHECKING:
+    from roslab.decide.authors_pip import Dated
 
 _WEIGHT = 900
 """Above that of the FROM itself: it is what the build starts from."""
@@ -94,10 +98,14 @@ def decide_bases(evidence: Evidence, config: Config, dockerfile: str | None) -> 
     if authored is None:
         return Choice(answer=())
     pips = {} if config.repair is False else _pips(authored, evidence)
+    days = {} if config.repair is False else _days(authored, evidence)
     found = [
         (base, line)
         for name, line in dict(authored.bases).items()
-        if (base := _local(name, authored, evidence) or _mended(name, authored, config, pips.get(name)))
+        if (
+            base := _local(name, authored, evidence)
+            or _of_day(_mended(name, authored, config, pips.get(name)), name, days)
+        )
     ]
     return Choice(answer=tuple(base for base, _ in found), reasons=tuple(_reason(authored, *each) for each in found))
 
@@ -108,6 +116,24 @@ def _pips(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, str]:
     from roslab.decide.newest_pip import bounded_pips  # noqa: PLC0415 - most Dockerfiles leave pip as it is
 
     return bounded_pips(authored, evidence)
+
+
+def _days(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, Dated]:
+    if evidence.pip_day is None:
+        return {}
+    from roslab.decide.authors_pip import of_the_day  # noqa: PLC0415 - most trees have no Dockerfile
+
+    return of_the_day(authored, evidence, evidence.pip_day)
+
+
+def _of_day(base: MendedBase | None, name: str, days: dict[str, Dated]) -> MendedBase | None:
+    """Return a base with pip's index of a day, where what is installed there is to be of one."""
+    found = days.get(name)
+    if found is None:
+        return base
+    if base is None:
+        return MendedBase(name=name, image=name, why=found.why, answers=True, pip_day=found.day)
+    return replace(base, why=f"{base.why}; {found.why}", pip_day=found.day)
 
 
 def _mended(name: str, authored: AuthorDockerfile, config: Config, pip: str | None) -> MendedBase | None:
@@ -129,7 +155,10 @@ def _mended(name: str, authored: AuthorDockerfile, config: Config, pip: str | No
 
 
 def _reason(authored: AuthorDockerfile, base: MendedBase, line: int) -> Reason:
-    what = f"gives {base.name} an older pip" if base.answers else f"replaces {base.name}"
+    given = [
+        what for what, is_so in (("an older pip", base.pip_below), ("pip's index of that day", base.pip_day)) if is_so
+    ]
+    what = f"gives {base.name} {' and '.join(given)}" if base.answers else f"replaces {base.name}"
     replaced = f"; the build {what} and changes no line of the Dockerfile"
     text = base.why + (replaced if base.recipe is None else ", and so does the build here")
     place = Place(file=authored.file, line=line)

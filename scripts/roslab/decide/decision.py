@@ -63,9 +63,11 @@ class MendedBase:
     recipe: str | None = None
     """The text of the author's Dockerfile that makes it, which needs no build context."""
     answers: bool = False
-    """The image is as good as ever: only the pip that the Dockerfile would take is not."""
+    """The image is as good as ever: only what the Dockerfile would take for pip, or by pip, is not."""
     pip_below: str | None = None
     """The first pip that is too new for what the Dockerfile has built, whatever it upgrades to."""
+    pip_day: str | None = None
+    """The day (``YYYY-MM-DD``) of what pip installs there without a version, ``None`` for today's."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -26,6 +26,8 @@ class Base:
     """pip constraints: the last installers that run on its Pythons, whatever the Dockerfile upgrades them to."""
     recipe: str | None = None
     """The author's own Dockerfile that makes it."""
+    pip_day: str | None = None
+    """The day (``YYYY-MM-DD``) of what pip installs without a version, ``None`` for today's."""
 
 
 def author_bases(decision: Decision) -> tuple[Base, ...]:
@@ -46,6 +48,7 @@ def author_bases(decision: Decision) -> tuple[Base, ...]:
                 rosdistro_tag=release.rosdistro_tag if release and mends else None,
                 installers=(*(_installers(codename) if mends else ()), *_of_its_time(base.pip_below)),
                 recipe=base.recipe,
+                pip_day=base.pip_day,
             )
         )
     return tuple(found)

@@ -76,6 +76,8 @@ def _stage(number: int, base: Base, lists: Secrets) -> str:
         blocks.append(_rosdep(base.rosdistro_tag))
     if base.installers:
         blocks.append(_pip(base.installers))
+    if base.pip_day:
+        blocks.append(_of_day(base.pip_day))
     return "\n\n".join(blocks)
 
 
@@ -84,6 +86,18 @@ def _rosdep(tag: str) -> str:
     return (
         "# rosdep with the tables that still know this distribution, which its update would skip\n"
         f"ENV ROSDISTRO_INDEX_URL={quote.docker(index)}\n{shell.copy_script('rosdep')}".rstrip("\n")
+    )
+
+
+def _of_day(day: str) -> str:
+    """Have the author's steps run by a shell that gives pip the index of a day."""
+    why = f"# What pip installs without a version is of {day}: `pip_date` in roslab.yaml says which day\n"
+    copied = "".join(map(shell.copy_script, ("index-as-of", "shell-as-of")))
+    tables = shell.copy_data(("released-together.txt",))
+    return (
+        f"{why}{copied}{tables}"
+        "# An older wheel is taken before the source of a newer release\nENV PIP_PREFER_BINARY=1\n"
+        f'SHELL ["/usr/local/bin/shell-as-of", "{day}"]'
     )
 
 

@@ -26,7 +26,7 @@ def planned(folder: Path, steps: str, day: str | None = BEFORE, base: str = IMAG
         "requirements.txt": f"numpy\n{ARCHIVE}\n",
         "main.py": "import torch\n\nprint(torch.ones(1))\n",
         "Dockerfile": f"FROM {base}\nCOPY . /app\nWORKDIR /app\n{steps}\n",
-        "roslab.yaml": "format: 3\nkind: python\ndockerfile: Dockerfile\n",
+        "roslab.yaml": "format: 3\nkind: python\ndockerfile: Dockerfile\npip_date: today\n",
         **files,
     }
     for path, text in written.items():

@@ -7,6 +7,7 @@ import hashlib
 import io
 import json
 import os
+import shlex
 import shutil
 import signal
 import subprocess
@@ -179,7 +180,7 @@ def step(tmp_path: Path, index: str) -> Iterator[list[subprocess.Popen[str]]]:
     """Have the scripts under the names that they have in an image; what they start ends with the test."""
     if shutil.which("bash") is None:
         pytest.skip("a step of a build has bash")
-    for name in ("index-as-of", "ask-pip-again", "git-as-of"):
+    for name in ("index-as-of", "ask-pip-again", "git-as-of", "shell-as-of"):
         text = (SCRIPTS / f"{name}.sh").read_text(encoding="utf-8")
         (tmp_path / name).write_text(text.replace("/dev/shm", str(tmp_path)))  # other tests have theirs
         (tmp_path / name).chmod(0o755)
@@ -502,3 +503,25 @@ def test_the_python_that_has_pip_is_asked(tmp_path: Path) -> None:
     none = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     assert (none.returncode, none.stdout) == (0, "")
     assert "no Python with pip" in none.stderr
+
+
+@pytest.mark.parametrize(
+    ("run", "got"),
+    [
+        ("pip download --quiet --no-deps --dest . plain && ls plain*", "plain-1.0"),
+        ("PIP_NO_DEPS=1 python -m pip download --quiet --dest . 'plain>1' 2>/dev/null || echo none", "none"),
+        ('echo "${PIP_INDEX_URL}"', "{index}"),
+        ('echo pip "${PIP_INDEX_URL%:*}"', "pip http://127.0.0.1"),
+        ("[ -n \"${BASH_VERSION:-}\" ] || echo 'the usual shell'", "the usual shell"),
+    ],
+)
+def test_an_authors_step_that_calls_pip_has_the_index_of_the_day(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, run: str, got: str
+) -> None:
+    said = ran(step, tmp_path, index, f"exec shell-as-of {DAY} {shlex.quote(run)}", start=":")
+    assert said.strip().startswith(got.format(index=index))
+
+
+def test_an_authors_step_that_fails_fails(step: list[subprocess.Popen[str]], tmp_path: Path, index: str) -> None:
+    said = ran(step, tmp_path, index, f"shell-as-of {DAY} 'pip --version >/dev/null; exit 7' || echo $?", start=":")
+    assert said.strip() == "7"

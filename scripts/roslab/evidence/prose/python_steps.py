@@ -35,6 +35,11 @@ def changes_setup(written: Sequence[Instruction]) -> bool:
     return any(step.name == "RUN" and _CHANGES.search(step.text) for step in written)
 
 
+def sets_shell(written: Sequence[Instruction]) -> bool:
+    """Tell whether its steps are run by a shell of its own choice."""
+    return any(step.name == "SHELL" for step in written)
+
+
 def _upgrades(steps: str, first: int) -> Iterator[int]:
     for start, logical in logical_lines(steps, first):
         for command in commands(logical, start):

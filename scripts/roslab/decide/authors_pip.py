@@ -1,0 +1,51 @@
+"""What an author's old Dockerfile has pip install without a version: it was of its day; today's may not run there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.decide.newest_pip import files_of
+from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.knowledge.os_releases import of_debian, release_of
+from roslab.values.dataclass import dataclass
+from roslab.values.requirement import Requirement
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Dated:
+    """Why what pip installs in an image is to be of a day."""
+
+    day: str
+    why: str
+
+
+def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict[str, Dated]:
+    """Return the external images in which pip is asked for something without a version.
+
+    The index of the day is given to the shell that runs the steps, so that a Dockerfile which names its own is left
+    as it is; and that of an image of which nothing tells that it is of Debian or Ubuntu may not be there.
+    """
+    if authored.sets_shell:
+        return {}
+    begins = sorted((line, name) for name, line in authored.bases)
+    found: dict[str, Dated] = {}
+    for asked in _free(authored, evidence):
+        name = next((name for line, name in reversed(begins) if line < asked.line), "")
+        if name in found or "$" in name or "alpine" in name or not (release_of(name) or of_debian(name)):
+            continue
+        what = asked.name or asked.written
+        found[name] = Dated(
+            day=day, why=f"line {asked.line} has pip install {what} without a version: it takes that of {day}"
+        )
+    return found
+
+
+def _free(authored: AuthorDockerfile, evidence: Evidence) -> Iterator[Requirement]:
+    """Yield what pip is asked for in the Dockerfile's own lines that may be of any version, or needs what may be."""
+    for asked in authored.requirements:
+        if asked.role == "file":
+            listed = [each for file in files_of(authored, evidence) for each in file.requirements if each.package]
+            if not listed or any(each.release is None and not each.url for each in listed):
+                yield asked
+        elif asked.role == "project" or (asked.package and asked.release is None and not asked.url):
+            yield asked
