@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Container
 from functools import cache
 
 from roslab.values.pattern import pattern
@@ -72,3 +73,12 @@ def beside(path: str) -> bool:
 def _folders(folder: str) -> frozenset[str]:
     """Return the names in the path of a folder, which many files share, lower-cased."""
     return frozenset(folder.lower().split("/"))
+
+
+def innermost(path: str, folders: Container[str]) -> str | None:
+    """Return the innermost of some folders that a path lies in or is, ``""`` for the root; ``None`` for none."""
+    while path not in folders:
+        if not path:
+            return None
+        path = path.rpartition("/")[0]
+    return path

@@ -58,8 +58,8 @@ def on_cuda(evidence: Evidence) -> Iterator[CMakeProject]:
     """Yield the CMake projects of packages that are built which need the compiler of CUDA."""
     folders = frozenset(manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built)
     for project in evidence.cmake:
-        inside = any(not folder or f"{project.file}/".startswith(f"{folder}/") for folder in folders)
-        if "cuda" in project.macros and inside and not places.aside(project.file):
+        inside = "cuda" in project.macros and places.innermost(project.file, folders) is not None
+        if inside and not places.aside(project.file):
             yield project
 
 

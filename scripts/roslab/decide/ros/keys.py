@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
@@ -274,15 +275,12 @@ def _hint(name: str, target: Target, *, cloned: bool, folder: str, tried: str) -
 
 def _near(name: str, target: Target) -> str | None:
     """Return the known names that one may be a slip for, as a sentence has them."""
-    from roslab.decide.ros.slips import meant  # noqa: PLC0415 - for a key that nobody knows
+    from roslab.decide.ros.slips import meant, nearest  # noqa: PLC0415 - for a key that nobody knows
 
-    known = rosdep_keys() | released(target.ros_distro or "")
-    return " or ".join(meant(name, known)[:_MOST_MEANT]) or _nearest(name, known)
+    known = _known(target.ros_distro or "")
+    return " or ".join(meant(name, known)[:_MOST_MEANT]) or nearest(name, known)
 
 
-def _nearest(name: str, known: frozenset[str]) -> str | None:
-    """Return the known name that differs by a letter or two; only names with the same first letters are compared."""
-    alike = sorted(each for each in known if each[:4] == name[:4] and abs(len(each) - len(name)) <= 1)
-    from difflib import get_close_matches  # noqa: PLC0415 - for a key that nobody knows
-
-    return next(iter(get_close_matches(name, alike, n=1, cutoff=0.92)), None)
+@cache
+def _known(ros_distro: str) -> frozenset[str]:
+    return frozenset(rosdep_keys() | released(ros_distro))

@@ -6,6 +6,7 @@ https://docs.ros.org/en/independent/api/rosdep/html/rosdep_yaml_format.html, 202
 from __future__ import annotations
 
 from collections.abc import Collection
+from functools import cache
 
 from roslab.decide.system.names import Target
 from roslab.knowledge.carried import base_holds
@@ -26,9 +27,19 @@ def of_pip(name: str) -> str:
     """Return the apt package of what a key names as pip does, ``""`` where it is another thing or apt has none."""
     if name in rosdep_keys() or ever_released(name):
         return ""
-    plain = canonicalize_name(name)
-    rows = ((module, pip, apt) for module, (pip, apt) in imports().items() if apt)
-    return next((apt for module, pip, apt in rows if module == name or canonicalize_name(pip or "") == plain), "") or ""
+    found = _by_module_and_name()
+    return min((found[key] for key in (name, f"pip {canonicalize_name(name)}") if key in found), default=(0, ""))[1]
+
+
+@cache
+def _by_module_and_name() -> dict[str, tuple[int, str]]:
+    """Return the apt package of each module, and of each package of pip in its plain spelling, with its row."""
+    found: dict[str, tuple[int, str]] = {}
+    for number, (module, (pip, apt)) in enumerate(imports().items()):
+        if apt:
+            found.setdefault(module, (number, apt))
+            found.setdefault(f"pip {canonicalize_name(pip or '')}", (number, apt))
+    return found
 
 
 def library_called(name: str, ubuntu: str | None) -> Library | None:

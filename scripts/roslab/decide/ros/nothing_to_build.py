@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.config.model import BuildTool
 from roslab.decide.ros.workspace import Packages, nothing_builds, types
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 
 _BUILT = frozenset({"ament_cmake", "ament_python", "catkin", "cmake"})
@@ -20,14 +21,25 @@ def nothing_to_build(evidence: Evidence, packages: Packages, build_tool: BuildTo
     https://colcon.readthedocs.io/en/released/reference/discovery-arguments.html
     """
     found = {*_described(evidence, packages), *(_without_code(evidence) if build_tool == "colcon" else ())}
-    return tuple(sorted(each for each in found - set(packages.doubles) if outside_packages(each, packages)))
+    built = Built(packages)
+    return tuple(sorted(filter(built.outside, found - set(packages.doubles))))
 
 
-def outside_packages(folder: str, packages: Packages) -> bool:
-    """Tell whether a folder neither holds nor lies in a package that is built; the root holds all."""
-    built = [manifest.file.rpartition("/")[0] for manifest in packages.built]
-    around = any(not each or f"{folder}/".startswith(f"{each}/") for each in built)
-    return bool(folder) and not around and not any(each.startswith(f"{folder}/") for each in built)
+class Built:
+    """The folders of the packages that are built."""
+
+    def __init__(self, packages: Packages) -> None:
+        self._folders = {manifest.file.rpartition("/")[0] for manifest in packages.built}
+        self._holding = {above for folder in self._folders for above in _around(folder)}
+
+    def outside(self, folder: str) -> bool:
+        """Tell whether a folder neither holds nor lies in a package that is built; the root holds all."""
+        return bool(folder) and folder not in self._holding and places.innermost(folder, self._folders) is None
+
+
+def _around(folder: str) -> Iterator[str]:
+    while folder := folder.rpartition("/")[0]:
+        yield folder
 
 
 def _described(evidence: Evidence, packages: Packages) -> Iterator[str]:

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from roslab.decide.ros.own_configs import installing
 from roslab.decide.ros.source_names import plain
+from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -24,20 +25,18 @@ def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ..
     here = installing(evidence)
     named = {plain(git.name) for git in evidence.sources}
     named |= {plain(each.name.partition("/")[0]) for each in evidence.code if each.namespace == "include"}
-    made = [(project.file, {*project.made, *_programs(project, named)}) for project in evidence.cmake]
     folders = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
-
-    def of(file: str) -> str | None:
-        inside = (folder for folder in folders if not folder or file.startswith(f"{folder}/"))
-        return max(inside, key=len, default=None)
-
+    made: dict[str, set[str | None]] = {}
+    for project in evidence.cmake:
+        for name in (*project.made, *_programs(project, named)):
+            made.setdefault(name, set()).add(places.innermost(project.file, folders))
     python = {project.folder for project in evidence.python}
     return tuple(
         key.name
         for key in keys
         if key.name.lower() in here
         or (key.file.rpartition("/")[0] in python and _of_python(key.name))
-        or any(key.name in names and of(file) == key.file.rpartition("/")[0] for file, names in made)
+        or key.file.rpartition("/")[0] in made.get(key.name, ())
     )
 
 

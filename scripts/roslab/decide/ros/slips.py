@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from functools import cache
 from itertools import pairwise
 
 _SHORTEST = 5
@@ -12,15 +13,47 @@ _SHORTEST = 5
 def meant(name: str, known: Collection[str]) -> tuple[str, ...]:
     """Return the known names that have one letter more, less or another than a name, or two of them swapped, sorted.
 
-    What counts differs by a digit, and is no slip.
+    What counts differs by a digit, and is no slip. A set that does not change is sorted once for all names.
     """
     if len(name) < _SHORTEST:
         return ()
     here = set(_with_a_gap(name)) | set(_swapped(name))
-    begins, ends = name[: (len(name) - 1) // 2], name[-((len(name) - 1) // 2) :]  # a slip leaves one of them whole
-    alike = (each for each in known if each.startswith(begins) or each.endswith(ends))
+    half = (len(name) - 1) // 2
+    begins, ends = name[:half], name[-half:]  # a slip leaves one of them whole
+    if isinstance(known, frozenset):
+        first, last = _by_halves(known, half)
+        alike: Iterable[str] = {*first.get(begins, ()), *last.get(ends, ())}
+    else:
+        alike = (each for each in known if each.startswith(begins) or each.endswith(ends))
     near = (each for each in alike if abs(len(each) - len(name)) <= 1 and each != name)
     return tuple(sorted(each for each in near if not here.isdisjoint((each, *_with_a_gap(each)))))
+
+
+def nearest(name: str, known: frozenset[str]) -> str | None:
+    """Return the known name that differs by a letter or two; only names with the same first letters are compared."""
+    alike = [each for each in _by_beginning(known).get(name[:4], ()) if abs(len(each) - len(name)) <= 1]
+    from difflib import get_close_matches  # noqa: PLC0415 - few names are near to one by their beginning
+
+    return next(iter(get_close_matches(name, alike, n=1, cutoff=0.92)), None)
+
+
+@cache
+def _by_beginning(known: frozenset[str]) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for each in sorted(known):
+        found.setdefault(each[:4], []).append(each)
+    return found
+
+
+@cache
+def _by_halves(known: frozenset[str], half: int) -> tuple[dict[str, list[str]], dict[str, list[str]]]:
+    """Return names by so many of their first letters, and by so many of their last."""
+    first: dict[str, list[str]] = {}
+    last: dict[str, list[str]] = {}
+    for name in known:
+        first.setdefault(name[:half], []).append(name)
+        last.setdefault(name[-half:], []).append(name)
+    return first, last
 
 
 def _with_a_gap(name: str) -> Iterator[str]:

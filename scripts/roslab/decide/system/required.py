@@ -19,8 +19,9 @@ from roslab.evidence.python_project import PythonProject
 
 def required(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
     """Yield each package with what its own CMakeLists.txt, and those it always adds, require and no file here finds."""
+    lacking = Outside(evidence, packages)
     for package, project in _of_packages(evidence, packages):
-        yield from ((package, asked) for asked in outside(project, evidence, packages))
+        yield from ((package, asked) for asked in lacking.of(project))
 
 
 def _of_packages(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, CMakeProject]]:
@@ -83,15 +84,16 @@ def undeclared(evidence: Evidence, packages: Packages, build_tool: BuildTool) ->
 def of_program(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
     """Yield the program with what the CMakeLists.txt at its top requires and no file of the tree finds."""
     if top := top_of(evidence):
-        yield from ((top.name or "the program", asked) for asked in outside(top, evidence, packages))
+        yield from ((top.name or "the program", asked) for asked in Outside(evidence, packages).of(top))
 
 
 def of_program_and_below(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
     """Yield the program with what its CMakeLists.txt and those of the folders that it adds require."""
     top = top_of(evidence)
+    lacking = Outside(evidence, packages)
     for project in evidence.cmake if top else ():
         if project is top or not (project.top_level or places.vendored(project.file) or places.test(project.file)):
-            yield from ((top.name or "the program", asked) for asked in outside(project, evidence, packages) if top)
+            yield from ((top.name or "the program", asked) for asked in lacking.of(project) if top)
 
 
 def own_names(evidence: Evidence, packages: Packages) -> AbstractSet[str | None]:
@@ -120,12 +122,18 @@ def other_letters(evidence: Evidence, packages: Packages) -> dict[str, str]:
     return {name.lower(): name for name in names if name}
 
 
-def outside(project: CMakeProject, evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
-    """Yield what a project requires and the tree does not have, but for tests."""
-    own, others = own_names(evidence, packages), in_any_letters(evidence)
-    for asked in project.dependencies:
-        if _to_build(asked) and asked.name not in own and not (_by_cmake(asked) and asked.name.lower() in others):
-            yield asked
+class Outside:
+    """What projects of CMake require and the tree does not have, but for tests."""
+
+    def __init__(self, evidence: Evidence, packages: Packages) -> None:
+        self._own, self._others = own_names(evidence, packages), in_any_letters(evidence)
+
+    def of(self, project: CMakeProject) -> Iterator[Dependency]:
+        """Yield what one of them requires."""
+        for asked in project.dependencies:
+            here = asked.name in self._own or (_by_cmake(asked) and asked.name.lower() in self._others)
+            if _to_build(asked) and not here:
+                yield asked
 
 
 def _by_cmake(asked: Dependency) -> bool:
@@ -152,7 +160,8 @@ def provided_as(name: str, names: Collection[str]) -> bool:
 
 def by_pip(evidence: Evidence, packages: Packages) -> Iterator[tuple[PythonProject, Dependency]]:
     """Yield each project of Python whose setup.py calls CMake with what the CMakeLists.txt beside it requires."""
+    lacking = Outside(evidence, packages)
     for project in evidence.python:
         if project.installable and "cmake" in project.extensions and not places.aside(project.file):
             for made in (each for each in evidence.cmake if each.file.rpartition("/")[0] == project.folder):
-                yield from ((project, asked) for asked in outside(made, evidence, packages))
+                yield from ((project, asked) for asked in lacking.of(made))

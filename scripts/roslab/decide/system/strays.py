@@ -7,12 +7,12 @@ from collections.abc import Collection, Iterator
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
-from roslab.decide.ros.nothing_to_build import outside_packages
+from roslab.decide.ros.nothing_to_build import Built
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import SOURCE
 from roslab.decide.system.names import Target, resolve
-from roslab.decide.system.required import outside, provided_as
+from roslab.decide.system.required import Outside, provided_as
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 
@@ -31,11 +31,12 @@ def strays(
     """
     if build_tool != "colcon" or not packages.built:
         return
+    lacking, built = Outside(evidence, packages), Built(packages)
     for project in evidence.cmake:
         folder = project.file.rpartition("/")[0]
-        if not _taken(project, folder) or not outside_packages(folder, packages) or _needed(project, evidence):
+        if not _taken(project, folder) or not built.outside(folder) or _needed(project, evidence):
             continue
-        for asked in outside(project, evidence, packages):
+        for asked in lacking.of(project):
             if not (resolve(asked, target).known or provided_as(asked.name, names)):
                 yield folder, warn(_TOLD.format(folder, asked.name, SOURCE), asked)
                 break

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
 from roslab.evidence.facts import PackageManifest
@@ -71,10 +71,13 @@ def _folders(manifests: Iterable[PackageManifest]) -> Iterator[str]:
     yield from (posixpath.dirname(m.file) for m in manifests if not m.ignored)
 
 
-def _above(folder: str, outer: Iterable[str]) -> str | None:
+def _above(folder: str, outer: Container[str]) -> str | None:
     """Return the outermost package around a folder."""
-    around = [each for each in outer if each != folder and (not each or folder.startswith(f"{each}/"))]
-    return min(around, key=len, default=None)
+    found = None
+    while folder:
+        folder = folder.rpartition("/")[0]
+        found = folder if folder in outer else found
+    return found
 
 
 def _named(folder: str, above: str, package: PackageManifest, repository: Repository) -> bool:

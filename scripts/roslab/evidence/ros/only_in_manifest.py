@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
+from roslab.evidence import places
 from roslab.evidence.facts import Mention, PackageManifest
 from roslab.evidence.lex.lines import end_of_line
 from roslab.evidence.lex.xml_comments import without_xml_comments
@@ -33,7 +34,10 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
     It has to be one for the build, as packages of ROS have: what is only started may be so by others' files.
     """
     manifests = tuple(manifests)
-    folders = sorted((each.file.rpartition("/")[0] for each in manifests), key=len, reverse=True)
+    files: dict[str | None, list[File]] = {}
+    folders = {each.file.rpartition("/")[0] for each in manifests}
+    for file in _files(repository):
+        files.setdefault(places.innermost(file.path, folders), []).append(file)
     first: dict[str, Mention] = {}
     used: set[str] = set()
     for manifest in manifests:
@@ -43,8 +47,7 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
         if not unknown or manifest.metapackage or not manifest.file.endswith("package.xml"):
             used |= {*unknown}
             continue
-        folder = manifest.file.rpartition("/")[0]
-        found = _words(repository, folder, [each for each in folders if each != folder and _below(each, folder)])
+        found = _words(repository, files.get(manifest.file.rpartition("/")[0], ()))
         used |= {name for name in unknown if found is None or any(name in word for word in found)}
         for name, asked in unknown.items():
             text = f"<depend>{name}</depend>"
@@ -55,13 +58,8 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
     yield from (each for name, each in first.items() if name not in used)
 
 
-def _below(path: str, folder: str) -> bool:
-    return not folder or path.startswith(f"{folder}/")
-
-
-def _words(repository: Repository, folder: str, others: list[str]) -> set[str] | None:
+def _words(repository: Repository, own: Collection[File]) -> set[str] | None:
     """Return the words of a package's files without their comments, ``None`` where these may be more than is read."""
-    own = [f for f in _files(repository) if _below(f.path, folder) and not any(_below(f.path, each) for each in others)]
     if len(own) > MOST:
         return None
     found: set[str] = set()
