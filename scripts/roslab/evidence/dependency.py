@@ -88,6 +88,8 @@ class GitSource:
     """A link that a page gives for its dependencies: they can be found there, or it is listed among them."""
     told: bool = False
     """A link that a page has the reader install: ``Install [Name](https://github.com/owner/name)``."""
+    to_install: bool = False
+    """A link in a section that is about installing, or in one below it."""
     beside: bool = False
     """It is cloned into the ``src`` of a workspace, beside the repository itself."""
     absent: bool = False

@@ -44,6 +44,44 @@ def test_what_the_page_links_to_is_tried(tree: Tree, files: dict[str, str], gues
     assert [each.written for each in decision.python.pip_guessed if each.vcs] == guessed
 
 
+INSTALLED = "## Installation\nGet the APIs, please follow [it](https://github.com/acme/{0}).\n"
+LISTED = "## Required\n- the simulator, see [it](https://github.com/acme/{0})\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "repository", "taken"),
+    [
+        (INSTALLED, "foosim-api", True),
+        (INSTALLED, "foosim_devkit", True),
+        (INSTALLED, "python-foosim", True),
+        (INSTALLED, "foosim-data-tools", False),  # two words more
+        (INSTALLED, "foosimulator", False),
+        (INSTALLED, "other-api", False),
+        (INSTALLED.replace("please", "the private repository"), "foosim-api", False),
+        (INSTALLED.replace("Installation", "Related work"), "foosim-api", False),
+        (INSTALLED.replace("Installation", "Installation on Windows"), "foosim-api", False),
+        (INSTALLED + "## Credits\nWe thank [it](https://github.com/acme/foosim-api).\n", "foosim-tools", True),
+        (LISTED, "foosim-api", True),
+        (LISTED.replace("Required", "Results"), "foosim-api", False),
+    ],
+)
+def test_what_is_linked_where_a_page_tells_how_to_install_may_have_one_word_more(
+    tree: Tree, page: str, repository: str, *, taken: bool
+) -> None:
+    decision = tree({"run.py": "import foosim\nif __name__ == '__main__':\n    foosim.run()\n",
+                     "README.md": f"# A\n{page.format(repository)}"})  # fmt: skip
+    asked = [f"git+https://github.com/acme/{repository}"] if taken else []
+    assert [each.written for each in decision.python.pip_guessed if each.vcs] == asked
+    said = [each.message for each in decision.warnings if "no table knows" in each.message]
+    assert bool(said) != taken
+
+
+def test_what_a_table_or_the_tree_has_is_not_taken_from_a_link(tree: Tree) -> None:
+    files = {"run.py": "import scipy\nimport foosim\n", "foosim.py": "", "README.md": INSTALLED.format("foosim-api")}
+    files["README.md"] += INSTALLED.format("scipy-api")
+    assert [each.written for each in tree(files).python.pip_guessed] == ["scipy"]
+
+
 def test_what_may_bring_it_is_told_with_the_module(tree: Tree) -> None:
     decision = tree({**CODE, "README.md": LINK.replace("AcmeEngine", "fast_core")})
     said = [each.message for each in decision.warnings if "no table knows" in each.message]

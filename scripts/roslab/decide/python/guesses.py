@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 
 from roslab.config.model import Kind
 from roslab.decide.notebooks import opened
 from roslab.decide.python.built_here import built_here
 from roslab.decide.python.extras import for_developers
+from roslab.decide.python.linked_repositories import linked_repositories
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.on_index import on_index
 from roslab.decide.python.other_lists import as_in_list, named_in_list
@@ -24,7 +24,7 @@ from roslab.knowledge.frameworks import imports, released_together, tabled
 from roslab.knowledge.guesses import ros_modules, same_module, tooling
 from roslab.knowledge.windows import shown_with
 from roslab.values.dataclass import replace
-from roslab.values.name import bare_name, canonicalize_name, of_fork
+from roslab.values.name import canonicalize_name, of_fork
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -70,11 +70,11 @@ def guesses(
         found["notebook"] = stated("notebook", "prose", first.file, first.line)
     tools = tooling("installers") | tooling("developers")
     heavy = bool(known & {"torch", "tensorflow", "jax"})
-    offered, limits = _linked(evidence), _limits(evidence)
+    offered, limits = linked_repositories(evidence), _limits(evidence)
     for dependency in _imported(evidence, manifests=manifests):
         package, apt = imports().get(dependency.name) or (on_index(evidence, dependency), None)
         package = package or (named_in_list(evidence, dependency) if dependency.name not in imports() else None)
-        linked = _of_link(dependency, offered, ros=ros)
+        linked = offered.of_module(dependency, ros=ros)
         if linked and not package and dependency.name not in imports() and not places.aside(dependency.file):
             if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:
                 found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
@@ -157,48 +157,6 @@ def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
         counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests) and not tried)
         if each.namespace == "import" and counts and not places.test(each.file):
             yield each
-
-
-def _of_link(used: Dependency, offered: Mapping[str, Requirement], *, ros: bool) -> Requirement | None:
-    """Return the linked repository of a module; of a ROS package's, only one that says that it is for Python."""
-    spelled = () if ros else (canonicalize_name(used.name), _joined(used.name))
-    names = (*spelled, _of_python(used.name)) if used.strength == "used" else ()
-    return next((offered[name] for name in names if name in offered), None)
-
-
-def _linked(evidence: Evidence) -> dict[str, Requirement]:
-    """Return the repositories that a page at the root links to or clones: a module of no table may be one's package.
-
-    What it clones may have another spelling; of what says in its name that it is for Python, that may be shorter.
-    One that has the name of a CMake project of the tree is the repository itself, which compiles that module; one that
-    has a submodule's lies in the tree.
-    """
-    found: dict[str, Requirement] = {}
-    inside = {bare_name(project.name) for project in evidence.cmake if project.name}
-    inside |= {bare_name(git.name.rpartition("/")[2]) for git in evidence.sources if git.kind == "submodule"}
-    for git in evidence.sources:
-        offered = git.kind in {"link", "clone"} and "/" not in git.file and not git.installed
-        if offered and bare_name(git.name) not in inside:
-            ref = f"@{git.ref}" if git.ref and re.fullmatch(r"[\w.-]+", git.ref) else ""
-            asked = stated(f"git+{https(git.url)}{ref}", "import")
-            found.setdefault(canonicalize_name(git.name), asked)
-            if of_python := _of_python(git.name):
-                found.setdefault(of_python, asked)
-            if git.kind == "clone":
-                found.setdefault(_joined(git.name), asked)
-    return found
-
-
-def _joined(name: str) -> str:
-    """Return a name in the spelling in which a module and a repository are compared: ``easypbr`` is of ``easy_pbr``."""
-    return canonicalize_name(name).replace("-", "")
-
-
-def _of_python(name: str) -> str:
-    """Return a name that says that it is for Python as modules do: ``sdk_python`` as ``sdkpy``, ``""`` if none."""
-    bare = bare_name(name)
-    short = f"{bare.removesuffix('python')}py" if bare.endswith("python") else bare
-    return f"{short} of Python" if short.endswith("py") and len(short) > len("py") else ""
 
 
 def _repository(url: str) -> str:

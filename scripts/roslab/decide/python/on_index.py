@@ -43,6 +43,12 @@ def _at(used: Dependency, link: Mention) -> bool:
 def _called_like(module: str, package: str) -> bool:
     """Tell whether a package is called like a module, or like it with one more word: ``acme-arm-driver``."""
     name, other = bare_name(module), bare_name(package)
-    words, others = canonicalize_name(module).split("-"), canonicalize_name(package).split("-")
-    more = len(name) >= _SHORTEST and len(others) == len(words) + 1 and words in (others[:-1], others[1:])
+    more = with_one_word_more(module, package)
     return name == other or more or (len(name) >= _SHORTEST and other.endswith(name))
+
+
+def with_one_word_more(module: str, package: str) -> bool:
+    """Tell whether a package has the words of a module's name and one before or behind them: ``acme-api``."""
+    words, others = canonicalize_name(module).split("-"), canonicalize_name(package).split("-")
+    more = len(others) == len(words) + 1 and words in (others[:-1], others[1:])
+    return more and len(bare_name(module)) >= _SHORTEST

@@ -61,6 +61,8 @@ _INSTALLS = pattern(
     re.IGNORECASE,
 )
 """A sentence that has the reader install what it links to, or says that the code requires it, up to the link."""
+_INSTALLING = pattern(r"\binstall", re.IGNORECASE)
+"""The title of a section whose links are to be installed, ``Installation`` or ``Install dependencies``."""
 _PRIVATE = pattern(
     r"(?<!not )(?<!not a )(?<!no )(?<!no longer )(?<!non-)\bprivate\b[^.\n]{0,40}"
     r"\b(?:repo(?:sitory|s|sitories)?|package|fork|submodule)s?\b[^.\n]{0,40}$",
@@ -81,6 +83,7 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
     found: dict[str, GitSource] = {}
     thanked = _thanked(text)
     listed = _listed(text) if "/" not in file.path else frozenset()
+    installing = _installing(text) if "/" not in file.path else frozenset()
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
         url = match[0].partition("/tree/")[0].rstrip("/").removesuffix(".git")
         name = match[1].removesuffix(".git").rstrip(".")
@@ -100,6 +103,8 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
             found[url] = replace(found[url], holds=True)
         if _INSTALLS.search(text[max(0, match.start() - BEFORE) : match.start()]):
             found[url] = replace(found[url], told=True)
+        if line in installing:
+            found[url] = replace(found[url], to_install=True)
         if _PRIVATE.search(_before(text, match.start())) or _CALLED_PRIVATE.match(text, match.end()):
             found[url] = replace(found[url], private=True)
     return list(found.values())[:MAX_LINKS]
@@ -125,6 +130,14 @@ def _listed(text: str) -> frozenset[int]:
     if not LISTS.search(text) or not _LINK.search(text):
         return frozenset()
     return frozenset(line.number for line in needed_items(text))
+
+
+def _installing(text: str) -> frozenset[int]:
+    """Return the numbers of the lines in sections about installing, of a page with a link, without those aside."""
+    if not _INSTALLING.search(text) or not _LINK.search(text):
+        return frozenset()
+    found = (line for line in lines_of(text) if not (line.fenced or line.elsewhere))
+    return frozenset(line.number for line in found if any(map(_INSTALLING.search, line.titles.values())))
 
 
 def _thanked(text: str) -> frozenset[int]:
