@@ -27,6 +27,8 @@ class NotOnIndex:
     why: str
     conda: tuple[str, ...]
     """conda's channels that have it."""
+    needs: tuple[str, ...]
+    """What its modules import, where its own list has what pip cannot install: it is installed without that list."""
     source: str
     """Where its author tells how to install it."""
 
@@ -44,10 +46,10 @@ def of_ros(name: str) -> NotOnIndex | None:
         return found
     if not _ONLY_OF_ROS.fullmatch(name) or not ever_released(name.replace("-", "_")):
         return None
-    return NotOnIndex(instead="", releases="", why=_WHY, conda=(), source="https://github.com/ros/rosdistro")
+    return NotOnIndex(instead="", releases="", why=_WHY, conda=(), needs=(), source="https://github.com/ros/rosdistro")
 
 
 @cache
 def _of_ros() -> dict[str, NotOnIndex]:
-    others = {"instead": "", "releases": "", "why": _WHY, "conda": ()}
+    others = {"instead": "", "releases": "", "why": _WHY, "conda": (), "needs": ()}
     return {canonicalize_name(row["pip"]): record(NotOnIndex, row, **others) for row in rows("of_ros")}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from roslab.decide.python.bare import bare
 from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.decide.python.image_python import Manager, Python
 from roslab.knowledge.tools import STRICT_SINCE
@@ -38,6 +39,8 @@ class PythonPlan:
     """Lines of ``pip_guessed`` that a page clones and installs editable: the clone stays in the image."""
     by_name: tuple[str, ...] = ()
     """Lines of ``pip_guessed`` that are nothing but the name of a module."""
+    bare: tuple[str, ...] = ()
+    """Lines of ``pip_guessed`` that are installed without what their packages ask for."""
     conda_specs: tuple[str, ...] = ()
     conda_channels: tuple[str, ...] = ()
     conda_defaults: bool = False
@@ -84,6 +87,7 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         beside=_lines(each for each in (*python.pip, *python.pip_guessed) if each.beside),
         editable=_lines(each for each in python.pip_guessed if each.editable),
         by_name=_lines(each for each in python.pip_guessed if each.key in python.by_name and each.text == each.name),
+        bare=_lines(each for each in python.pip_guessed if bare(each)),
         requirements=python.requirements,
         manifests=python.manifests,
         projects=python.projects,

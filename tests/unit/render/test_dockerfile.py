@@ -125,6 +125,13 @@ def test_what_is_tried_because_a_module_has_its_name_is_told_to_the_script() -> 
     assert "numpy --by-name=rarelySeen often-seen==2" in " ".join(text.split())
 
 
+def test_what_is_installed_without_its_own_list_is_told_to_the_script() -> None:
+    guessed = (stated("numpy"), stated("argoverse @ git+https://github.com/argoverse/argoverse-api"))
+    text = written(plan(python=Python(version="3.8", manager="system", pip_guessed=guessed))).replace("\\\n", "")
+    line = "numpy '--no-deps=argoverse @ git+https://github.com/argoverse/argoverse-api'"
+    assert line in " ".join(text.split())
+
+
 @pytest.mark.parametrize(("name", "linked"), [("Paper", True), ("paper", False)])
 def test_a_link_of_the_repository_s_own_spelling_stands_beside_its_folder(name: str, *, linked: bool) -> None:
     bare: dict[str, Any] = {"build_tool": "none", "packages": (), "workspace": "none", "kind": "python"}

@@ -138,3 +138,15 @@ def test_a_package_without_the_module_of_its_name_is_named(tmp_path: Path, versi
     calls = _run(tmp_path, "--by-name=drawSvg")
     assert [call.split()[-1] for call in calls[1:]] == ["drawSvg", *older]
     assert (tmp_path / "left-out.txt").read_text() == "pip drawSvg\n"
+
+
+def test_what_is_bare_is_installed_without_what_it_asks_for(tmp_path: Path) -> None:
+    clone = "lab @ git+https://example.org/lab-api"
+    (tmp_path / "left-out.txt").touch()
+    calls = _run(tmp_path, f"--no-deps={clone}", "--no-build-isolation=--no-deps=sdf==1.0", refused=f"{clone}\n")
+    assert [call for call in calls if "list" not in call] == [
+        "--no-cache-dir --no-build-isolation --no-deps sdf==1.0",
+        f"--no-cache-dir --no-deps {clone}",
+        f"--no-cache-dir --no-build-isolation --no-deps {clone}",
+    ]
+    assert (tmp_path / "left-out.txt").read_text() == f"pip {clone}\n"

@@ -8,6 +8,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
 from roslab.decide.decision import Choice
 from roslab.decide.python.agreeing import agreeing
+from roslab.decide.python.bare import bare_apart
 from roslab.decide.python.beside_nodes import Loose, beside_nodes
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.by_own_name import with_unknown_modules
@@ -86,6 +87,7 @@ def decide_python(
     own = of_ubuntu(own, kind, ubuntu)
     chosen, number = _chosen(evidence, config, kind, own.answer, ubuntu), own.answer.version
     alone = conda_alone(evidence, own.answer)
+    by_conda = {each.key for each in alone.asked}
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
     interpreter = _interpreter(runs := number or python_of_ubuntu().get(ubuntu or ""))
     lists, conda = pip_lists(config, ubuntu, number), chosen.conda if manager == "conda" else None
@@ -96,7 +98,8 @@ def decide_python(
     part = conda_part(evidence, chosen, number, by_file=conda is not None and not pixi)
     declared = [*lists.requirements, *repaired.requirements, *part.declared]
     kept = dict(kept_by_build_types(evidence, [*declared, *chosen.guessed, *manifests]))
-    declared += kept
+    declared, guessed = bare_apart([*declared, *kept], chosen.guessed)
+    chosen = replace(chosen, guessed=guessed)
     extended = kind == "cuda" and manager != "system" and (extends_torch(evidence, chosen) or bool(by_script(evidence)))
     aged = older_torch((pin.requirement for pin in pins), cuda) if extended else None
     chosen = replace(chosen, guessed=without_release(chosen.guessed)) if aged else chosen
@@ -245,10 +248,10 @@ def decide_python(
             *bounds.warnings,
             *numpy.warnings,
             *options.warnings,
-            *untold(chosen.guessed, {each.key for each in alone.asked} | own_names(evidence)),
+            *untold(chosen.guessed, by_conda | own_names(evidence)),
             *left_to_gpus(evidence, kind),
             *left_frameworks(evidence, kind, everything),
-            *lost(evidence, kind, chosen, ubuntu if manager == "system" else None),
+            *lost(evidence, kind, chosen, ubuntu if manager == "system" else None, by_conda),
             *unread(chosen.projects),
             *without_history(evidence),
             *consents(chosen.guessed, evidence),

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 
 from roslab.config.model import Kind
 from roslab.decide.notebooks import opened
+from roslab.decide.python.bare import repository_of
 from roslab.decide.python.built_here import built_here
 from roslab.decide.python.extras import for_developers
 from roslab.decide.python.linked_repositories import linked_repositories
@@ -81,6 +82,7 @@ def guesses(
             continue
         name = canonicalize_name(package) if package else ""
         covered = not package or name in known or name in found or name in built
+        covered = covered or repository_of(name) in {*known, *found}
         covered = covered or any(same_module(name, other) for other in (*known, *found))
         if not package or covered or name in tools or (heavy and name in FRAMEWORKS):
             continue

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
@@ -19,6 +19,7 @@ from roslab.decide.python.may_bring import (
 )
 from roslab.decide.python.on_index import on_index
 from roslab.decide.python.packages import Chosen
+from roslab.decide.python.refused import refused
 from roslab.decide.reasons import warn
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
@@ -41,13 +42,18 @@ _OF_ROS = frozenset({"ros1", "ros2"})
 _MESSAGES = ("_msgs", "_srvs", "_interfaces")
 
 
-def lost(evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None) -> Iterator[Warning_]:
+def lost(
+    evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None, brought: Collection[str] = ()
+) -> Iterator[Warning_]:
     """Yield a warning for each imported module that pip's index is known to lack, and one for those of no table.
 
     Where a manifest declares packages, a submodule is missing, or a page has people install what it links to, the
     warning says that one of them may bring such a module. ``ubuntu``: the one whose own Python it is, if it is one's.
+    ``brought``: packages that come from elsewhere, as conda's.
     """
     for used in _refused(evidence, chosen):
+        if canonicalize_name(used.name) in brought:
+            continue
         row = not_on_index()[canonicalize_name(used.name)]
         if not (row.instead or (ubuntu and system_package(used.name, ubuntu))):
             of_conda = f" from {' or '.join(row.conda)}, by an environment file" if row.conda else ""
@@ -186,11 +192,12 @@ def _of_itself(evidence: Evidence, chosen: Chosen) -> set[str]:
 def _refused(evidence: Evidence, chosen: Chosen) -> Iterator[Dependency]:
     """Yield the imports that pip's index lacks, and that nothing else brings, of packages of ROS too.
 
-    What a page only clones is not installed by that.
+    What a page only clones is not installed by that, and neither is what a guess names and pip lacks.
     """
     used = [each for each in evidence.code if canonicalize_name(each.name) in not_on_index()]
     if used := [each for each in used if _always(each)]:
-        known = names_there(_without_left(evidence), chosen)
+        there = tuple(each for each in chosen.guessed if not ((row := refused(each)) and not row.instead))
+        known = names_there(_without_left(evidence), replace(chosen, guessed=there))
         yield from (each for each in used if canonicalize_name(each.name) not in known)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind
+from roslab.decide.python.bare import needs_of
 from roslab.decide.python.companions import companions_of
 from roslab.decide.python.conda_environments import conda_file
 from roslab.decide.python.contradicting import afterwards, of_one_call
@@ -77,6 +78,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
             *guessed,
             *for_environments(evidence, guessed, known),
             *companions_of(evidence, guessed, sure, known),
+            *needs_of(guessed, known | {each.key for each in guessed}),
             *to_show(evidence, known | {each.key for each in guessed}),
             *afterwards(evidence, kept, left),
         ),

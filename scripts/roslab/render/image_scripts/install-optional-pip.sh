@@ -3,11 +3,11 @@
 # Installs each package that pip finds, with the given options: those of a version that a page names first. For the
 # others nothing is replaced that pip has installed by then. Of one that has not the exact version which a page names,
 # one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot be built by itself is built beside what
-# is there (torch); `--no-build-isolation=PACKAGE` is built so first. `--editable=git+URL` is cloned and installed from
-# its folder, which stays; where that fails, as any other. The others are named and left out. A program that a build lacks,
-# or an older release of what builds, comes first (ask-pip-again). `--by-name=MODULE` is tried only because a module has
-# that name: not where another package has brought the module; where the newest release has no such module, the last one
-# of the major version before is taken.
+# is there (torch); `--no-build-isolation=PACKAGE` is built so first. `--no-deps=PACKAGE` is installed without what it
+# asks for. `--editable=git+URL` is cloned and installed from its folder, which stays; where that fails, as any other.
+# The others are named and left out. A program that a build lacks, or an older release of what builds, comes first
+# (ask-pip-again). `--by-name=MODULE` is tried only because a module has that name: not where another package has brought
+# the module; where the newest release has no such module, the last one of the major version before is taken.
 set -euo pipefail
 
 source "$(command -v ask-pip-again)"
@@ -23,6 +23,7 @@ of_a_version=()
 others=()
 for package in "$@"; do
   line="${package#--no-build-isolation=}"
+  line="${line#--no-deps=}"
   line="${line#--editable=}"
   line="${line#--by-name=}"
   case "${line%% @ *}" in *[\<=\>]*) of_a_version+=("${package}") ;; *) others+=("${package}") ;; esac
@@ -67,11 +68,16 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
   tries=("" --no-build-isolation)
   case "${package}" in --no-build-isolation=*) tries=(--no-build-isolation "") ;; esac
   package="${package#--no-build-isolation=}"
+  alone=()
+  if [ "${package}" != "${package#--no-deps=}" ]; then
+    package="${package#--no-deps=}"
+    alone=(--no-deps)
+  fi
   if [ "${package}" != "${package#--editable=}" ]; then
     package="${package#--editable=}"
     if folder="$(clone-editable "${package}")"; then
       for try in "${tries[@]}"; do
-        if "${pip[@]}" ${try:+"${try}"} --editable "${folder}"; then
+        if "${pip[@]}" ${try:+"${try}"} ${alone[@]+"${alone[@]}"} --editable "${folder}"; then
           clone-editable --installed "${package}"
           continue 2
         fi
@@ -85,7 +91,7 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
     *[\<=\>]* | *://*) limits=() ;;
     *) limits=(--constraint "${kept}") ;;
   esac
-  arguments=(${limits[@]+"${limits[@]}"} "${package}")
+  arguments=(${alone[@]+"${alone[@]}"} ${limits[@]+"${limits[@]}"} "${package}")
   for try in "${tries[@]}"; do
     if "${pip[@]}" ${try:+"${try}"} "${arguments[@]}"; then continue 2; fi
   done

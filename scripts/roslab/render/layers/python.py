@@ -211,14 +211,15 @@ def packages(plan: Plan) -> str:
 
 def guessed_packages(plan: Plan) -> str:
     """Install what is imported but declared nowhere, one by one: a wrong guess is named and breaks nothing."""
-    if not plan.python.pip_guessed:
+    python = plan.python
+    if not python.pip_guessed:
         return ""
-    options = f"{caches.pip_option(plan)}{pip_options(plan.python.options)}"
-    beside, editable, by_name = plan.python.beside, plan.python.editable, plan.python.by_name
+    options = f"{caches.pip_option(plan)}{pip_options(python.options)}"
+    beside, editable, by_name, bare = python.beside, python.editable, python.by_name, python.bare
     lines = (
-        f"{'--no-build-isolation=' * (line in beside)}{'--by-name=' * (line in by_name)}"
+        f"{'--no-build-isolation=' * (line in beside)}{'--no-deps=' * (line in bare)}{'--by-name=' * (line in by_name)}"
         + (f"--editable={locks.at_commit(plan, line)}" if line in editable else line)
-        for line in plan.python.pip_guessed
+        for line in python.pip_guessed
     )
     return shell.call(
         "install-optional-pip",
