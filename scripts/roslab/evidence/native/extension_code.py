@@ -42,17 +42,9 @@ def _of(repository: Repository, script: str, folder: str, folders: set[str]) -> 
     text = repository.read(script)
     if not any(row.package in text for row in dropped()):
         return
-    inside = f"{folder}/" if folder else ""
-    others = tuple(f"{other}/" for other in folders if other != folder and other.startswith(inside))
-    own = [
-        file
-        for file in repository.suffixed(*_SOURCES, *_HEADERS)
-        if file.path.startswith(inside) and not file.path.startswith(others) and file.size < MAX_SIZE
-    ]
-    own = [file for file in own if not places.aside(file.path.removeprefix(inside))]
     found: dict[str, OldCode] = {}
     defined: set[str] = set()
-    for path, code in _compiled(repository, own, text):
+    for path, code in compiled(repository, text, folder, folders):
         for row in () if any(word in code for word in _CHOOSES) else dropped():
             if place := _place(row, code):
                 line = code.count("\n", 0, place) + 1
@@ -83,8 +75,22 @@ def _place(row: Dropped, code: str) -> int | None:
     return place
 
 
+def compiled(repository: Repository, script: str, folder: str, folders: set[str]) -> Iterator[tuple[str, str]]:
+    """Yield path and text of the sources that a script compiles, and of the headers in its folder they include.
+
+    ``folders``: those of all such scripts; what lies in one below is of that one.
+    """
+    inside = f"{folder}/" if folder else ""
+    others = tuple(f"{other}/" for other in folders if other != folder and other.startswith(inside))
+    own = [
+        file
+        for file in repository.suffixed(*_SOURCES, *_HEADERS)
+        if file.path.startswith(inside) and not file.path.startswith(others) and file.size < MAX_SIZE
+    ]
+    yield from _compiled(repository, [file for file in own if not places.aside(file.path.removeprefix(inside))], script)
+
+
 def _compiled(repository: Repository, own: list[File], script: str) -> Iterator[tuple[str, str]]:
-    """Yield path and text of the sources that a script compiles, and of the headers in its folder they include."""
     every = bool(_LISTS.search(script))
     pending = [file for file in own if file.name.endswith(_SOURCES) and (every or file.name in script)]
     by_name: dict[str, list[File]] = {}
