@@ -173,6 +173,49 @@ def test_what_the_command_imports_and_the_readme_installs_must_be_there(
     assert all(proof.required for proof in asked)
 
 
+GUARD = "if __name__ == '__main__':\n    run()\n"
+PROGRAMS = {
+    "main.py": f"import numpy\nfrom lib.load import run\nif True:\n    import cv2\n{GUARD}",
+    "lib/__init__.py": "",
+    "lib/load.py": "import os\nimport foosim\nimport yaml\ndef run():\n    import scipy\n",
+    "other.py": f"import pandas\n{GUARD}",
+}
+LINK = "## Install\nFollow [it](https://github.com/lab/foosim-api).\n"
+STARTS = "```\n{}\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "found"),
+    [
+        ({"README.md": LINK + STARTS.format("python main.py")}, ("numpy", "foosim", "yaml")),
+        ({"README.md": LINK + STARTS.format("python -m main")}, ("numpy", "foosim", "yaml")),
+        (
+            {
+                "README.md": LINK + STARTS.format("bash run.sh"),
+                "run.sh": "set -e\nCUDA_VISIBLE_DEVICES=0 python main.py \\\n --a b\n",
+            },
+            ("numpy", "foosim", "yaml"),
+        ),
+        ({"README.md": STARTS.format("python other.py")}, ("pandas",)),
+        ({"README.md": STARTS.format("cd lib\npython go.py"), "lib/go.py": f"import pandas\n{GUARD}"}, ("pandas",)),
+        ({"README.md": STARTS.format("python main.py"), "requirements.txt": "numpy\npyyaml\n"}, ("foosim",)),
+        ({"README.md": STARTS.format("pip install numpy\npython main.py")}, ("foosim", "yaml")),
+        ({"README.md": "# A\n", "main.py": "import numpy\n", "other.py": "import pandas\n"}, ()),  # nothing is started
+        ({"README.md": STARTS.format("python main.py"), "roslab.yaml": "format: 3\nbase:\n  python: '2.7'\n"}, ()),
+    ],
+)
+def test_what_guesses_bring_to_the_files_of_the_command_is_told_where_it_is_not_there(
+    tmp_path: Path, files: dict[str, str], found: tuple[str, ...]
+) -> None:
+    for name, text in {**PROGRAMS, **files}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    proofs = plan_repository(tmp_path, branch=None).plan.proofs
+    asked = [proof for proof in proofs if proof.name == "the default command finds what its files import"]
+    assert [proof.command[3:] for proof in asked] == ([found] if found else [])
+    assert not any(proof.required for proof in asked)
+
+
 def test_modules_are_looked_for_and_not_imported(tmp_path: Path) -> None:
     (tmp_path / "gpu.py").write_text("raise RuntimeError\n")
     call = (sys.executable, "-c", FIND_SCRIPT, "gpu", "absent_module")

@@ -270,7 +270,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         day=of.day.answer,
         command=of.command.answer.command,
         command_given=of.command.answer.given,
-        command_imports=imported_by_command(evidence, of.command.answer.page, of.python.answer.pip_guessed),
+        command_imports=imported_by_command(evidence, of.command.answer, of.python.answer.pip_guessed),
         command_through_entrypoint=of.command.answer.entrypoint,
         entrypoint_takes=of.command.answer.entrypoint_takes,
         command_named=config.command is not None,

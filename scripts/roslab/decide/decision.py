@@ -6,6 +6,7 @@ from typing import Generic, Literal, TypeVar
 
 from roslab.config.model import BuildTool, Kind, Volume
 from roslab.config.model import Source as SourceDependency
+from roslab.decide.python.command_imports import NO_IMPORTS, CommandImports
 from roslab.decide.python.compiling import NOTHING, Compiling
 from roslab.decide.python.image_python import Python
 from roslab.evidence.entry_script import Taken
@@ -241,8 +242,7 @@ class Decision:
     """What that entry point does with words that a container is given."""
     command_named: bool = False
     """roslab.yaml, an input or an option names the command: it must start."""
-    command_imports: tuple[str, ...] = ()
-    """Modules that it imports at its top and whose packages are only tried: it does not start without one of them."""
+    command_imports: CommandImports = NO_IMPORTS
     command_candidates: tuple[tuple[str, ...], ...] = ()
     test: tuple[str, ...] | str | None = None
     """The command that tests the image in place of the default proofs; a string runs in ``bash -c``."""

@@ -140,7 +140,7 @@ class Mention:
         "torch_on_gpu", "index_link", "template", "patched", "single_header", "unpackaged", "said_run", "session",
         "required", "calls", "guide", "of_other_index", "matlab", "master", "git_folder", "installed_here", "make",
         "asked_option", "reached", "as_sources", "node_import", "only_in_manifest", "lost_folder", "sibling_folder",
-        "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header",
+        "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -94,6 +94,7 @@ from roslab.evidence.python import (
     requirements,
     sibling_folders,
     siblings,
+    start_imports,
     stopped_setup,
     tests,
 )
@@ -230,6 +231,7 @@ def gather(repository: Repository) -> Evidence:
             *sibling_folders.read(own, prose.mentions),
             *at_top.read(own, prose.mentions, launched),
             *(() if manifests else reached.read(own, imported, started, prose.mentions)),
+            *(() if manifests else start_imports.read(own, imported, started, prose.mentions)),
             *on_gpu.read(own, launched),
             *listens.read(own, prose.mentions, started),
             *siblings.read(own, python_projects),

@@ -122,11 +122,11 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
     distributions = _declared_distributions(decision, version)
     if distributions:
         found.append(_import_proof(version, distributions))
-    if decision.command_imports and not (version or "").startswith("2"):
+    if decision.command_imports.required and not (version or "").startswith("2"):
         found.append(
             Proof(
                 name="the default command finds the modules of its imports",
-                command=("python3", "-c", FIND_SCRIPT, *decision.command_imports),
+                command=("python3", "-c", FIND_SCRIPT, *decision.command_imports.required),
             )
         )
     on_python2 = Interpreter(pythons=("2.7",), platforms=decision.platforms)
@@ -137,7 +137,16 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
         found += _libraries(decision, place, own=own)
     sure = [replace(proof, rung=0, required=not own, entrypoint=not own) for proof in found]
     # Told alone: which programs need an extension nobody knows, and one that the command needs keeps it from starting
-    return [*sure, *(replace(proof, rung=0, required=False) for proof in compiled(decision, place))]
+    told = [*compiled(decision, place), *([] if own else _reached(decision, version))]
+    return [*sure, *(replace(proof, rung=0, required=False) for proof in told)]
+
+
+def _reached(decision: Decision, version: str | None) -> list[Proof]:
+    """Return the proof that the guesses which the command's files import are there: each is left out if pip fails."""
+    if not decision.command_imports.tried or (version or "").startswith("2"):
+        return []
+    name = "the default command finds what its files import"
+    return [Proof(name=name, command=("python3", "-c", FIND_SCRIPT, *decision.command_imports.tried))]
 
 
 def _libraries(decision: Decision, place: Workspace, *, own: bool) -> list[Proof]:

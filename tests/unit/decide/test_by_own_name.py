@@ -44,6 +44,27 @@ def test_what_a_program_imports_by_its_own_modules(tree: Tree, files: dict[str, 
 
 
 @pytest.mark.parametrize(
+    ("script", "reached"),
+    [
+        ("#!/bin/bash\nset -e\npython main.py --a\n", True),
+        ("#!/bin/bash\nCUDA_VISIBLE_DEVICES=0 python3 -u main.py \\\n  --a b\n", True),
+        ("#!/bin/bash\nexec python -m main\n", True),
+        ("#!/bin/bash\npython other.py\npython main.py\n", False),  # it stops at the first one
+        ("#!/bin/bash\npython -c 'import main'\n", False),
+        ("#!/bin/bash\npython absent.py\n", False),
+    ],
+)
+def test_what_a_script_of_the_default_command_starts_stops_it(tree: Tree, script: str, *, reached: bool) -> None:
+    guard = "if __name__ == '__main__':\n    print()\n"
+    files = {"README.md": PAGE.replace("python main.py", "bash tools/run.sh"), "tools/run.sh": script}
+    files |= {"main.py": f"{MAIN}{guard}", "agents/plan.py": "import hashwords\n", "other.py": f"import numpy\n{guard}"}
+    decision = tree(files)
+    assert decision.command == ("bash", "tools/run.sh")
+    (said,) = [each.message for each in decision.warnings if "hashwords" in each.message]
+    assert ("the default command stops at this import" in said) == reached
+
+
+@pytest.mark.parametrize(
     "files",
     [
         {"agents/plan.py": "try:\n    import hashwords\nexcept ImportError:\n    pass\n"},

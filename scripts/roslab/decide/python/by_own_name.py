@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from itertools import islice
 
 from roslab.config.model import Config, Kind
-from roslab.decide.candidate import program_of
 from roslab.decide.command import decide_command
+from roslab.decide.python.at_top import started_files
 from roslab.decide.python.lost import unknown_modules, with_told_links
 from roslab.decide.python.may_bring import absent, begins_like, declares, names_there
 from roslab.decide.python.own import OwnPython
@@ -60,19 +60,9 @@ def _reached(
     """Return by module the first place that the default command reaches, and the same of what pages run."""
     command = decide_command(evidence, config, kind, None, python).answer
     argv = command.page.argv if command.page else command.command
-    default = set() if isinstance(argv, str) else {*_files(argv)}
+    default = {*started_files(argv, evidence)}
     readme = run_by_pages(each for each in evidence.mentions if each.source == "readme")
     return _places(evidence, default), _places(evidence, readme)
-
-
-def _files(argv: tuple[str, ...]) -> Iterator[str]:
-    """Yield the files of the tree that a call of Python may start: ``-m a.b`` is ``a/b.py`` or ``a/b/__main__.py``."""
-    start, *words = program_of(argv)
-    if start.startswith("python") and words[:1] == ["-m"]:
-        path = words[-1].replace(".", "/")
-        yield from (f"{path}.py", f"{path}/__main__.py")
-    elif start.startswith("python"):
-        yield from words
 
 
 def _places(evidence: Evidence, programs: Set[str]) -> dict[str, Mention]:

@@ -14,8 +14,11 @@ from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
+from roslab.values.python_options import program_of_python
 
 MAX_SIZE = 64 * 1024
+MAX_CALL = 500
+"""Most characters of a call of Python that are read."""
 _COMPILES = pattern(r"\b(?:c?make|ninja|gcc|clang|nvcc|cython|setup\.py|build_ext)\b|\bg\+\+(?!\w)")
 _OF_PYTHON = pattern(
     r"^[^\n#\"']*\b(?:setup|Extension|\w+Extension|cythonize|FFI|build_ext)\(|"
@@ -87,7 +90,19 @@ def called(mention: Mention, repository: Repository) -> Iterator[Dependency]:
 
 
 def of_python(mention: Mention, repository: Repository) -> Iterator[Mention]:
-    """Yield the shell script that a command of a page runs, if it starts a program of Python."""
+    """Yield the shell script that a command of a page runs, if it starts a program of Python, with that program."""
     script = next((file for file in mention.files[:1] if file.endswith((".sh", ".bash"))), None)
-    if script and _PYTHON.search(repository.read(script, limit=MAX_SIZE)):
-        yield replace(mention, topic="runs", value=script)
+    text = repository.read(script, limit=MAX_SIZE) if script else ""
+    if script and (match := _PYTHON.search(text)):
+        yield replace(mention, topic="runs", value=script, files=(script, *_started(text, match, script, repository)))
+
+
+def _started(text: str, call: re.Match[str], script: str, repository: Repository) -> Iterator[str]:
+    """Yield the file of the tree that a call of Python starts: from the root, or from the folder of its script."""
+    line = text[call.start() : call.end() + MAX_CALL].replace("\\\n", " ").partition("\n")[0]
+    words = line[line.index("python") :].split()
+    program = [word for word in program_of_python(words)[0] if word != "-m"]
+    for word in program[:1]:
+        name = word if word.endswith(".py") else f"{word.replace('.', '/')}.py"
+        paths = (posixpath.normpath(posixpath.join(folder, name)) for folder in ("", posixpath.dirname(script)))
+        yield from [path for path in paths if repository.has(path)][:1]

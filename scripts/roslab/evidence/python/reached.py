@@ -32,7 +32,7 @@ def read(
     if not unknown:
         return
     found = modules(repository)
-    where = {module.file.path: _imported(module, unknown) for module in found}
+    where = {module.file.path: imported(module, unknown) for module in found}
     if not any(where.values()):
         return
     graph, run = of_tree(repository).graph, run_by_pages(mentions)
@@ -71,7 +71,7 @@ def _reached(
                 )
 
 
-def _imported(module: Module, names: Collection[str]) -> dict[str, int]:
+def imported(module: Module, names: Collection[str]) -> dict[str, int]:
     """Return those of the names that a module imports under no condition, each with its first line."""
     found: dict[str, int] = {}
     if not any(name in module.text for name in names):
