@@ -76,6 +76,11 @@ def test_what_is_linked_where_a_page_tells_how_to_install_may_have_one_word_more
     assert bool(said) != taken
 
 
+def test_a_name_that_many_trees_have_for_a_module_of_their_own_is_not_taken_from_a_link(tree: Tree) -> None:
+    files = {"run.py": "import utils\n", "README.md": INSTALLED.format("foosim-utils")}
+    assert tree(files).python.pip_guessed == ()
+
+
 def test_what_a_table_or_the_tree_has_is_not_taken_from_a_link(tree: Tree) -> None:
     files = {"run.py": "import scipy\nimport foosim\n", "foosim.py": "", "README.md": INSTALLED.format("foosim-api")}
     files["README.md"] += INSTALLED.format("scipy-api")

@@ -9,6 +9,7 @@ from roslab.decide.python.on_index import with_one_word_more
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
+from roslab.knowledge.never_by_name import never_by_name
 from roslab.values.dataclass import dataclass
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.requirement import Requirement
@@ -29,7 +30,7 @@ class Linked:
         spelled = () if ros else (canonicalize_name(used.name), _joined(used.name))
         names = (*spelled, _of_python(used.name)) if used.strength == "used" else ()
         found = next((self.by_name[name] for name in names if name in self.by_name), None)
-        if found or ros or not names:
+        if found or ros or not names or never_by_name(used.name):
             return found
         return next((self.to_install[name] for name in self.to_install if with_one_word_more(used.name, name)), None)
 
