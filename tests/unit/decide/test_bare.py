@@ -76,6 +76,37 @@ def test_of_a_list_it_is_installed_alone_and_its_needs_are_declared(tree: Tree, 
     assert any("pip cannot install argoverse" in each.message for each in decision.warnings)
 
 
+@pytest.mark.parametrize(
+    ("manifest", "line"),
+    [
+        ("requirements.txt", OLD),
+        ("requirements.txt", f"{OLD}@v1.1#egg=argoverse"),
+        ("requirements.txt", f"argoverse @ {OLD}"),
+        ("setup.py", f"argoverse @ {OLD}"),
+    ],
+)
+def test_a_list_that_names_its_repository_is_installed_line_by_line(tree: Tree, manifest: str, line: str) -> None:
+    setup = f"from setuptools import setup\nsetup(name='a', install_requires=['{line}', 'tqdm==4.1'])\n"
+    listed = manifest == "requirements.txt"
+    decision = tree({**CODE, manifest: f"{line}\ntqdm==4.1\n" if listed else setup})
+    assert lines(decision) == [line]
+    assert decision.python.requirements == ()
+    assert decision.python.alone == (() if listed else (".",))
+    assert {"tqdm", "descartes"} <= names(decision, declared=True)
+    assert not [each for each in decision.python.pip if bare(each)]
+    (said,) = [each for each in decision.warnings if "asks for itself" in each.message]
+    assert (said.file, "without the old versions that its setup.py pins" in said.message) == (manifest, True)
+
+
+def test_of_a_conda_environment_it_is_tried_with_its_needs(tree: Tree) -> None:
+    listed = "name: a\ndependencies:\n  - python=3.8\n  - pip:\n    - argoverse\n    - shapely<2\n"
+    decision = tree({**CODE, "environment.yml": listed})
+    assert lines(decision) == [GIT]
+    assert "descartes" in names(decision)
+    assert "shapely" not in names(decision)
+    assert decision.python.conda_local == ("argoverse",)
+
+
 def test_without_it_nothing_of_it_is_installed(tree: Tree) -> None:
     assert "descartes" not in names(tree({"run.py": "import numpy\nimport av2\n"}))
 

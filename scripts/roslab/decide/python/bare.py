@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence, Set
 from functools import cache
 
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
 from roslab.knowledge.guesses import same_module
 from roslab.knowledge.not_on_index import NotOnIndex, not_on_index
 from roslab.values.name import canonicalize_name
@@ -24,6 +26,13 @@ def bare(asked: Requirement) -> NotOnIndex | None:
     if asked.url and not asked.vcs:
         return None
     return _rows().get(_repository(asked.url) if asked.url else asked.key)
+
+
+def without_list(asked: Requirement) -> Warning_:
+    """Return the warning about what a manifest takes from git and that is installed without its own list."""
+    row = bare(asked)
+    why = f"{row.why} ({row.source})" if row else ""
+    return warn(f"what {asked.written} asks for itself is not installed: {why}", asked)
 
 
 def repository_of(name: str) -> str | None:

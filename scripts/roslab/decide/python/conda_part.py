@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence, Set
 from typing import NamedTuple
 
 from roslab.decide.decision import Warning_
+from roslab.decide.python.bare import needs_of
 from roslab.decide.python.mistaken import mistaken
 from roslab.decide.python.of_manifests import of_environment, own_names
 from roslab.decide.python.packages import Chosen
@@ -107,7 +108,7 @@ def _repaired(
             warnings.append(warn(_OWN.format(asked=each.written), each))
         elif refused(each) and not (further and of_ros(each.key)):
             warnings.append(unfit(each))
-            tried += right([each])
+            tried += [*right([each]), *needs_of([each], {other.key for other in listed})]
         elif unmet(each, python):
             warnings.append(told(each, python))
             instead += right(loosened([each], python))

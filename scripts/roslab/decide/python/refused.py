@@ -10,6 +10,7 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.python.authors_builds import built
 from roslab.decide.python.authors_builds import told as of_build
+from roslab.decide.python.bare import bare, without_list
 from roslab.decide.python.fetched import cloned_files, lacking
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.mistaken import mistaken
@@ -206,7 +207,8 @@ def repair(
         newer = [each for each in found if each in loose or unmet(each, python) or in_python(each, python)]
         wrong = mistaken(found)
         folders = any(asked.role == "project" for asked in found)
-        if not any((spelled, short, taken, missing, gone, newer, wrong, folders)):
+        pinned = [asked for asked in found if asked.url and bare(asked)]
+        if not any((spelled, short, taken, missing, gone, newer, wrong, folders, pinned)):
             continue
         found = [asked for asked in found if asked not in wrong]
         broken.add(file.file)
@@ -220,6 +222,7 @@ def repair(
         warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
         warnings += [unfit(asked) for asked in missing if asked.key not in names]
         warnings += [*(loose.get(asked) or told(asked, python) for asked in newer), *wrong.values()]
+        warnings += map(without_list, pinned)
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]
         taken = [asked for asked in found if from_page(asked, pages)]
@@ -228,11 +231,12 @@ def repair(
         newer = [each for each in found if unmet(each, python) or in_python(each, python)]
         short = [asked for asked in found if in_full(asked) is not asked]
         wrong = mistaken(found)
+        pinned = [asked for asked in found if asked.url and bare(asked)]
         # A role: pip would look for it in the wrong place
-        if any((taken, missing, short, newer, wrong, any(asked.role for asked in found))):
+        if any((taken, missing, short, newer, wrong, pinned, any(asked.role for asked in found))):
             alone.append(project.folder or ".")
             kept += _kept(loosened((asked for asked in found if asked not in wrong), python), names, pages)
-            warnings += wrong.values()
+            warnings += [*wrong.values(), *map(without_list, pinned)]
             warnings += [*map(unfit, missing), *map(_in_full, short), *(told(asked, python) for asked in newer)]
     return Repaired(
         requirements=tuple(_once(kept)),
