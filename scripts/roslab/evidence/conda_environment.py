@@ -15,6 +15,7 @@ class CondaEnvironment:
     line: int
     name: str | None
     python: str | None
+    """The Python that it names; ``None`` too where it only bounds it."""
     packages: tuple[CondaPackage, ...]
     requirements: tuple[Requirement, ...]
     """The ``pip:`` part."""

@@ -55,6 +55,7 @@ from roslab.decide.python.pip_lists import pip_lists
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.raised_pins import raised_pins
 from roslab.decide.python.refused import Repaired, elsewhere, of_pages, repair, right, untold
+from roslab.decide.python.requires import refused_python
 from roslab.decide.python.too_new import in_python, loosened
 from roslab.decide.python.torch_build import decide_build
 from roslab.decide.python.undeclared import decide_undeclared
@@ -241,6 +242,7 @@ def decide_python(
         warnings=(
             *told(answer),
             *outvoted(own, ubuntu, ros_distro),
+            *refused_python(runs, chosen.projects),
             *repaired.warnings,
             *defines.warnings,
             *lists.warnings,

@@ -54,7 +54,7 @@ def decide_version(
 ) -> Choice[OwnPython]:
     """Return the Python that the image needs; it is decided before the base, which depends on it."""
     chosen = choose(evidence, config, kind, pins)
-    said = python_version(evidence, config, pins)
+    said = python_version(evidence, config, pins, chosen.projects, chosen.conda)
     if kind in {"ros1", "ros2"} or _plain(evidence, config, kind, chosen):
         meant = None if _only_bounded(said) else said.answer.version
         number, first = _of_ros(evidence, ros_distro, meant)

@@ -143,6 +143,18 @@ def _declared(evidence: Evidence) -> Iterator[Range]:
             highest = _ANY if three else Version(f"{last.major}.{last.minor + _AFTER}")
             reason = because("python", f"≥ {first}", "its classifiers name them", project, weight=Weight.CLASSIFIERS)
             yield Range(_between(lowest, highest), reason)
+    yield from _bounded(evidence)
+
+
+def _bounded(evidence: Evidence) -> Iterator[Range]:
+    """Yield what conda's environments leave of the Pythons where they name none: ``python >=3.7``."""
+    for environment in evidence.conda:
+        said = next((each.bounds for each in environment.packages if each.name == "python"), "")
+        allowed = specifiers(said) if said else None
+        if allowed is not None and environment.file.count("/") <= 1 and not places.vendored(environment.file):
+            weight = Weight.REQUIRES_BELOW if "/" in environment.file else Weight.REQUIRES
+            reason = because("python", said, "the conda environment allows these", environment, weight=weight)
+            yield Range(_those(partial(admits, allowed)), reason)
 
 
 def _outlived(evidence: Evidence, python: str) -> bool:

@@ -22,11 +22,13 @@ from roslab.decide.python.ranges import (
     ranges_left,
     recommended,
 )
+from roslab.decide.python.requires import able, required
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because, configured, outweighed
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.python import version_file
+from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.days import existed, usual
 from roslab.knowledge.distros import python_of_ubuntu, ubuntus
 from roslab.values.dataclass import dataclass, replace
@@ -53,13 +55,24 @@ class Wanted:
     """Those that fit all it says, where nothing names one."""
 
 
-def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Choice[Wanted]:
-    """Return the Python that the repository asks for, and why."""
+def python_version(
+    evidence: Evidence,
+    config: Config,
+    pins: tuple[Pin, ...],
+    projects: Iterable[PythonProject] = (),
+    made: str | None = None,
+) -> Choice[Wanted]:
+    """Return the Python that the repository asks for, and why.
+
+    One on which pip refuses the project at the root or one of ``projects`` is not taken, whatever names it, but for the
+    conda environment ``made``.
+    """
     if config.base.python:
-        said = configured(config, "python", config.base.python, "base.python")
-        return Choice(answer=Wanted(version=config.base.python), reasons=(said,))
+        own = configured(config, "python", config.base.python, "base.python")
+        return Choice(answer=Wanted(version=config.base.python), reasons=(own,))
     known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence), *ranges_left(evidence))
-    named = sorted(_named(evidence, pins), key=_order)
+    said = sorted(_named(evidence, pins), key=_order)
+    named = able(said, required(evidence, projects), made)
     if known or named:  # syntax alone tells nothing of the version that is meant
         meant = {*_fitting(known)} if known else {each.answer for each in named}
         known = (*known, *(each for each in ranges_by_syntax(evidence) if not meant <= each.pythons))
@@ -75,14 +88,15 @@ def python_version(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) ->
         fitting = [python for python in fitting if usual(python, day)] or fitting
     reasons = [each.reason for each in known]
     if chosen is not None:
-        others = (reason for reason in (*named, *reasons) if reason is not chosen)
+        others = (reason for reason in (*said, *reasons) if reason is not chosen)
         return Choice(answer=Wanted(version=chosen.answer), reasons=(chosen, *outweighed(others, chosen)))
     if not known or not fitting:
-        return Choice(answer=Wanted(version=None), reasons=tuple(replace(reason, decisive=False) for reason in named))
+        return Choice(answer=Wanted(version=None), reasons=tuple(replace(reason, decisive=False) for reason in said))
     every = all(fitting[0] in each.pythons for each in known)
     why = "fits every pin below" if every else "fits most of the pins below, which contradict each other"
     fits = because("python", fitting[0], why, weight=Weight.PINS)
-    return Choice(answer=Wanted(version=fits.answer, fitting=tuple(fitting)), reasons=(fits, *reasons))
+    passed = outweighed((reason for reason in said if reason not in named), fits)
+    return Choice(answer=Wanted(version=fits.answer, fitting=tuple(fitting)), reasons=(fits, *reasons, *passed))
 
 
 def _fitting(known: tuple[Range, ...]) -> list[str]:

@@ -8,11 +8,10 @@ from collections.abc import Callable, Iterable
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.python import conda_content
 from roslab.repository.checkout import File, Repository
-from roslab.values.conda import conda_package
+from roslab.values.conda import conda_package, named_python
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement
-from roslab.values.version import minor_of
 
 _NAME = pattern(
     r"^(?:.*[-_.])?(?:conda|env|environment|mamba|robostack)(?:[-_.\d].*)?\.ya?ml$|^conda.*\.ya?ml$|^env\w*\.ya?ml$"
@@ -88,13 +87,12 @@ def _environment(repository: Repository, file: File, *, by_content: bool = False
     inner = [entry["pip"] for entry in entries if isinstance(entry, dict) and isinstance(entry.get("pip"), list)]
     items = [item for listed in inner for item in listed if isinstance(item, str)]
     pip = [found for item in items if (found := _item(item, file.path, line_of(item)))]
-    python = next((package.version for package in packages if package.name == "python" and package.version), None)
     name, channels = data.get("name"), data.get("channels")
     return CondaEnvironment(
         file=file.path,
         line=1,
         name=name if isinstance(name, str) else None,
-        python=minor_of(python) if python else None,
+        python=named_python(packages),
         packages=packages,
         requirements=tuple(pip),
         flow=frozenset(first or second for first, second in _FLOW.findall(text)),

@@ -9,11 +9,10 @@ import re
 from collections.abc import Sequence
 
 from roslab.evidence.conda_environment import CondaEnvironment
-from roslab.values.conda import CondaPackage, conda_package
+from roslab.values.conda import CondaPackage, conda_package, named_python
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
-from roslab.values.version import minor_of
 
 _OF_CONDA = pattern(r"^(?:@EXPLICIT\b|#\s*\$ conda create|[A-Za-z_][\w.-]*=\d)")
 """A line that no list of pip's has: pip compares by two signs."""
@@ -59,12 +58,11 @@ def parse(text: str, path: str, channels: Sequence[str]) -> CondaEnvironment | N
             pip.append(stated(pinned, "conda", path, number))
         else:
             packages.append(package)
-    python = next((package.version for package in packages if package.name == "python" and package.version), None)
     return CondaEnvironment(
         file=path,
         line=1,
         name=None,
-        python=minor_of(python) if python else None,
+        python=named_python(packages),
         packages=tuple(packages),
         requirements=tuple(pip),
         channels=tuple(channels) or ("defaults",),

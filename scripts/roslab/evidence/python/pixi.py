@@ -10,10 +10,9 @@ from typing import Any
 
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.repository.checkout import File, Repository
-from roslab.values.conda import conda_package
+from roslab.values.conda import conda_package, named_python
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement
-from roslab.values.version import minor_of
 
 MAX_SIZE = 256 * 1024
 _HERE = ("linux-64", "linux", "unix")
@@ -46,14 +45,14 @@ def _environment(repository: Repository, file: File) -> CondaEnvironment | None:
     if not about or not specs:
         return None
     lines = text.split("\n")
-    python = next((package for spec in specs if (package := conda_package(spec)) and package.name == "python"), None)
+    packages = tuple(package for spec in specs if (package := conda_package(spec)))
     channels = about.get("channels")
     return CondaEnvironment(
         file=file.path,
         line=1,
         name=None,
-        python=minor_of(python.version) if python and python.version else None,
-        packages=tuple(package for spec in specs if (package := conda_package(spec))),
+        python=named_python(packages),
+        packages=packages,
         requirements=tuple(r for table in tables for r in _pip(_table(table, "pypi-dependencies"), file.path, lines)),
         channels=tuple(map(str, channels)) if isinstance(channels, list) else (),
         specs=specs,
