@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.config.model import Config, Kind
 from roslab.decide.candidate import program_of
 from roslab.decide.command import Command
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.installed import installed
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 
 
 def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, command: Command) -> tuple[str, ...]:
@@ -17,8 +17,9 @@ def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, 
 
     The root, or ``src``, is one where the default ``command``, or a program that a page nearest to the root runs,
     imports what lies there and the image installs no project of the root. Behind these come the folders of which such
-    a program, or another one that is offered, imports a module by its bare name; none that has a module called like a
-    package that the image installs, nor for Python 2, which looks beside the module that imports.
+    a program, or another one that is offered, imports a module by its bare name, or a package that lies above it; none
+    that has a module called like a package that the image installs. For Python 2, which looks beside the module that
+    imports, only those above.
     """
     if config.compatible or kind not in {"python", "cuda"} or "PYTHONPATH" in dict(config.env):
         return ()
@@ -31,13 +32,33 @@ def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, 
     commands += [list(command.page.argv)] if command.page else []
     run = _programs(commands)
     needed = [m.inside or "." for m in evidence.mentions if m.topic == "from_root" and m.file in run]
-    offered = run | _programs([*map(list, command.candidates), _words(command.command)])
+    default = list(command.page.argv) if command.page else _words(command.command)
+    offered = run | _programs([*map(list, command.candidates), default])
     packages = {each.key.replace("-", "_") for each in installed(evidence, python)}
+    above = [m.inside for m in _above(evidence, offered, _programs([default])) if packages.isdisjoint(m.files)]
+    needed += [folder for folder in above if not _in_project(folder, python)]
     if (python.version or "").startswith("2"):
         return tuple(dict.fromkeys((*said, *needed)))
     beside = [m for m in evidence.mentions if m.topic == "sibling_folder" and m.file in offered]
     needed += [m.inside for m in beside if packages.isdisjoint(m.files)]
     return tuple(dict.fromkeys((*said, *needed)))
+
+
+def _above(evidence: Evidence, offered: set[str], default: set[str]) -> Iterator[Mention]:
+    """Yield the folders above the programs that are offered, the default's first, none for a name that is had before.
+
+    Of two folders with a package of one name the first hides the other: the default command decides.
+    """
+    found = [m for m in evidence.mentions if m.topic == "from_above" and m.file in offered]
+    had: dict[str, str] = {}
+    for mention in sorted(found, key=lambda m: m.file not in default):
+        if had.setdefault(mention.value, mention.inside) == mention.inside:
+            yield mention
+
+
+def _in_project(folder: str, python: Python) -> bool:
+    """Tell whether a folder is of a project that the image installs: Python finds its packages then."""
+    return any(folder == each or folder.startswith(f"{each}/") for each in python.projects)
 
 
 def _programs(commands: Iterable[Sequence[str]]) -> set[str]:

@@ -40,14 +40,14 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     if installs_itself(repository):
         return
     run = run_by_pages(mentions)
-    places_of = _places(repository)
+    places_of = places_at_root(repository)
     for module in modules(repository) if places_of else ():
         file = module.file
         started = "__main__" in module.words and not places.test(file.path)
         names = {name: place for name, place in places_of.items() if file.folder or place}
         if not (file.path in run or started) or not any(name in module.text for name in names):
             continue
-        for place, (name, line) in _from_root(module, repository, names).items():
+        for place, (name, line) in imported_from(module, repository, names).items():
             yield Mention(
                 topic="from_root",
                 value=name,
@@ -68,7 +68,7 @@ def installs_itself(repository: Repository) -> bool:
     return not manifest or not why_refused(*tables(manifest))
 
 
-def _places(repository: Repository) -> dict[str, str]:
+def places_at_root(repository: Repository) -> dict[str, str]:
     """Return the modules and packages that Python finds from the root, and from folders for them, with these folders.
 
     Of two of one name that at the root is meant.
@@ -84,7 +84,7 @@ def _places(repository: Repository) -> dict[str, str]:
     return {name: place for name, place in found.items() if name not in standard_modules() | {"setup", "conftest"}}
 
 
-def _from_root(module: Module, repository: Repository, names: Mapping[str, str]) -> dict[str, tuple[str, int]]:
+def imported_from(module: Module, repository: Repository, names: Mapping[str, str]) -> dict[str, tuple[str, int]]:
     """Return for each folder the first name that a program imports from there alone, with the line."""
     start = f"{module.file.folder}/" if module.file.folder else ""
     found: dict[str, tuple[str, int]] = {}

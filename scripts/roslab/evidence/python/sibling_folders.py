@@ -126,7 +126,7 @@ class _Tree:
             file=program,
             line=number if file == program else 1,
             text=f"import {name}" if file == program else f"import {name} in {file}:{number}",
-            files=tuple(sorted(self._repository.once(_modules)[folder])),
+            files=tuple(sorted(self._repository.once(modules_in)[folder])),
             inside=folder,
         )
 
@@ -139,7 +139,7 @@ def _only_folders(repository: Repository, texts: Mapping[str, str]) -> dict[str,
     named = {part for folder in repository.folders for part in folder.split("/")}
     known = sys.stdlib_module_names | standard_modules() | known_imports().keys()
     taken = known | named
-    inside = repository.once(_modules)
+    inside = repository.once(modules_in)
     only: dict[str, str] = {}
     hides: dict[str, bool] = {}
     for name, folders in found.items():
@@ -156,7 +156,7 @@ def _only_folders(repository: Repository, texts: Mapping[str, str]) -> dict[str,
     return only
 
 
-def _modules(repository: Repository) -> dict[str, set[str]]:
+def modules_in(repository: Repository) -> dict[str, set[str]]:
     """Return the names that Python finds in each folder; one without ``__init__.py`` hides no installed package."""
     found: dict[str, set[str]] = {}
     for file in repository.suffixed(*_CODE):
