@@ -31,7 +31,7 @@ from roslab.plan.proof import Proof
 from roslab.plan.proofs import proofs
 from roslab.plan.python import PythonPlan, asks_for_old, python_plan
 from roslab.plan.run import Run, given
-from roslab.plan.upstreams import Upstream, upstreams
+from roslab.plan.upstreams import Upstream, brought, upstreams
 from roslab.plan.version import SourceVersion
 from roslab.plan.workspace import Workspace, custom, library, workspace
 from roslab.values.dataclass import asdict, dataclass
@@ -260,7 +260,7 @@ def make_plan(
             decision,
             sources=sources,
             rosdistro_tag=rosdistro_tag,
-            installers=() if decision.python.manager == "conda" else tools.installers,
+            installers=brought(tools, decision, both=bool(config.compatible), notebook=bool(config.notebook)),
             bases=author.bases if author else (),
         ),
     )

@@ -76,6 +76,12 @@ class PythonPlan:
     compiled_modules: tuple[str, ...] = ()
 
 
+def installs(python: Python | PythonPlan) -> bool:
+    """Tell whether pip installs anything for the image's own Python."""
+    named = python.pip or python.pip_guessed or python.first
+    return bool(named or python.requirements or python.cloned_files or python.projects)
+
+
 def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
     """Write the decision's requirements out as lines."""
     return PythonPlan(

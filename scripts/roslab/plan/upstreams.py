@@ -8,9 +8,10 @@ from roslab.decide.decision import Decision
 from roslab.knowledge.distros import distro
 from roslab.knowledge.os_releases import ends, has_ended, moved_to, release_of
 from roslab.knowledge.ros_packages import first_source
-from roslab.knowledge.tools import why_bounded
+from roslab.knowledge.tools import PythonTools, why_bounded
 from roslab.plan.author_bases import Base
 from roslab.plan.package_sources import PackageSources, RosSource
+from roslab.plan.python import installs
 from roslab.values.dataclass import dataclass
 
 
@@ -34,7 +35,7 @@ def upstreams(
 ) -> tuple[Upstream, ...]:
     """Return what is replaced: each of a decision, or of the bases of the author's Dockerfile, once.
 
-    ``installers`` are the requirement lines of pip and its companions.
+    ``installers`` are the requirement lines of pip and its companions that a step of the image installs.
     """
     found: list[Upstream] = []
     if decision.dockerfile:
@@ -50,6 +51,17 @@ def upstreams(
             *_hosts(decision),
         ]
     return tuple(dict.fromkeys(found))
+
+
+def brought(tools: PythonTools, decision: Decision, *, both: bool, notebook: bool) -> tuple[str, ...]:
+    """Return the installers that a step brings: for packages of the image's Python, or for JupyterLab (``notebook``).
+
+    ``both``: an image of the old formats, which brings those of both Pythons. conda has its own.
+    """
+    python = decision.python
+    if python.manager == "conda":
+        return ()
+    return tools.installers if python.manager == "venv" or both or notebook or installs(python) else ()
 
 
 def _cuda(decision: Decision) -> Iterator[Upstream]:

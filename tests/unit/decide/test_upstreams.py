@@ -50,12 +50,29 @@ def test_a_workspace_of_melodic_whose_sister_only_its_readme_names(tmp_path: Pat
         "benchmark/CMakeLists.txt": "cmake_minimum_required(VERSION 3.0)\nproject(benchmark)\n",
         "benchmark/launch/run.launch": '<launch><include file="$(find robot_model)/launch/a.launch"/></launch>\n',
     }
+    assert not [name for name in replaced(tmp_path, files, branch="melodic-devel") if name.startswith("today's")]
+    files["requirements.txt"] = "transforms3d\n"
     found = replaced(tmp_path, files, branch="melodic-devel")
     assert found["apt source http://packages.ros.org/ros/ubuntu"] == "http://snapshots.ros.org/melodic/final/ubuntu"
     assert found["key of ROS in the image of melodic"].startswith("ros-snapshots, valid until 20")
     assert found["rosdep's index of today"].startswith("ros/rosdistro at melodic/")
     assert "apt archive of bionic" in found
     assert "pip<22" in found["today's pip, setuptools and wheel"]
+
+
+def test_installers_are_named_where_a_step_brings_them(tmp_path: Path) -> None:
+    files = {
+        "README.md": "Tested on Ubuntu 18.04.\n",
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.0)\nproject(solver)\nadd_executable(solve a.cpp)\n",
+        "a.cpp": "int main() { return 0; }\n",
+        "roslab.yaml": "format: 3\nbase: {ubuntu: bionic}\n",
+    }
+    named = "today's pip, setuptools and wheel"
+    assert named not in replaced(tmp_path / "alone", files)
+    notebook = {"roslab.yaml": f"{files['roslab.yaml']}notebook: true\n"}
+    assert "pip<22" in replaced(tmp_path / "notebook", files | notebook)[named]
+    by_pip = {"roslab.yaml": f"{files['roslab.yaml']}pip: [numpy]\n"}
+    assert "pip<22" in replaced(tmp_path / "by_pip", files | by_pip)[named]
 
 
 def test_an_authors_dockerfile_on_a_deleted_image(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.plan.plan import Plan
+from roslab.plan.python import installs as of_python
 from roslab.render import quote
 from roslab.render.layers import shell
 
@@ -82,9 +83,7 @@ def _value(name: str, value: str, plan: Plan) -> str:
 
 def installs(plan: Plan) -> bool:
     """Tell whether pip installs anything for the image's own Python."""
-    python = plan.python
-    named = python.pip or python.pip_guessed or python.first
-    return bool(named or python.requirements or python.cloned_files or python.projects)
+    return of_python(plan.python)
 
 
 def also_with_what_is_there(plan: Plan, pip: str, words: str) -> str:
