@@ -221,7 +221,7 @@ def _rank(candidate: Candidate) -> tuple[int, int]:
 
 def _meant(candidate: Candidate) -> int:
     """Return 1 for a command that is to be run: its section or the sentence above it says so; -1 for one aside."""
-    return 1 if _tried(candidate) else about_running(candidate.heading)
+    return 1 if _tried(candidate) else about_running(candidate.heading, python=is_python(candidate))
 
 
 def _tried(candidate: Candidate) -> bool:

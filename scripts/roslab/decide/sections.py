@@ -46,18 +46,24 @@ _TRIED = pattern(
 """A section that has the reader run it once, to see whether it works."""
 _AND_TEST = pattern(r"\b(train\w*)\s*(?:and|&|/|,|\+)\s*(?:tests?|testing|evaluat\w*|validat\w*)\b", re.IGNORECASE)
 """A section that trains first, and then looks at what came of it."""
+_TESTED = pattern(r"^\W*(?:\d[\d.]*\W*)?test(?:ing)?\b(?! (?:cases?|suites?|data))", re.IGNORECASE)
+"""A section that tests what a program learned, as pages of Python call its use: ``Test SAM-DA``."""
 _TEST_SET = pattern(r"\btest[ -]?(?:set|split)s?\b", re.IGNORECASE)
 """The name of data: ``Inference on the test set``."""
 _TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNORECASE)
 """What a section starts to see whether it works: ``Start the simulation to test your setup``."""
 
 
-def about_running(heading: str) -> int:
+def about_running(heading: str, *, python: bool = False) -> int:
     """Return 1 for a section about running it, -1 for one about something else, else 0; the innermost title counts.
 
-    -2 for one that makes the data, which comes before anything else can be done with it.
+    -2 for one that makes the data, which comes before anything else can be done with it. A program of ``python`` that
+    is tested in a section about starting is used there: what was trained is called so.
     """
-    for title in reversed(WITHOUT.sub("", heading).split(" / ")):
+    titles = WITHOUT.sub("", heading).split(" / ")
+    if python and _TESTED.match(titles[-1]) and about_running(" / ".join(titles[:-1])) > 0:
+        return 1
+    for title in reversed(titles):
         if _TRIED.search(title):
             return 1
         if _MAKES_DATA.search(title):

@@ -1,4 +1,4 @@
-"""Lines of apt in a section for another distribution, where the page has one for this one."""
+"""What the titles of sections tell: lines of apt for another distribution, and programs that a section tests."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from roslab.decide.decision import Decision
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+PROGRAMS = {"train.py": "import torch\nmain()\n", "test.py": "import torch\nmain()\n", "make.sh": "python list.py\n"}
 OURS = "## Ubuntu 16.04 with ROS Kinetic\n```\nsudo apt install libglog-dev\n```\n"
 
 
@@ -30,3 +31,21 @@ def test_lines_for_another_ubuntu(tree: Tree, title: str, page: str, installed: 
     assert decision.ros_distro == "kinetic"
     assert ("gazebo9" in decision.apt_guessed) is installed
     assert "libglog-dev" in decision.apt_guessed
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        (
+            "## Getting started\n### Test WALK\npython test.py\n### Train WALK\nbash make.sh\npython train.py\n",
+            "test.py",
+        ),
+        ("## Usage\n### Training\npython train.py\n### Testing\npython test.py\n", "train.py"),
+        ("## Usage\n### Test cases\npython test.py\n### Training\npython train.py\n", "train.py"),
+        ("## Data\n### Test\npython test.py\n## Usage\npython train.py\n", "train.py"),
+    ],
+)
+def test_what_was_trained_is_tested_in_a_section_about_starting(tree: Tree, page: str, command: str) -> None:
+    text = "".join(f"```\n{line}\n```\n" if line[:2] in {"py", "ba"} else f"{line}\n" for line in page.splitlines())
+    decision = tree({**PROGRAMS, "requirements.txt": "torch\n", "README.md": f"# Walk\n{text}"})
+    assert decision.command == ("python", command)
