@@ -192,9 +192,51 @@ def test_no_extra_for_tests_or_without_windows_tells_how(tree: Tree, extras: str
     assert [each.written for each in tree(files).python.pip_guessed] == [found]
 
 
+def test_a_package_that_is_declared_under_another_name_is_not_guessed(tree: Tree) -> None:
+    project = "[project]\nname='demo'\nversion='1'\ndependencies=['urdfdom-py']\n"
+    files = {"pyproject.toml": project, "demo/__init__.py": "from urdf_parser_py.urdf import URDF\n"}
+    assert not tree({**files, "README.md": "```\npip install -e .\n```\n"}).python.pip_guessed
+
+
 @pytest.mark.parametrize("extra", ["PySide6-Essentials==6.11.1", "PySide6>=6.5", "PySide6-Addons"])
 def test_a_module_that_parts_of_its_package_bring(tree: Tree, extra: str) -> None:
     project = f"[project]\nname='demo'\nversion='1'\n[project.optional-dependencies]\napp=['{extra}']\n"
     code = {"demo/__init__.py": "from PySide6.QtCore import QObject\n"}
     decision = tree({"pyproject.toml": project, **code, "README.md": "```\npip install -e .\n```\n"})
     assert [each.written for each in decision.python.pip_guessed] == [extra]
+
+
+@pytest.mark.parametrize(
+    ("extras", "page", "found"),
+    [
+        ("jax=['jax<=0.6.0']\nall=['jax']", "pip install jax", "jax<=0.6.0"),
+        ("jax=['jax<=0.6.0']", "conda create -n demo -c conda-forge jax", "jax<=0.6.0"),
+        ("jax=['jax<=0.6.0']", "pip install jax==0.4.30", "jax==0.4.30"),
+        ("jax=['jax<=0.6.0']\nnew=['jax>=0.7']", "pip install jax", "jax"),
+        ("test=['jax<=0.6.0']", "pip install jax", "jax"),
+    ],
+)
+def test_what_a_page_leaves_open_comes_as_an_extra_asks_for_it(tree: Tree, extras: str, page: str, found: str) -> None:
+    project = f"[project]\nname='walk'\nversion='1'\n[project.optional-dependencies]\n{extras}\n"
+    files = {"pyproject.toml": project, "walk/__init__.py": "", "README.md": f"```\n{page}\npip install -e .\n```\n"}
+    python = tree(files).python
+    assert [each.written for each in (*python.pip, *python.pip_guessed)] == [found]
+
+
+@pytest.mark.parametrize(
+    ("extras", "code", "found"),
+    [
+        ("casadi=['lierare>=1']", {"walk/ik.py": "import lierare\n"}, ["lierare>=1"]),
+        ("test=['lierare']", {"walk/ik.py": "import lierare\n"}, ["lierare"]),
+        ("casadi=['lierare']", {"walk/ik.py": "try:\n    import lierare\nexcept ImportError:\n    pass\n"}, []),
+        ("casadi=['lierare']", {"examples/ik.py": "import lierare\n"}, []),
+        ("casadi=['lierare @ git+https://github.com/them/lierare']", {"walk/ik.py": "import lierare\n"}, []),
+        ("casadi=['other']", {"walk/ik.py": "import lierare\n"}, []),
+    ],
+)
+def test_a_module_of_no_table_that_the_package_needs_is_the_extra_of_its_name(
+    tree: Tree, extras: str, code: dict[str, str], found: list[str]
+) -> None:
+    project = f"[project]\nname='walk'\nversion='1'\n[project.optional-dependencies]\n{extras}\n"
+    files = {"pyproject.toml": project, "walk/__init__.py": "", "README.md": "```\npip install -e .\n```\n", **code}
+    assert [each.written for each in tree(files).python.pip_guessed] == found

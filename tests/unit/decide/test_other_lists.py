@@ -28,6 +28,7 @@ def guessed(decision: Decision) -> list[str]:
         ({"environment_real.yml": OTHER.format("==0.2.0")}, "robomimic==0.2.0"),
         ({"environment_real.yml": OTHER.format("")}, "robomimic"),
         ({"environment_real.yml": "name: real\ndependencies:\n  - robomimic=0.2.0\n"}, "robomimic==0.2.0"),
+        ({"environment_real.yml": "name: real\ndependencies:\n  - robomimic >=0.2, <0.3\n"}, "robomimic>=0.2,<0.3"),
         ({"requirements_real.txt": "robomimic>=0.2,<0.3\n"}, "robomimic>=0.2,<0.3"),
         ({"third_party/x/requirements.txt": "robomimic==0.1.0\n"}, "robomimic"),
         ({"tests/requirements.txt": "robomimic==0.1.0\n"}, "robomimic"),
@@ -36,7 +37,7 @@ def guessed(decision: Decision) -> list[str]:
             "robomimic",
         ),
     ],
-    ids=["none", "pip", "open", "conda", "list", "vendored", "tests", "contradicting"],
+    ids=["none", "pip", "open", "conda", "bounds", "list", "vendored", "tests", "contradicting"],
 )
 def test_a_list_that_is_not_installed_gives_the_version(tree: Tree, more: dict[str, str], written: str) -> None:
     decision = tree(FILES | more)

@@ -22,6 +22,8 @@ from roslab.knowledge.tools import for_old_packages, python2_installers, python_
         ("onnxruntime", "onnxruntime-extensions", False),
         ("hydra-core", "hydra-colorlog", False),
         ("psycopg2", "psycopg2-binary", True),
+        ("urdf-parser-py", "urdfdom-py", True),
+        ("dlib", "dlib-bin", True),
         ("zenoh", "eclipse-zenoh", True),
         ("numpy", "scipy", False),
     ],

@@ -64,7 +64,9 @@ def guesses(
             or (aside and pin.name in tooling("developers"))
         ):
             continue
-        if _names_the_build(pin.requirement, of=found.setdefault(pin.name, pin.requirement)):
+        plain = pin.requirement.role in {"", "conda"}
+        asked = _as_in_extra(pin.requirement, evidence) if plain else pin.requirement
+        if _names_the_build(pin.requirement, of=found.setdefault(pin.name, asked)):
             found[pin.name] = pin.requirement
     first = opened(evidence, kind)
     if first and not {"jupyter", "jupyterlab", "notebook"} & {*known, *found}:
@@ -115,15 +117,20 @@ def _limits(evidence: Evidence) -> dict[str, str]:
 def _as_in_extra(guess: Requirement, evidence: Evidence) -> Requirement:
     """Return a guess as an extra of the project at the root asks for it, under whichever name: ``pygame-ce>=2.5``.
 
-    Not where extras ask for it in several ways, as for a CPU and a GPU. Nor as one does that is for tests or
-    documentation, nor as a build without windows where the code opens one by it.
+    Not where extras ask for it in several ways, as for a CPU and a GPU; one that leaves its versions open is none of
+    these. Nor as one does that is for tests or documentation, nor as a build without windows where the code opens one
+    by it.
     """
+    if guess.limited or guess.specifier or guess.url or guess.extras:
+        return guess
     asked = [each for project in evidence.python if not project.folder for each in project.requirements]
     asked = [each for each in asked if each.role == "extra" and not each.group.startswith(GROUP)]
     asked = [each for each in asked if not for_developers(each.group)]
     extra = [each for each in asked if each.key == guess.key or (each.name and same_module(guess.key, each.key))]
-    same = extra[0] if len({each.text for each in extra}) == 1 else None
-    if same is None or guess.limited or not same.package or same.url or same.marker:
+    told = {each.key for each in extra if each.text != each.name}
+    said = [each for each in extra if each.key not in told or each.text != each.name]
+    same = said[0] if len({each.text for each in said}) == 1 else None
+    if same is None or not same.package or same.url or same.marker:
         return guess
     if same.key.endswith("-headless") and _shows(guess, evidence):
         return guess

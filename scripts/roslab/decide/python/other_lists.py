@@ -34,12 +34,14 @@ def as_in_list(guess: Requirement, evidence: Evidence) -> Requirement:
 def named_in_list(evidence: Evidence, used: Dependency) -> str | None:
     """Return the package of a list of the tree that is called like a module which no table knows, ``None`` for none.
 
-    Also of a list that is not installed as a whole: its author had that package. Not one that pip's index lacks.
+    Also of a list that is not installed as a whole: its author had that package. Of an extra of the project at the root
+    only where the code cannot do without. Not one that pip's index lacks.
     """
     name = canonicalize_name(used.name)
     if name in not_on_index() or name in tooling("ros"):
         return None
-    return name if name in _by_key(evidence) else None
+    needed = used.strength == "used" and not places.aside(used.file)
+    return name if name in _by_key(evidence) or (needed and name in _in_extras(evidence)) else None
 
 
 def listed(evidence: Evidence) -> Iterator[Requirement]:
@@ -51,14 +53,21 @@ def listed(evidence: Evidence) -> Iterator[Requirement]:
 def _by_key(evidence: Evidence) -> Mapping[str, Sequence[Requirement]]:
     """Return what the lists ask for by name: the code may import thousands of modules."""
     found: dict[str, list[Requirement]] = {}
-    for asked in _entries(evidence):
+    for asked in _entries(evidence, bounds=True):
         found.setdefault(asked.key, []).append(asked)
     return found
 
 
-def _entries(evidence: Evidence) -> Iterator[Requirement]:
+@lru_cache(maxsize=2)
+def _in_extras(evidence: Evidence) -> frozenset[str]:
+    """Return the names of what extras of the project at the root have from the index."""
+    asked = (each for project in evidence.python if not project.folder for each in project.requirements)
+    return frozenset(each.key for each in asked if each.role == "extra" and each.package and not each.url)
+
+
+def _entries(evidence: Evidence, *, bounds: bool = False) -> Iterator[Requirement]:
     lists = [(file.file, file.requirements) for file in evidence.requirements if file.purpose == "run"]
-    lists += [(each.file, (*each.requirements, *of_conda(each))) for each in evidence.conda]
+    lists += [(each.file, (*each.requirements, *of_conda(each, bounds=bounds))) for each in evidence.conda]
     for file, asked in lists:
         if not places.vendored(file) and not places.aside(file):
             yield from (each for each in asked if each.package and each.name)

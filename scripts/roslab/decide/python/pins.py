@@ -17,6 +17,7 @@ from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.specifier import specifiers
 
 MAX_FILES = 60
 """Most requirement files that are considered, those nearest to the root first."""
@@ -150,15 +151,19 @@ def _of_lists(evidence: Evidence, named: set[str]) -> Iterator[Pin]:
             yield Pin(asked, 1)
 
 
-def of_conda(environment: CondaEnvironment) -> list[Requirement]:
-    """Return conda's own packages under the names on pip's index, without Python and CUDA."""
-    found = (_for_pip(package, environment.file) for package in environment.packages)
+def of_conda(environment: CondaEnvironment, *, bounds: bool = False) -> list[Requirement]:
+    """Return conda's own packages under the names on pip's index, without Python and CUDA.
+
+    Those that are pinned with their releases; ``bounds``: those with a range with it, too, as pip reads it.
+    """
+    found = (_for_pip(package, environment.file, bounds=bounds) for package in environment.packages)
     return [asked for asked in found if asked]
 
 
-def _for_pip(package: CondaPackage, file: str) -> Requirement | None:
+def _for_pip(package: CondaPackage, file: str, *, bounds: bool) -> Requirement | None:
     known = conda_names().get(package.name, package.name)
     if known is None or not known[:1].isalnum():
         return None
     name, release = canonicalize_name(known), package.release
-    return stated(f"{name}=={release}" if release else name, "conda", file, role="conda")
+    said = f"=={release}" if release else package.bounds if bounds and specifiers(package.bounds) else ""
+    return stated(f"{name}{said}", "conda", file, role="conda")
