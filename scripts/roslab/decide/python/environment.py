@@ -60,6 +60,7 @@ from roslab.decide.python.too_new import in_python, loosened
 from roslab.decide.python.torch_build import decide_build
 from roslab.decide.python.undeclared import decide_undeclared
 from roslab.decide.python.wheel_pages import fitting_pages
+from roslab.decide.ros.python3_nodes import not_for_python3
 from roslab.decide.system.cmake_version import from_pip
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import python_of_ubuntu
@@ -243,6 +244,7 @@ def decide_python(
             *told(answer),
             *outvoted(own, ubuntu, ros_distro),
             *refused_python(runs, chosen.projects),
+            *not_for_python3(evidence, ros_distro),
             *repaired.warnings,
             *defines.warnings,
             *lists.warnings,

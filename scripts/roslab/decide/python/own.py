@@ -24,7 +24,7 @@ DEFAULT = "3.10"
 """The default: that of Ubuntu 22.04, for which most old and new wheels exist."""
 OLDEST = "3.5"
 """The default for code older than any Python 3 that is still in use; what needs Python 2 shows it by its syntax."""
-_SURE = 50
+_SURE = VersionWeight.SAID["readme"]
 """From this weight on, a Python that the evidence names is worth a warning if the image has another."""
 
 
@@ -107,7 +107,8 @@ def outvoted(own: Choice[OwnPython], ubuntu: str | None, ros_distro: str | None)
         return ()
     if not best.decisive or best.weight < _SURE:
         return ()
-    message = f"{best.reason}, but the Python of ROS {ros_distro} is {ours}: packages are installed for that one"
+    message = f"Python {wanted} is asked for: {best.reason}; the Python of ROS {ros_distro} is {ours}, and what pip"
+    message += " brings is installed for that one"
     return (warn(message, Place(file=best.file, line=best.line) if best.file else None),)
 
 

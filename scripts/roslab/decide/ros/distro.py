@@ -9,7 +9,8 @@ from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.addresses import beside_packages
 from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.distro_evidence import Weight, reasons_for, stale
+from roslab.decide.ros.distro_evidence import reasons_for, stale
+from roslab.decide.ros.distro_weights import Weight
 from roslab.decide.ros.gazebo import by_gazebo, without_library
 from roslab.decide.ros.on_machines import on_machines
 from roslab.decide.ros.required_versions import with_older

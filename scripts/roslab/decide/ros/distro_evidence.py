@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import ClassVar
 
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.decide.ros.addresses import only_general, only_read, released_for
 from roslab.decide.ros.distro_dates import dated, later
+from roslab.decide.ros.distro_weights import Weight
 from roslab.decide.ros.lower_bounds import bounds, least
+from roslab.decide.ros.of_ubuntus import of_ubuntu, weight_of_ubuntu
 from roslab.evidence import places
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
-from roslab.knowledge.distros import distros, distros_of, ubuntus
+from roslab.knowledge.distros import distros
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -51,48 +52,6 @@ _OFFICIAL = pattern(r"(?:.*/)?ros[12]?(?:[:@]|$)")
 _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's image:", "script": "a script:"}
 
 
-class Weight:
-    """How much each reason for a distribution counts; what is run counts more than what is only written."""
-
-    BRANCH = 900  # a branch of that name is for that distribution, even if its files still name another
-    DOCKERFILE: ClassVar = {
-        "project": 700,  # it was built with this code
-        "ci": 520,  # the environment in which CI tests the code
-        "deploy": 450,  # for one robot or machine
-        "documentation": 300,
-        "broken": 200,
-        "vendored": 50,
-    }
-    COPIES = 20  # added for a Dockerfile that copies this source
-    CI_IMAGE = 520  # of ROS's own; somebody's image for a tool may be older than what CI tests
-    TABLE = 480  # a page has a table of its branches: below what CI tests, above what sentences say
-    CHANNEL = 510  # of conda's packages of ROS: it is what the author runs
-    FAMILY = 440  # one of a family of images, one for each distribution
-    PLACE: ClassVar = {
-        "ci": 500,  # it is tested there at every push
-        "dockerfile": 430,  # a line other than its FROM
-        "filename": 420,
-        "script": 330,
-        "code": 280,  # a path of it: more than an Ubuntu alone, less than any sentence that names a distribution
-    }
-    RECOMMENDED = 420  # if a page names several
-    TELLS_TO_HAVE = 400  # "tested on", "install", "requires"
-    SPEAKS_OF_IT = 300
-    AGAINST = 180  # subtracted if the sentence is about another time or branch
-    ROS2_BRANCH = 410  # development follows rolling: wins over any sentence but a recommendation
-    LIST = 390  # a list of repositories for one distribution has what that one lacks; others may need no list
-    UBUNTU: ClassVar = {"dockerfile": 260, "ci": 240, "readme": 230}  # an Ubuntu that has only this distribution
-    HAS_EVERY_KEY = 100  # nothing names it, but it fits
-    ADDRESS = 110  # only in the address of what a page links to: a word of its own, and an Ubuntu, tell more
-    EXAMPLE = 30  # it stands for whatever the reader has; the date of the last commit tells more
-    VENDORED = 20  # in a file copied from another project
-    DEFAULT = 1
-    LACKS_A_KEY = 400  # subtracted if it lacks a declared key: an outdated Dockerfile then counts less than a page
-    DEEPER = 5  # subtracted for each folder above the file: deeper files are about a part
-    DEEPER_PAGE = 15
-    DOCUMENTATION = 60  # subtracted for a page in a documentation folder
-
-
 def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
     """Return the best reason for each distribution of a ROS version that is named anywhere."""
     found: dict[str, Reason] = {}
@@ -103,7 +62,11 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
             continue
         if reason.answer not in found or reason.weight > found[reason.answer].weight:
             found[reason.answer] = reason
-    said = {m: _weighed(m)[1] if m.topic == "distro" else _of_ubuntu(m) for m in evidence.mentions if bounds(m)}
+    said = {
+        m: _weighed(m)[1] if m.topic == "distro" else weight_of_ubuntu(m, evidence)
+        for m in evidence.mentions
+        if bounds(m)
+    }
     firm = [reason for reason in found.values() if reason.weight > Weight.TELLS_TO_HAVE - Weight.AGAINST]
     for reason in least(evidence, firm, ros, said):
         found[reason.answer] = max(reason, found.get(reason.answer, reason), key=lambda each: each.weight)
@@ -180,25 +143,11 @@ def _mentions(evidence: Evidence, ros: int) -> Iterator[Reason]:
             weight = min(weight, Weight.VENDORED) if mention.file in copied else weight
             yield because("ros_distro", mention.value, why, mention, weight=weight)
         elif mention.topic == "ubuntu" and mention.source in Weight.UBUNTU:
-            yield from _ubuntu(mention, ros)
+            yield from of_ubuntu(mention, evidence, ros)
         elif mention.topic == "base":
             for name in _names(mention.value):
                 weight = Weight.CI_IMAGE if _OFFICIAL.match(mention.value) else Weight.PLACE["ci"] - Weight.DEEPER
                 yield because("ros_distro", name, f"CI runs in {mention.value}", mention, weight=weight)
-
-
-def _ubuntu(mention: Mention, ros: int) -> Iterator[Reason]:
-    """Yield the distribution that belongs to a mentioned Ubuntu."""
-    codename = ubuntus().get(mention.value, mention.value)
-    if codename == mention.value and mention.source == "readme" and "ubuntu" not in mention.text.lower():
-        return  # "bionic" and "focal" are also ordinary words
-    weight = _of_ubuntu(mention)
-    for name in distros_of(codename, 1 if ros == 1 else 2)[:1]:
-        yield because("ros_distro", name, f"Ubuntu {mention.value}: {mention.text[:120]}", mention, weight=weight)
-
-
-def _of_ubuntu(mention: Mention) -> int:
-    return Weight.UBUNTU[mention.source] - Weight.DEEPER * mention.file.count("/")
 
 
 def _weighed(mention: Mention) -> tuple[str, int]:

@@ -7,7 +7,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import Placed, because, warn
 from roslab.decide.ros.by_packages import by_packages
 from roslab.decide.ros.distro_dates import dated, of_its_time, supported
-from roslab.decide.ros.distro_evidence import Weight
+from roslab.decide.ros.distro_weights import Weight
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import Distro, default_distro, distros
 
@@ -16,6 +16,7 @@ def of_unnamed(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]
     """Return the distribution of the last commit's time, else the default; if that lacks a key, one with every key."""
     from roslab.decide.ros.by_python import by_python  # noqa: PLC0415 - nearly every tree says more
     from roslab.decide.ros.lost_keys import with_every_launched, with_every_package  # noqa: PLC0415
+    from roslab.decide.ros.python3_nodes import with_python3  # noqa: PLC0415
 
     date = dated(evidence)
     at: Placed | None = date
@@ -34,6 +35,8 @@ def of_unnamed(evidence: Evidence, kind: Kind, unknown: dict[str, frozenset[str]
         date = at = old
     if not three and (theirs := by_packages(evidence, 1 if kind == "ros1" else 2)) and not unknown.get(theirs[0]):
         answer, why, at = theirs
+    elif (newer := with_python3(evidence, 1 if kind == "ros1" else 2, answer)) and not unknown.get(newer[0]):
+        answer, why, at = newer
     ours = by_python(evidence, 1 if kind == "ros1" else 2)
     if ours and not unknown.get(ours[0]):
         answer, why, at = ours

@@ -1,0 +1,74 @@
+"""Nodes of ROS 1 that are all for Python 3, and import what ROS compiles for its own Python alone.
+
+Before noetic that is Python 2, so what was worked on since noetic is there was most likely written for that one.
+"""
+
+from __future__ import annotations
+
+from roslab.decide.decision import Warning_
+from roslab.decide.reasons import warn
+from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.workspace import packages_of
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence
+from roslab.evidence.python.of_python3 import ROLE
+from roslab.knowledge.distros import distro, distros
+from roslab.knowledge.modules_of_one_python import modules_of_one_python
+
+_OF_ROSPY = "python3-rospkg-modules"
+"""What a program for Python 3 needs that imports rospy."""
+
+
+def with_python3(evidence: Evidence, ros: int, answer: str) -> tuple[str, str, Dependency] | None:
+    """Return the distribution of ROS 1 whose own Python is 3, why, and the import that another one cannot load.
+
+    ``None`` where ``answer`` has Python 3 as well, for other nodes, and for what was last worked on before it was out.
+    """
+    if ros != 1 or not distros()[answer].python.startswith("2") or not (found := _import(evidence)):
+        return None
+    date = dated(evidence)
+    having = [each for each in distros().values() if each.ros == 1 and each.python.startswith("3")]
+    having = [each for each in having if date is None or each.released <= date.value]
+    if not having:
+        return None
+    best = max(having, key=lambda each: each.preference).name
+    return (
+        best,
+        f"no distribution is named; programs for Python 3 import {found.name}, and {best} has it for that",
+        found,
+    )
+
+
+def not_for_python3(evidence: Evidence, ros_distro: str | None) -> tuple[Warning_, ...]:
+    """Return a warning where a distribution with Python 2 has such a module, and every node is for Python 3.
+
+    Not where the package is in the tree or among what is cloned, which is built for the nodes' Python.
+    """
+    known = distro(ros_distro) if ros_distro else None
+    if known is None or known.ros != 1 or not known.python.startswith("2") or not (found := _import(evidence)):
+        return ()
+    built = {*packages_of(evidence).names, *(plain(source.name) for source in evidence.sources)}
+    if not built.isdisjoint(modules_of_one_python()[found.name]):
+        return ()
+    message = (
+        f"{found.name} of ROS {known.name} is compiled for Python {known.python}, and the programs ask for Python 3"
+    )
+    hint = "where they need its compiled part, they stop; `base.ros: noetic` in roslab.yaml has it for Python 3"
+    return (warn(f"{message}: {hint}", found),)
+
+
+def _import(evidence: Evidence) -> Dependency | None:
+    """Return the import of such a module, if a node is for Python 3, and nothing of the tree is for Python 2."""
+    roles = {each.role for each in evidence.code}
+    if "shebang" in roles or any(_says_python2(each.topic, each.value) for each in evidence.mentions):
+        return None
+    if not any(each.role == ROLE and each.name == _OF_ROSPY for each in evidence.code):
+        return None
+    used = (each for each in evidence.code if each.namespace == "import" and each.strength == "used")
+    return next((e for e in used if e.name in modules_of_one_python() and not places.aside(e.file)), None)
+
+
+def _says_python2(topic: str, value: str) -> bool:
+    return topic == "python" and value.startswith("2")

@@ -1,0 +1,56 @@
+"""A Dockerfile that has neither ROS nor this code is for something else: its Ubuntu names no distribution."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.facts import Mention
+from roslab.evidence.gather import gather
+from trees import tree_of
+
+CATKIN = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>rospy</depend></package>"
+CMAKE = "project(a)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+CUDA = "FROM nvidia/cuda:11.3.0-devel-ubuntu18.04\nRUN apt-get update && apt-get install -y cmake python3-pip\n"
+
+
+def decided(folder: Path, files: dict[str, str], date: str = "2023-04-25") -> Decision:
+    """Return what is decided about files whose last commit is of a date, ``""`` for none."""
+    evidence = gather(tree_of(folder, files))
+    day = Mention(topic="date", value=date, source="commit", file=".git/HEAD", line=1, text=date)
+    return decide(replace(evidence, mentions=(*evidence.mentions, *([day] if date else ()))), Config(), folder_name="a")
+
+
+@pytest.mark.parametrize(
+    ("recipe", "distro"),
+    [
+        (CUDA, "noetic"),
+        (f"{CUDA}RUN pip3 install torch==1.10.0 catkin_pkg rospkg\n", "noetic"),
+        (f"{CUDA}RUN wget https://a.org/Miniconda3-latest.sh && bash Miniconda3-latest.sh -b\n", "noetic"),
+        (f"{CUDA}RUN apt-get install -y ros-base\n", "melodic"),
+        (f"{CUDA}RUN catkin_make\n", "melodic"),
+        (f"{CUDA}RUN ./install.sh\n", "melodic"),
+        (f"{CUDA}COPY . /src\nRUN cmake /src\n", "melodic"),
+        (CUDA.replace("nvidia/cuda", "lab/robot"), "melodic"),
+    ],
+)
+def test_the_ubuntu_of_an_image(tmp_path: Path, recipe: str, distro: str) -> None:
+    found = decided(tmp_path, {"package.xml": CATKIN, "CMakeLists.txt": CMAKE, "Dockerfile": recipe})
+    assert found.ros_distro == distro
+
+
+def test_it_tells_where_nothing_else_does(tmp_path: Path) -> None:
+    assert (
+        decided(tmp_path, {"package.xml": CATKIN, "CMakeLists.txt": CMAKE, "Dockerfile": CUDA}, "").ros_distro
+        == "melodic"
+    )
+
+
+def test_a_page_tells_more(tmp_path: Path) -> None:
+    files = {"package.xml": CATKIN, "CMakeLists.txt": CMAKE, "Dockerfile": CUDA}
+    assert decided(tmp_path, {**files, "README.md": "Tested on Ubuntu 18.04.\n"}).ros_distro == "melodic"

@@ -1,0 +1,68 @@
+"""Nodes for Python 3 that import what ROS compiles for its own Python: before noetic that is Python 2."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.facts import Mention
+from roslab.evidence.gather import gather
+from trees import tree_of
+
+CATKIN = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>rospy</depend></package>"
+CMAKE = "project(a)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+NODE = "#!/usr/bin/env python3\nimport rospy\nfrom cv_bridge import CvBridge\nrospy.init_node('a')\n"
+FILES = {"a/package.xml": CATKIN, "a/CMakeLists.txt": CMAKE, "a/scripts/node.py": NODE}
+OWN = {"cv_bridge/package.xml": CATKIN.replace(">a<", ">cv_bridge<"), "cv_bridge/CMakeLists.txt": CMAKE}
+CLONED = {".rosinstall": "- git: {local-name: vision_opencv, uri: https://github.com/ros-perception/vision_opencv}\n"}
+COMPILED = "is compiled for Python 2.7"
+
+
+def decided(folder: Path, files: dict[str, str], date: str = "2023-04-25") -> Decision:
+    """Return what is decided about files whose last commit is of a date, ``""`` for none."""
+    evidence = gather(tree_of(folder, files))
+    day = Mention(topic="date", value=date, source="commit", file=".git/HEAD", line=1, text=date)
+    return decide(replace(evidence, mentions=(*evidence.mentions, *([day] if date else ()))), Config(), folder_name="a")
+
+
+@pytest.mark.parametrize(
+    ("node", "date", "distro"),
+    [
+        (NODE, "2021-01-15", "noetic"),
+        (NODE.replace("from cv_bridge import CvBridge", "import tf"), "2021-01-15", "noetic"),
+        (NODE, "2020-01-15", "melodic"),
+        (NODE.replace("python3", "python"), "2021-01-15", "melodic"),
+        (NODE.replace("from cv_bridge import CvBridge", "import yaml"), "2021-01-15", "melodic"),
+    ],
+)
+def test_the_distribution(tmp_path: Path, node: str, date: str, distro: str) -> None:
+    found = decided(tmp_path, {**FILES, "a/scripts/node.py": node}, date)
+    assert found.ros_distro == distro
+
+
+@pytest.mark.parametrize(
+    ("page", "more", "told"),
+    [
+        ("Tested on ROS Melodic.\n", {}, True),
+        ("Tested on ROS Noetic.\n", {}, False),
+        ("Tested on ROS Melodic with Python 2.7.\n", {}, False),
+        ("Tested on ROS Melodic.\n", OWN, False),
+        ("Tested on ROS Melodic.\n", CLONED, False),
+        ("Tested on ROS Melodic.\n", {"scripts/old.py": "#!/usr/bin/env python\nimport rospy\n"}, False),
+    ],
+)
+def test_what_does_not_load_is_told(tmp_path: Path, page: str, more: dict[str, str], told: bool) -> None:
+    found = decided(tmp_path, {**FILES, "README.md": page, **more})
+    assert any(COMPILED in warning.message for warning in found.warnings) == told
+
+
+def test_a_python_that_the_page_names_and_ros_has_not_is_told(tmp_path: Path) -> None:
+    found = decided(tmp_path, {**FILES, "README.md": "Tested on ROS Melodic.\n\n- Python 3.8\n"})
+    assert any(w.message.startswith("Python 3.8 is asked for") and "is 3.6" in w.message for w in found.warnings)
+    at_least = decided(tmp_path, {**FILES, "README.md": "Tested on ROS Melodic.\n\n- Python 3.6+\n"})
+    assert not any("is asked for" in warning.message for warning in at_least.warnings)
