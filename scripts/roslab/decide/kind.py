@@ -18,6 +18,7 @@ from roslab.decide.ros.without_manifest import CLIENTS, by_catkin, client_of, in
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import run_by_page, wraps
+from roslab.decide.without_optional_ros import called_optional, told_of_optional_ros
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.knowledge.distros import distro, distros
@@ -116,6 +117,8 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     if not (reasons or rosbuild) and (made := by_catkin(evidence)):
         why = "its CMake requires packages of ROS, and nothing is a package"
         reasons.append(because("kind", "ros1", why, made, weight=Weight.CATKIN_ALONE))
+    if not reasons and called_optional(evidence):
+        return []
     if not reasons and (client := client_of(evidence)):
         why = f"its program imports {client.name}, which ROS alone brings"
         reasons.append(because("kind", CLIENTS[client.name], why, client, weight=Weight.ROS_ALONE))
@@ -162,13 +165,14 @@ def _warnings(evidence: Evidence, kind: Kind, weight: int) -> tuple[Warning_, ..
 
     And about C++ that nothing says how to compile, or code that another build tool compiles, by the weight of the kind.
     """
+    optional = told_of_optional_ros(evidence) if kind in {"python", "cuda"} else ()
     if kind == "python" or (kind == "cpp" and weight in {OTHER_BUILDER, Weight.DEFAULT}):
         otherwise = built_otherwise(evidence) if weight <= Weight.PROGRAM else ()
         open_ = uncompiled(evidence) if weight <= Weight.DEFAULT else ()
-        return (*warnings_of_cuda(evidence), *(otherwise or open_))
+        return (*optional, *warnings_of_cuda(evidence), *(otherwise or open_))
     old = next((p for p in evidence.cmake if "rosbuild" in p.macros and not places.test(p.file)), None)
     if kind != "ros1" or old is None or any(map(of_rosbuild, packages_of(evidence).built)):
-        return ()
+        return optional
     message = "rosbuild's packages (manifest.xml) are not built here: catkin does not know them"
     hint = "what they need is installed; build them with rosmake under `custom` in roslab.yaml"
     return (warn(f"{message}; {hint}", old),)

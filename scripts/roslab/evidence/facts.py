@@ -143,6 +143,7 @@ class Mention:
         "asked_option", "reached", "as_sources", "node_import", "only_in_manifest", "lost_folder", "sibling_folder",
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import",
         "from_above",        "on_gpu", "handed", "own_spelling", "optional_step", "started",
+        "on_gpu", "handed", "own_spelling", "optional_step", "started", "optional_ros",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -11,6 +11,7 @@ from roslab.evidence.prose import (
     laid_as_sources,
     named_ports,
     of_other_indexes,
+    optional_ros,
 )
 from roslab.evidence.python import opened, own_spelling, said_in_code
 from roslab.evidence.ros import handed_lists, on_machines, own_setup, started_by_scripts
@@ -18,7 +19,7 @@ from roslab.evidence.ros import handed_lists, on_machines, own_setup, started_by
 MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
     *(asked_options.read, matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
-    *(own_spelling.read, started_by_scripts.calls, started_programs.read, templates.read),
+    *(optional_ros.read, own_spelling.read, started_by_scripts.calls, started_programs.read, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""
 OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read)

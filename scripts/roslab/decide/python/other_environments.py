@@ -8,6 +8,7 @@ from roslab.config.model import Config
 from roslab.decide.decision import Warning_
 from roslab.decide.python.machine_lists import not_installed
 from roslab.decide.python.manifests import resolve
+from roslab.decide.without_optional_ros import without_optional_ros
 from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.values.dataclass import replace
 
@@ -48,8 +49,9 @@ def _environment(evidence: Evidence, page: str, line: int) -> str | None:
 def of_one_environment(evidence: Evidence, config: Config) -> Evidence:
     """Return the evidence in which the lists of other environments are no part of what the program needs.
 
-    Those that roslab.yaml chooses are, whatever a page says.
+    Nor is the robot's environment, where only that needs ROS. What roslab.yaml chooses is, whatever a page says.
     """
+    evidence = without_optional_ros(evidence, config)
     others = of_other_environments(evidence)
     if not others or config.requirements is not None:
         return evidence

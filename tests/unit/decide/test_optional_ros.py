@@ -1,0 +1,78 @@
+"""A Python library whose page calls ROS optional gets an image of plain Python, without what a robot's image has."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Base, Config
+from roslab.decide import decide
+from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
+from trees import tree_of
+
+HEADING = "# Arm\n\n### Preparation for ROS (only required if you want to use the real robot)\n\nInstall ROS Kinetic.\n"
+SETUP = "from setuptools import setup\nsetup(name='arm', packages=['arm'], install_requires=['numpy', 'pybullet'])\n"
+ROBOT = (
+    "FROM ubuntu:16.04\nENV ROS_DISTRO kinetic\nRUN apt-get install -y ros-kinetic-moveit gazebo7\nRUN sh torch.sh\n"
+)
+FILES = {
+    "setup.py": SETUP,
+    "arm/__init__.py": "",
+    "arm/real.py": "import rospy\nimport numpy\n",
+    "arm/simulated.py": "import pybullet\nimport numpy\n",
+    "docker/robot.dockerfile": ROBOT,
+    "docker/torch.sh": "pip install torch\nsudo apt-get install -y tmux\n",
+}
+PACKAGE = {
+    "ws/arm/package.xml": "<package><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>",
+    "ws/arm/CMakeLists.txt": "project(arm)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
+}
+
+
+def decided(folder: Path, page: str, more: dict[str, str] | None = None, config: Config | None = None) -> Decision:
+    files = {**FILES, "README.md": page, **(more or {})}
+    return decide(gather(tree_of(folder, files)), config or Config(), folder_name="arm")
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        HEADING,
+        "# Arm\n\nROS is only needed for the real robot. In simulation, ROS Kinetic is of no use.\n",
+        "# Arm\n\nROS 1 is not required if you simulate. It was tested with ROS Kinetic.\n",
+        "# Arm\n\n- **ROS** (optional): Kinetic\n",
+        "# Arm\n\n- *(Optional)* **ROS 2:** Humble\n",
+        "# Arm\n\nYou don't need ROS for the simulation. It was tested with ROS Kinetic.\n",
+    ],
+)
+def test_plain_python(tmp_path: Path, page: str) -> None:
+    found = decided(tmp_path, page)
+    assert (found.kind, found.ros_distro, found.dockerfile) == ("python", None, None)
+    apt = {*found.apt, *found.apt_guessed}
+    assert not any(name.startswith("ros-") for name in apt)
+    assert apt.isdisjoint({"gazebo7", "tmux"})
+    assert any("says that not everybody needs ROS" in warning.message for warning in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("page", "more"),
+    [
+        ("# Arm\n\nInstall ROS Kinetic.\n", {}),
+        ("# Arm\n\nROS packages are only read if asked for. Install ROS Kinetic.\n", {}),
+        ("# Arm\n\nThe option `--ros-args` is optional. Install ROS Kinetic.\n", {}),
+        (HEADING, {"setup.py": ""}),
+        (HEADING, PACKAGE),
+    ],
+)
+def test_of_ros(tmp_path: Path, page: str, more: dict[str, str]) -> None:
+    found = decided(tmp_path, page, more)
+    assert "tmux" in {*found.apt, *found.apt_guessed}
+    assert not any("says that not everybody needs ROS" in warning.message for warning in found.warnings)
+
+
+def test_who_chooses_ros_has_it(tmp_path: Path) -> None:
+    found = decided(tmp_path, HEADING, config=Config(base=Base(ros="kinetic")))
+    assert (found.kind, found.ros_distro) == ("ros1", "kinetic")
+    assert "gazebo7" in found.apt_guessed
