@@ -66,3 +66,21 @@ def test_a_python_that_the_page_names_and_ros_has_not_is_told(tmp_path: Path) ->
     assert any(w.message.startswith("Python 3.8 is asked for") and "is 3.6" in w.message for w in found.warnings)
     at_least = decided(tmp_path, {**FILES, "README.md": "Tested on ROS Melodic.\n\n- Python 3.6+\n"})
     assert not any("is asked for" in warning.message for warning in at_least.warnings)
+
+
+@pytest.mark.parametrize(
+    ("node", "wanted", "other"),
+    [
+        (NODE, {"python3-yaml", "python3-scipy", "python3-tk"}, {"python-yaml", "python-scipy", "python-tk"}),
+        (NODE.replace("python3", "python"), {"python-yaml", "python-scipy", "python-tk"}, {"python3-scipy"}),
+    ],
+)
+def test_what_modules_import_is_for_the_python_of_the_nodes(
+    tmp_path: Path, node: str, wanted: set[str], other: set[str]
+) -> None:
+    module = "import yaml\nimport scipy\nimport matplotlib\n"
+    files = {**FILES, "a/scripts/node.py": node, "a/src/a/draw.py": module, "README.md": "Tested on ROS Melodic.\n"}
+    found = decided(tmp_path, files)
+    assert found.ros_distro == "melodic"
+    assert wanted <= {*found.apt_guessed}
+    assert other.isdisjoint(found.apt_guessed)

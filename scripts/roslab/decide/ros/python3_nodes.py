@@ -6,6 +6,7 @@ Before noetic that is Python 2, so what was worked on since noetic is there was 
 from __future__ import annotations
 
 from roslab.decide.decision import Warning_
+from roslab.decide.python.only_python3 import only_python3
 from roslab.decide.reasons import warn
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import plain
@@ -61,14 +62,7 @@ def not_for_python3(evidence: Evidence, ros_distro: str | None) -> tuple[Warning
 
 def _import(evidence: Evidence) -> Dependency | None:
     """Return the import of such a module, if a node is for Python 3, and nothing of the tree is for Python 2."""
-    roles = {each.role for each in evidence.code}
-    if "shebang" in roles or any(_says_python2(each.topic, each.value) for each in evidence.mentions):
-        return None
-    if not any(each.role == ROLE and each.name == _OF_ROSPY for each in evidence.code):
+    if not only_python3(evidence) or not any(each.role == ROLE and each.name == _OF_ROSPY for each in evidence.code):
         return None
     used = (each for each in evidence.code if each.namespace == "import" and each.strength == "used")
     return next((e for e in used if e.name in modules_of_one_python() and not places.aside(e.file)), None)
-
-
-def _says_python2(topic: str, value: str) -> bool:
-    return topic == "python" and value.startswith("2")

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.decide.python.image_python import Python
+from roslab.decide.python.only_python3 import only_python3
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.evidence.python.of_python3 import package_of
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports, older_wheels, wheels
 from roslab.knowledge.not_on_index import not_on_index
@@ -38,15 +40,17 @@ def apt_for_wheels(
         found.setdefault(_TK, drawn)
     if python.manager == "system":
         pinned = _pinned(python, installed)
+        both = ubuntu in ubuntus_with_python2()
+        other = both and only_python3(evidence)
         for dependency in evidence.code:
             if dependency.namespace != "import" or dependency.strength != "used" or places.test(dependency.file):
                 continue
             package = (imports().get(dependency.name) or (None, None))[0]
-            apt_name = system_package(dependency.name, ubuntu)
+            apt_name = package_of(dependency.name) if other else system_package(dependency.name, ubuntu)
             if apt_name and not (package and canonicalize_name(package) in pinned):
                 found.setdefault(apt_name, dependency)
             if dependency.name in {"matplotlib", "pylab"}:
-                found.setdefault("python-tk" if ubuntu in ubuntus_with_python2() else "python3-tk", dependency)
+                found.setdefault("python-tk" if both and not other else "python3-tk", dependency)
     return tuple(found.items())
 
 

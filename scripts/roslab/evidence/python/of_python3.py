@@ -29,7 +29,12 @@ def of_python3(module: Module, imported: Collection[str]) -> Iterator[Dependency
     if not _FIRST_LINE.match(module.text) or places.test(module.file.path):
         return
     for top in imported:
-        own = (imports().get(top) or (None, None))[1] or ""
-        kept = own if own.startswith("python3-") and not own.startswith(_OF_ROS) else ""
+        kept = package_of(top)
         for name in filter(None, (kept, *_OF_MODULES.get(top, ()))):
             yield Dependency(namespace="apt", name=name, strength="used", file=module.file.path, line=1, role=ROLE)
+
+
+def package_of(module: str) -> str:
+    """Return Ubuntu's package of a module for Python 3, ``""`` for none, or where it cannot be beside ROS's own."""
+    own = (imports().get(module) or (None, None))[1] or ""
+    return own if own.startswith("python3-") and not own.startswith(_OF_ROS) else ""
