@@ -79,3 +79,37 @@ def test_many_that_are_trusted_less_do_not_outvote_a_list(tree: Tree) -> None:
     page = "```\npip install matplotlib==2.2.2 scikit-image==0.14.2 opencv-python==3.4.2.17\n```\n"
     found = tree({"requirements.txt": "numpy==1.22.0\n", "README.md": page, "main.py": "import numpy\n"}).python
     assert found.version in {"3.8", "3.9", "3.10"}
+
+
+@pytest.mark.parametrize(
+    ("asked", "loose", "needs"),
+    [
+        ("pytest-html>=2.0.1", ["pytest-html"], "newer than 3.5"),
+        ("pytest-html==3.2.0", ["pytest-html"], "newer than 3.5"),
+        ("pytest-html>=2.0.1; python_version >= '3.6'", [], ""),
+        ("pytest-html>=1.20", [], ""),
+        ("pytest-html", [], ""),
+    ],
+)
+def test_a_release_after_the_last_for_the_python_of_ros(tree: Tree, asked: str, loose: list[str], needs: str) -> None:
+    found = tree({**ROS, "README.md": "Tested on ROS Kinetic.\n", "requirements.txt": f"yacs\n{asked}\n"})
+    assert found.ros_distro == "kinetic"
+    assert [each.written for each in found.python.pip if each.key == "pytest-html"] == loose
+    assert found.python.requirements == (() if loose else ("requirements.txt",))
+    told = f"{asked} needs a Python {needs}, and the image has 3.5"
+    assert any(told in warning.message for warning in found.warnings) == bool(loose)
+
+
+@pytest.mark.parametrize(
+    ("asked", "python"),
+    [
+        ("gymnasium==1.2.0\nnumpy>=1.16", {"3.10", "3.11", "3.12"}),
+        ("gymnasium>=0.29\ntorch==1.13.1\n", {"3.8", "3.9", "3.10"}),
+        ("gymnasium==0.26.3\ntorch==1.8.0\n", {"3.6", "3.7", "3.8", "3.9"}),
+    ],
+)
+def test_it_tells_the_python_where_nothing_names_one(tree: Tree, asked: str, python: set[str]) -> None:
+    found = tree({"requirements.txt": asked, "main.py": "import gymnasium\n"})
+    assert found.python.version in python
+    told = any("needs a Python newer than" in r.reason for r in found.reasons if r.question == "python")
+    assert told == ("0.26.3" not in asked)

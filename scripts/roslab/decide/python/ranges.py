@@ -21,7 +21,7 @@ from roslab.values.interpreter import Interpreter
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.specifier import admits, specifiers
-from roslab.values.version import Version
+from roslab.values.version import Version, version_of
 
 _TRUSTED = 3
 """Of ``Pin.trust``: a manifest of the project itself."""
@@ -176,6 +176,8 @@ def _pinned(pin: Pin) -> Iterator[Range]:
         lowest = Version(row.python_min) if pin.release else Version("0")
         fitting = _between(lowest, Version(row.python_max)) | _not_asked(asked)
         yield Range(fitting, reason, pin.trust)
+    elif pin.release and pin.trust >= _TRUSTED:
+        yield from _outgrown(pin, pin.release)
 
 
 def _not_asked(asked: Requirement) -> frozenset[str]:
@@ -212,6 +214,18 @@ def _lowest(pin: Pin) -> Iterator[Range]:
         why = f"{asked.written} needs Python {row.python_min} or newer"
         reason = because("python", f"≥ {row.python_min}", why, asked, weight=Weight.LOWER_BOUND + pin.trust)
         yield Range(_between(Version(row.python_min), _ANY), reason, pin.trust)
+    if row is None and asked.at_least:
+        yield from _outgrown(pin, asked.at_least)
+
+
+def _outgrown(pin: Pin, release: str) -> Iterator[Range]:
+    """Yield the Pythons of a release that came after the last one for an older Python."""
+    from roslab.knowledge.last_for_python import outgrown  # noqa: PLC0415 - many trees ask for no release
+
+    if version_of(release) and (oldest := outgrown(pin.name, release)):
+        why = f"{pin.requirement.written} needs a Python newer than {oldest}"
+        reason = because("python", f"> {oldest}", why, pin.requirement, weight=Weight.LOWER_BOUND + pin.trust)
+        yield Range(_beside(">", Version(oldest)) | _not_asked(pin.requirement), reason, pin.trust)
 
 
 def _up_to(row: Framework, answer: str, why: str, at: Placed, weight: int) -> Range:

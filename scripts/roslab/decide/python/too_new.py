@@ -16,7 +16,7 @@ from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
-from roslab.values.version import Version
+from roslab.values.version import Version, version_of
 
 
 def unmet(asked: Requirement, python: str | None) -> bool:
@@ -26,7 +26,7 @@ def unmet(asked: Requirement, python: str | None) -> bool:
     source for it. Robots that raise single lines of old lists leave such pins, and lists that were written on another
     machine such bounds: pip finds no release for them and stops.
     """
-    return _row(asked, python) is not None
+    return _row(asked, python) is not None or _outgrown(asked, python) is not None
 
 
 def _row(asked: Requirement, python: str | None) -> Framework | None:
@@ -38,6 +38,19 @@ def _row(asked: Requirement, python: str | None) -> Framework | None:
     if row is None:
         return None
     return row if _ended(asked, row, python) or Version(python) < Version(row.python_min) else None
+
+
+def _outgrown(asked: Requirement, python: str | None) -> str | None:
+    """Return the newest Python that is too old for the lowest release that is asked for, if this one is no newer."""
+    release = _lowest(asked)
+    if python is None or release is None or version_of(release) is None:
+        return None
+    if not Interpreter(pythons=(python,)).may(asked):
+        return None
+    from roslab.knowledge.last_for_python import outgrown  # noqa: PLC0415 - where nothing has a version, nobody asks
+
+    oldest = outgrown(asked.key, release)
+    return oldest if oldest and Version(python) <= Version(oldest) else None
 
 
 def _ended(asked: Requirement, row: Framework, python: str) -> bool:
@@ -78,10 +91,10 @@ def told(asked: Requirement, python: str | None) -> Warning_:
         message = f"{asked.written} is left out: Python {backports()[asked.key]} and newer have it themselves"
         return warn(f"{message}, and the image has {python}", asked)
     row = _row(asked, python)
-    needs = row.python_min if row else "a newer one"
+    needs = f"needs Python {row.python_min}" if row else f"needs a Python newer than {_outgrown(asked, python)}"
     if row and Version(python or "0") > Version(row.python_max):
         message = f"{asked.written} has no wheel for a Python newer than {row.python_max}, and no source"
         instead = f'`base.python: "{row.python_max}"` in roslab.yaml takes this one, but not in an image of ROS'
         return warn(f"{message}, and the image has {python}: pip takes a release that runs there; {instead}", asked)
-    message = f"{asked.written} needs Python {needs}, and the image has {python}"
+    message = f"{asked.written} {needs}, and the image has {python}"
     return warn(f"{message}: pip takes a release of {asked.name} that runs there", asked)
