@@ -50,3 +50,30 @@ def test_what_no_package_brings_is_told(tree: Tree) -> None:
     told = [each for each in decided(tree, "roscore &\na=$(yq r a.yml b)\nyq v a.yml").warnings if "yq" in each.message]
     assert [(each.file, each.line) for each in told] == [("run.sh", 3)]
     assert "bring it from https://github.com/mikefarah/yq/releases" in told[0].message
+
+
+@pytest.mark.parametrize(
+    ("script", "ros", "added", "told"),
+    [
+        ("python main.py", "Noetic", True, False),
+        ("exec python main.py", "Noetic", True, False),
+        ("python3 main.py", "Noetic", False, False),
+        ("source venv/bin/activate\npython main.py", "Noetic", False, False),
+        ("echo python main.py", "Noetic", False, False),
+        ("python main.py", "Melodic", False, True),
+        ("python3 main.py", "Melodic", False, False),
+    ],
+)
+def test_python_by_that_name(tree: Tree, script: str, ros: str, added: bool, told: bool) -> None:
+    more = {"README.md": PAGE.replace("Noetic", ros), "requirements.txt": "numpy\n", "main.py": "import numpy\n"}
+    decision = decided(tree, script, **more)
+    assert decision.command == ("bash", "run.sh")
+    assert ("python-is-python3" in decision.apt_guessed) == added
+    assert any("calls `python`, which is Python 2" in each.message for each in decision.warnings) == told
+
+
+def test_python_of_a_virtual_environment_needs_no_name(tree: Tree) -> None:
+    files = {"README.md": "## Usage\n```\n./run.sh\n```\n", "run.sh": "#!/bin/bash\npython main.py\n"}
+    decision = tree({**files, "requirements.txt": "numpy\n", "main.py": "import numpy\n"})
+    assert decision.kind == "python"
+    assert "python-is-python3" not in decision.apt_guessed

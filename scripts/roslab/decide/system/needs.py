@@ -20,6 +20,7 @@ from roslab.decide.system.unreached import unreached
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import Evidence
+from roslab.evidence.prose.called_in_scripts import IN_SCRIPT, PYTHON
 from roslab.evidence.python.of_python3 import ROLE
 from roslab.knowledge.authors_own import authors_own
 from roslab.knowledge.compiled import programs as packaged
@@ -63,7 +64,8 @@ def _all(
     for dependency in evidence.code:
         # Others have a `python` of their own
         started_by = kind in {"ros1", "ros2"} and dependency.role in {"shebang", ROLE}
-        if dependency.namespace == "include" or started_by or dependency.role in _OF_CODE:
+        elsewhere = dependency.name == PYTHON and kind not in {"ros1", "ros2"}
+        if dependency.namespace == "include" or started_by or (dependency.role in _OF_CODE and not elsewhere):
             yield dependency, False
     yield from ((asked, True) for asked in evidence.code if asked.role == OF_MODULE)
     for dependency in _made(evidence) if kind in {"cpp", "cuda"} else ():
@@ -84,11 +86,10 @@ def _programs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[De
 
 
 def of_another_python(dependency: Dependency, ubuntu: str | None) -> bool:
-    """Tell whether a program's first line asks for nothing: for ``python`` where that is 2, for 3 where ROS's is 3."""
+    """Tell whether a program or a script asks for nothing: for ``python`` where that is 2, for 3 where ROS's is 3."""
     of_python2 = ubuntu in ubuntus_with_python2()
-    return (dependency.role == "shebang" and (of_python2 or ubuntu is None)) or (
-        dependency.role == ROLE and not of_python2
-    )
+    plain = dependency.role in {"shebang", IN_SCRIPT} and dependency.name == PYTHON
+    return (plain and (of_python2 or ubuntu is None)) or (dependency.role == ROLE and not of_python2)
 
 
 def _made(evidence: Evidence) -> Iterator[Dependency]:

@@ -30,6 +30,10 @@ _NOT_RUN = pattern(
 """A comment, and what a line prints."""
 _EVERYWHERE = frozenset({"file", "ip", "ping", "ps", "python", "python2", "python3", "pip", "pip3", "sed"})
 """Every image of this program's has them, or what has them depends on the Python that is taken."""
+PYTHON = "python-is-python3"
+"""What has ``python`` where ROS runs on Python 3: https://packages.ubuntu.com/focal/python-is-python3, 2026-11-27"""
+_ENTERS = pattern(r"\b(?:activate|(?:conda|mamba|poetry|pipenv|uv|pixi)\s+run)\b|\balias\s+python=")
+"""A script with it has a ``python`` of its own."""
 
 
 def read(repository: Repository, said: Iterable[Mention]) -> tuple[Dependency, ...]:
@@ -38,6 +42,11 @@ def read(repository: Repository, said: Iterable[Mention]) -> tuple[Dependency, .
         Dependency(namespace="apt", name=programs()[name], strength="used", file=file, line=line, role=IN_SCRIPT)
         for name, file, line in _calls(repository, said)
         if name in programs()
+    ) + tuple(
+        Dependency(namespace="apt", name=PYTHON, strength="used", file=file, line=line, role=IN_SCRIPT)
+        for file, script in _scripts(repository, said)
+        for name, line in calls_of(script)
+        if name == "python" and not _ENTERS.search(script)
     )
 
 
@@ -52,15 +61,18 @@ def unpackaged(repository: Repository, said: Iterable[Mention]) -> tuple[Mention
 
 def _calls(repository: Repository, said: Iterable[Mention]) -> Iterator[tuple[str, str, int]]:
     """Yield each program with its script and the first line that calls it."""
+    known = (programs().keys() | unpackaged_programs().keys()) - _EVERYWHERE
+    for file, script in _scripts(repository, said):
+        yield from ((name, file, line) for name, line in calls_of(script) if name in known)
+
+
+def _scripts(repository: Repository, said: Iterable[Mention]) -> Iterator[tuple[str, str]]:
+    """Yield each script of the tree that a page runs, with its text."""
     commands = (mention for mention in said if mention.topic == "command" and mention.source == "readme")
     files = dict.fromkeys(file for mention in commands for file in mention.files if file.endswith(_SCRIPT))
-    known = (programs().keys() | unpackaged_programs().keys()) - _EVERYWHERE
     for file in files:
-        if not repository.has(file) or places.vendored(file):
-            continue
-        yield from (
-            (name, file, line) for name, line in calls_of(repository.read(file, limit=MAX_SIZE)) if name in known
-        )
+        if repository.has(file) and not places.vendored(file):
+            yield file, repository.read(file, limit=MAX_SIZE)
 
 
 def calls_of(script: str) -> Iterator[tuple[str, int]]:
