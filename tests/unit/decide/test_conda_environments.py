@@ -7,9 +7,13 @@ from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config
+from roslab.decide import decide
 from roslab.decide.decision import Decision
+from roslab.evidence.gather import gather
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from roslab.repository.checkout import Repository
 
 Tree = Callable[[dict[str, str]], Decision]
 FILE = "name: a\ndependencies:\n  - python=3.7\n  - pytorch=1.7\n  - pip:\n    - einops==0.3.0\n"
@@ -232,3 +236,32 @@ def test_what_pip_cannot_install_is_taken_out_of_a_conda_file(tree: Tree) -> Non
     told = " ".join(each.message for each in found.warnings)
     assert "pip cannot install pytorch3d" in told
     assert "newer have it themselves, and the image has 3.8" in told
+
+
+@pytest.mark.parametrize(
+    ("packages", "page", "limits"),
+    [
+        (["numpy", "pip", {"pip": "torch==1.10.0"}], "", ("python=3.8", "setuptools<82")),
+        (["python", "numpy", {"pip": "torch==1.10.0"}], "", ("python=3.8", "setuptools<82")),
+        (["numpy"], "It needs Python 3.9.\n", ("python=3.9", "setuptools<82")),
+        (["numpy"], "", ()),
+        (["numpy=1.19.2=py37h54aff64_0", {"pip": "torch==1.10.0"}], "It needs Python 3.9.\n", ()),
+        (["python=3.9", {"pip": "torch==1.10.0"}], "", ("setuptools<82",)),
+    ],
+)
+def test_an_environment_without_a_python_gets_the_one_that_the_rest_asks_for(
+    tmp_path: Path, packages: list[str | dict[str, str]], page: str, limits: tuple[str, ...]
+) -> None:
+    listed = "".join(f"- {each}\n" if isinstance(each, str) else f"- pip:\n  - {each['pip']}\n" for each in packages)
+    (tmp_path / "lab.yml").write_text(f"name: a\nchannels: [conda-forge]\ndependencies:\n{listed}")
+    (tmp_path / "README.md").write_text(f"# Lab\n\n{page}\n```\nconda env create --file lab.yml\n```\n")
+    (tmp_path / "train.py").write_text("import numpy\n")
+    assert plan_repository(tmp_path).plan.python.conda_limits == limits
+
+
+def test_an_environment_without_a_python_gets_that_of_its_day(tmp_path: Path) -> None:
+    (tmp_path / "environment.yml").write_text("dependencies:\n- numpy\n- pip:\n  - einops\n")
+    config = Config(pip_date="2020-06-01")
+    found = decide(gather(Repository.open(tmp_path)), config, folder_name="a").python
+    assert found.conda_limits[:1] == (f"python={found.version}",)
+    assert found.version == "3.7"

@@ -9,6 +9,8 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Choice
 from roslab.decide.python.conda_channels import further_channels
 from roslab.decide.python.conda_cuda import builds_for_cuda
+from roslab.decide.python.conda_python import python_of_conda
+from roslab.decide.python.own import OwnPython
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.evidence.conda_environment import CondaEnvironment
@@ -24,15 +26,21 @@ _WITH_MOST = frozenset({"conda-forge", "defaults", "main", "anaconda"})
 """Channels with packages of every kind; others have a few of their own."""
 
 
-def limits_of(evidence: Evidence, conda: str | None, kind: Kind) -> Choice[tuple[str, ...]]:
+def limits_of(evidence: Evidence, conda: str | None, kind: Kind, own: OwnPython) -> Choice[tuple[str, ...]]:
     """Return limits for what others of the environment bring: ``mkl<2024.1`` beside an old torch; builds for CUDA.
+
+    And the Python, where the file names none.
 
     What the environment names with a version of its own is left to its author.
     """
     environment = next((each for each in evidence.conda if each.file == conda), None)
     if environment:
         environment = replace(environment, channels=(*environment.channels, *further_channels(evidence, conda)))
-    found = dict(_found(environment)) if environment else {}
+    python = python_of_conda(environment, own, evidence.pip_day) if environment else None
+    if environment and python:
+        environment = replace(environment, packages=(python, *environment.packages))
+    found = {python.written: "the file names no Python, and conda would take its newest"} if python else {}
+    found |= dict(_found(environment)) if environment else {}
     if environment and kind == "cuda" and not environment.specs:
         torch = next((package for package in environment.packages if package.name == "pytorch"), None)
         found |= builds_for_cuda(environment, _channel(torch, environment, "pytorch")) if torch else {}

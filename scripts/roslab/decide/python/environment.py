@@ -160,7 +160,7 @@ def decide_python(
     ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     older = setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ())
-    in_conda = limits_of(evidence, conda, kind)
+    in_conda = limits_of(evidence, conda, kind, own.answer)
     chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if not in_python(each, runs)))
     compiled_first, guessed = first_and_guesses(
         (*declared, *manifests, *native.answer.brought), chosen, interpreter, cmake=manager != "system"
