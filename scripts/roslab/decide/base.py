@@ -26,6 +26,8 @@ OLDEST_BY_DATE = "xenial"
 DEFAULT_UBUNTU = "jammy"
 """The Ubuntu of plain C++ when nothing names one: old enough for older code, new enough for today's."""
 _NVIDIA = ("nvidia/", "nvcr.io/")
+_NO_CUDA = ("nvidia/opengl", "nvidia/vulkan", "nvcr.io/nvidia/opengl", "nvcr.io/nvidia/vulkan")
+"""Images of NVIDIA's for drawing alone. https://gitlab.com/nvidia/container-images/opengl, 2026-11-27"""
 _ROOTS = (*_NVIDIA, "ros:", "osrf/ros:", "ubuntu:", "debian:", "python:")
 
 
@@ -153,11 +155,16 @@ def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
         key=lambda authored: (
             authored.file.count("/"),
             authored.file.rpartition("/")[2].lower() != "dockerfile",
-            (authored.base or "").startswith(_NVIDIA),  # beside one without CUDA, it is for those who want it
+            _has_cuda(authored),  # beside one without CUDA, it is for those who want it
             authored.file,
         )
     )
-    return own[0] if own and (own[0].base or "").startswith(_NVIDIA) else None
+    return own[0] if own and _has_cuda(own[0]) else None
+
+
+def _has_cuda(authored: AuthorDockerfile) -> bool:
+    base = authored.base or ""
+    return base.startswith(_NVIDIA) and not base.startswith(_NO_CUDA)
 
 
 def _cpp(evidence: Evidence, config: Config) -> Choice[BaseImage]:
