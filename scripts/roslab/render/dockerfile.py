@@ -14,6 +14,7 @@ from roslab.render.layers import (
     building,
     cloned,
     cloned_files,
+    doubles,
     downloads,
     final,
     git_folder,
@@ -95,9 +96,10 @@ TODAY = Order(
         python.jupyter,
         system.libraries,
         cloned.large_files,
+        cloned.submodules,  # before what is looked for only where nothing has it
         cloned.sister_sources,
-        cloned.submodules,
         patched.of_clones,
+        doubles.before_rosdep,
         building.variables,  # conditions of a package.xml read them, too
         workspace.rosdep,  # 4. what the manifests name
         cloned.plain_clones,

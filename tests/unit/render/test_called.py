@@ -40,6 +40,7 @@ def test_what_is_called_is_copied_once() -> None:
         "clone-unknown",
         "required-components",
         "clone-holding",
+        "leave-out-doubles",
         "workspace-packages",
         "read-manifest",
         "required-by-cmake",

@@ -178,6 +178,14 @@ def test_what_a_clone_of_before_hid_is_there_once_it_is_asked_for(tmp_path: Path
     assert "is not needed: the workspace has quad_plan" in said
 
 
+def test_what_a_clone_of_before_hid_stays_so_where_another_has_it(tmp_path: Path, remote: Path) -> None:
+    _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_msgs")
+    _manifest(tmp_path / "ws/src/mine", "quad_x")
+    said, _, passed = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/again", "quad_x")
+    assert "quad_x" in passed
+    assert "no longer hidden" not in said
+
+
 @pytest.mark.parametrize(
     ("options", "branch", "found"),
     [(("--ros1",), "feature/noetic", True), (("--ros1",), "feature/other", False), ((), "feature/noetic", False)],

@@ -105,6 +105,18 @@ def test_a_list_of_the_clone_tells_where_it_is(image: Path, file: str, text: str
     assert _run(image, "numeric") == (0, ["docs", "lib", "number_things"])
 
 
+def test_what_a_clone_has_besides_is_hidden_where_the_workspace_has_it(image: Path) -> None:
+    _manifest(image / "lab/space/space", "space", "lib", "mine", "numeric")
+    for name in ("lib", "mine", "numeric"):
+        _manifest(image / f"lab/space/parts/{name}", name)
+    _commit(image / "lab/space")
+    _manifest(image / "ws/src/lib", "lib", "space")
+    _run(image, "space")
+    marked = sorted(file.parent.name for file in (image / "ws/src").rglob("CATKIN_IGNORE"))
+    assert marked == ["lib", "mine"]
+    assert (image / "ws/src/space/parts/lib/COLCON_IGNORE").exists()
+
+
 def _list(image: Path, name: str, repository: Path, version: str = "main") -> None:
     row = f"- git: {{local-name: {name}, uri: '{repository.as_uri()}', version: {version}}}\n"
     with (image / "ws/src/lib/all.rosinstall").open("a") as file:

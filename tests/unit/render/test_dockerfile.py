@@ -514,8 +514,28 @@ def test_packages_that_a_sister_has_twice_are_hidden_before_the_build() -> None:
     clone, hidden, build = positions(text, "git clone", " && leave-out-doubles src/sister \\\n", "catkin_make -j")
     assert clone < hidden < build
     known = dataclasses.replace(SISTER, repo="https://github.com/ethz-asl/eigen_catkin.git")
-    assert "leave-out-doubles" not in dockerfile(plan(source=(known,)))
-    assert "leave-out-doubles" not in dockerfile(plan(Config(compatible="later"), source=(SISTER,)))
+    assert "leave-out-doubles src" not in dockerfile(plan(source=(known,)))
+    assert "leave-out-doubles src" not in dockerfile(plan(Config(compatible="later"), source=(SISTER,)))
+
+
+def test_packages_that_two_clones_have_are_hidden_before_rosdep_reads_them() -> None:
+    other = dataclasses.replace(SISTER, name="other", repo="https://example.org/other.git")
+    text = written(plan(source=(SISTER, other)))
+    first, second = (match.start() for match in re.finditer("leave-out-doubles src/sister src/other", text))
+    clone, rosdep = positions(text, "other.git", " && install-rosdep-keys")
+    assert clone < first < rosdep < second
+    assert text.count("leave-out-doubles src/sister") == 2
+    alone = written(plan(source=(SISTER,)))
+    assert alone.index("leave-out-doubles src/sister") > alone.index(" && install-rosdep-keys")
+
+
+def test_submodules_are_cloned_before_sisters_whose_packages_they_may_have() -> None:
+    submodule = dataclasses.replace(SISTER, name="deps/part", repo="https://example.org/part.git")
+    text = written(plan(source=(SISTER,), submodules=(submodule,)))
+    part, sister, hidden, rosdep = positions(
+        text, "part.git", "sister.git", "leave-out-doubles src/sister", " && install-rosdep-keys"
+    )
+    assert part < sister < hidden < rosdep
 
 
 def test_colcon_is_told_of_each_sister(tmp_path: Path) -> None:

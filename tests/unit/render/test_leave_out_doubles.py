@@ -52,3 +52,13 @@ def test_a_second_copy_of_the_repository(tmp_path: Path) -> None:
 )
 def test_what_is_hidden(tmp_path: Path, packages: dict[str, str], markers: tuple[str, ...], found: list[str]) -> None:
     assert hidden(tmp_path, packages, *markers)[0] == found
+
+
+def test_what_will_lie_in_the_workspace_counts(tmp_path: Path) -> None:
+    for folder in ("ws/src/new/mine", "ws/src/new/other", "manifests/mine"):
+        (tmp_path / folder).mkdir(parents=True)
+        name = folder.rpartition("/")[2]
+        (tmp_path / folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    words = ["leave-out-doubles", "--beside", str(tmp_path / "manifests"), "src/new"]
+    subprocess.run(words, cwd=tmp_path / "ws", capture_output=True, check=True)
+    assert [file.parent.name for file in tmp_path.rglob("CATKIN_IGNORE")] == ["mine"]

@@ -79,6 +79,8 @@ try() { # PACKAGE URL [REF]
   if [ -e "${folder}" ]; then return 1; fi
   clone-holding "${at[@]}" "${url}" "${folder}" "$1"
   if [ ! -e "${folder}" ]; then return 1; fi
+  # What it needs in turn may be there already: rosdep finds nothing where two packages have one name
+  (cd "$(dirname "${workspace}")" && leave-out-doubles --beside "${manifests}" "${folder#"$(dirname "${workspace}")/"}")
   chown --recursive --reference="${workspace}" "${folder}"
 }
 

@@ -1,8 +1,15 @@
 #!/bin/bash
-# usage: leave-out-doubles FOLDER...
+# usage: leave-out-doubles [--beside MANIFESTS] FOLDER...
 # Hides the packages in these folders of a workspace, which were cloned, that the rest of it has too, or a folder before:
-# a build tool stops where two packages have one name. It runs in the workspace.
+# a build tool stops where two packages have one name, and so does rosdep. It runs in the workspace.
+#   --beside MANIFESTS  the packages below this folder will lie in the workspace, too
 set -euo pipefail
+
+beside=''
+if [ "${1:-}" = --beside ]; then
+  beside="$2"
+  shift 2
+fi
 
 # Lists the packages below a folder that a build tool finds: not those inside another, nor those that a marker hides
 packages() {
@@ -26,7 +33,10 @@ while IFS=$'\t' read -r name folder; do
     if [[ "${folder}/" = "${cloned}/"* ]]; then continue 2; fi
   done
   seen["${name}"]="${folder}"
-done < <(packages src)
+done < <(
+  packages src
+  if [ -n "${beside}" ]; then packages "${beside}"; fi
+)
 for cloned in "$@"; do
   if [ ! -d "${cloned}" ]; then continue; fi
   mapfile -t found < <(packages "${cloned}")

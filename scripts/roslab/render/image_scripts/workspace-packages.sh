@@ -4,7 +4,8 @@
 #   needed  prints the named ones and what they need in turn, each with its package.xml behind a tab: what their package.xml
 #           names, what their launch files and models find, and what makes the plugins that the models load
 #   hide    puts the markers by which catkin and colcon pass by into all but the named ones, and prints their names
-#   show    takes these markers out of the named ones and of what they need in turn, and prints their names
+#   show    takes these markers out of the named ones and of what they need in turn, and prints their names; not where
+#           another one of the name is not hidden
 # What lies in a folder with another such marker is none of them.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
@@ -39,28 +40,6 @@ makes_plugins_of() {
 
 own='hidden by workspace-packages'
 hidden() { find "${folder}" -name .git -prune -o -name CATKIN_IGNORE -exec grep --quiet --fixed-strings "${own}" {} \; -printf '%h\n'; }
-if [ "${what}" = show ]; then
-  declare -A place_of=()
-  while read -r here; do
-    name="$(read-manifest name "${here}/package.xml")"
-    if [ -n "${name}" ]; then place_of["${name}"]="${here}"; fi
-  done < <(hidden)
-  queue=("$@")
-  while [ "${#queue[@]}" -gt 0 ]; do
-    more=()
-    for name in "${queue[@]}"; do
-      here="${place_of["${name}"]:-}"
-      if [ -z "${here}" ]; then continue; fi
-      unset "place_of[${name}]"
-      rm "${here}/CATKIN_IGNORE" "${here}/COLCON_IGNORE"
-      echo "${name}"
-      mapfile -t -O "${#more[@]}" more < <(read-manifest depends "${here}/package.xml" && found_by "${here}")
-    done
-    queue=("${more[@]}")
-  done
-  exit 0
-fi
-
 marked=()
 while read -r path; do marked+=(-path "${path}" -o); done < <(
   find "${folder}" -regextype posix-extended -regex '.*/(AMENT|CATKIN|COLCON)_IGNORE' -printf '%h\n'
@@ -73,6 +52,28 @@ done < <(
   find "${folder}" \( "${marked[@]}" -name .git -o -path "${without}" \) -prune -o -name package.xml -print
   if [ "${#but[@]}" -gt 0 ]; then find "${but[@]}" \( "${marked[@]}" -name .git \) -prune -o -name package.xml -print; fi
 )
+
+if [ "${what}" = show ]; then
+  declare -A place_of=()
+  while read -r here; do
+    name="$(read-manifest name "${here}/package.xml")"
+    if [ -n "${name}" ]; then place_of["${name}"]="${here}"; fi
+  done < <(hidden)
+  queue=("$@")
+  while [ "${#queue[@]}" -gt 0 ]; do
+    more=()
+    for name in "${queue[@]}"; do
+      here="${place_of["${name}"]:-}"
+      if [ -z "${here}" ] || [ -n "${file_of["${name}"]:-}" ]; then continue; fi
+      unset "place_of[${name}]"
+      rm "${here}/CATKIN_IGNORE" "${here}/COLCON_IGNORE"
+      echo "${name}"
+      mapfile -t -O "${#more[@]}" more < <(read-manifest depends "${here}/package.xml" && found_by "${here}")
+    done
+    queue=("${more[@]}")
+  done
+  exit 0
+fi
 
 queue=("$@")
 while [ "${#queue[@]}" -gt 0 ]; do

@@ -13,7 +13,7 @@ CALLED = {
     "build-needed": (PACKAGES,),
     "clone-holding": (PACKAGES, "checkout-branch", "take-ros-branch"),
     "clone-listed": ("checkout-branch", "take-ros-branch"),
-    "clone-unknown": ("clone-holding", PACKAGES, MANIFEST),
+    "clone-unknown": ("clone-holding", "leave-out-doubles", PACKAGES, MANIFEST),
     "declare-needs": ("required-by-cmake", MANIFEST),
     "leave-out-doubles": (MANIFEST,),
     "leave-out-failed": (PACKAGES, MANIFEST),
