@@ -276,7 +276,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             command=command,
             test=decide_test(config),
             platforms=platforms,
-            sources=authors_clones(sources, evidence, dockerfile, config),
+            sources=authors_clones(sources, evidence, dockerfile, config, target=target, build_tool=build_tool.answer),
             system=system,
             inside=inside,
             repositories=repositories,

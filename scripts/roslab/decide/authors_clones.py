@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from roslab.config.model import Config, Source
+from roslab.config.model import BuildTool, Config, Source
 from roslab.decide.chains import local_bases
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.forks import with_forks
 from roslab.decide.ros.marked_clones import with_marks
 from roslab.decide.ros.patched import with_patches
 from roslab.decide.ros.source_names import address, drifts, fixed
+from roslab.decide.system.names import Target
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.days import long_ago
@@ -27,7 +29,13 @@ _LINE = pattern(r"v?\d+(?:\.\d+)*\.x")
 
 
 def authors_clones(
-    sources: Choice[Sources], evidence: Evidence, dockerfile: str | None, config: Config
+    sources: Choice[Sources],
+    evidence: Evidence,
+    dockerfile: str | None,
+    config: Config,
+    *,
+    target: Target,
+    build_tool: BuildTool,
 ) -> Choice[Sources]:
     """Return the sources as the author changes them, or those that a ``dockerfile`` clones, as it says.
 
@@ -35,6 +43,7 @@ def authors_clones(
     patches.
     """
     if dockerfile is None:
+        sources = with_forks(sources, evidence, config, ros_distro=target.ros_distro, build_tool=build_tool)
         return with_marks(sources if config.compatible else with_patches(sources, evidence), evidence)
     told: dict[str, GitSource] = {}
     for git in _clones(evidence, dockerfile):

@@ -108,6 +108,11 @@ class GitSource:
     private: bool = False
     """A link to what a page calls private, or an address with somebody's login: others may not have it."""
 
+    forked: bool = False
+    """A link to what a page calls a fork, or a version of its author's own: what others released is not the same."""
+    doubt: str = ""
+    """What a page says beside a link, where that is that the code is not public or may not work."""
+
     @property
     def folder(self) -> str:
         """Name of the folder in which it lies."""

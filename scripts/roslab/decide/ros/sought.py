@@ -18,7 +18,7 @@ from roslab.decide.ros.controllers import controllers
 from roslab.decide.ros.credited import credited
 from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
-from roslab.decide.ros.source_names import address, akin, drifts, fixed, plain
+from roslab.decide.ros.source_names import address, akin, drifts, fixed, plain, stands_already
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_everybody import PAGES
@@ -83,7 +83,7 @@ def with_sought(
     lacking = {n: asked for n, asked in lacking.items() if not (meant(n, named) or credited(n, evidence))}
     nowhere = {name: asked for name, asked in lacking.items() if not sources.may_hold(name)}
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
-    taken |= {address(git.url) for git in evidence.sources if git.into in known}  # itself, under another name
+    taken |= {address(git.url) for git in evidence.sources if stands_already(git, known, sources.names)}
     found: list[Source] = []
     reasons = []
     clones = _cloned(cloned, lacking, evidence)

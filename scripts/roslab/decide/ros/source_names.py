@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from collections.abc import Set as AbstractSet
 from functools import cache
 
 from roslab.evidence.dependency import Dependency, GitSource
@@ -99,6 +100,11 @@ def wanted_names(needed: Iterable[Dependency]) -> dict[str, Dependency]:
         if dependency.name.startswith("lib"):
             found.setdefault(plain(dependency.name[3:]), dependency)
     return found
+
+
+def stands_already(git: GitSource, known: AbstractSet[str], cloned: AbstractSet[str]) -> bool:
+    """Tell whether a repository is there in another form: itself, under another name, or one that is cloned instead."""
+    return git.into in known or (git.kind == "link" and plain(git.name) in cloned)
 
 
 def called_like(git: GitSource, asked: Dependency) -> bool:

@@ -27,3 +27,9 @@ def private(name: str, git: GitSource) -> Warning_:
         f"{name} may not be there for everybody, as {why}: where {https(git.url)} cannot be cloned without a login"
     )
     return warn(f"{message}, it is left out, and what needs it may stop the build", git)
+
+
+def doubted(name: str, git: GitSource) -> Warning_:
+    """Return the warning about a source of which the page itself doubts that it is the one."""
+    message = f"{name} is cloned from {https(git.url)}, and left out where it cannot be, but the page says of it"
+    return warn(f'{message} "{git.doubt}": if another repository is meant, give it under source in roslab.yaml', git)

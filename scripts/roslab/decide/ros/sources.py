@@ -30,7 +30,7 @@ from roslab.decide.ros.source_names import (
     plain,
     wanted_names,
 )
-from roslab.decide.ros.source_warnings import loose, private
+from roslab.decide.ros.source_warnings import doubted, loose, private
 from roslab.decide.ros.twice import folder_of, listed_twice, twice
 from roslab.decide.ros.used import used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
@@ -168,13 +168,15 @@ class _Chosen:
             ref=ref,
             build=next((tool for tool in WORKSPACE_TOOLS if tool == self.build_tool), "none"),
             before="" if ref and not drifts(ref) else self.before,
-            unasked=only_below(git),
+            unasked=only_below(git) or bool(git.doubt),
             listed=not tabled,
             place=Place(file=git.file, line=git.line),
         )
         self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))
         if git.private or address(git.url) in self.private:
             self.warnings.append(private(name, git))
+        if git.doubt:
+            self.warnings.append(doubted(name, git))
         return True
 
     def configure(self, config: Config) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.prose.headings import lines_of
 from roslab.evidence.prose.needed_items import LISTS, needed_items
+from roslab.evidence.prose.said_of_links import doubt, forked
 from roslab.repository.checkout import File
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -107,6 +108,11 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
             found[url] = replace(found[url], to_install=True)
         if _PRIVATE.search(_before(text, match.start())) or _CALLED_PRIVATE.match(text, match.end()):
             found[url] = replace(found[url], private=True)
+        behind = _behind(text, match.end())
+        if doubted := doubt(behind):
+            found[url] = replace(found[url], doubt=doubted)
+        elif forked(_before(text, match.start()).rpartition("\n")[2], behind):
+            found[url] = replace(found[url], forked=True)
     return list(found.values())[:MAX_LINKS]
 
 
@@ -119,10 +125,21 @@ def _pinned(text: str, end: int) -> str | None:
 
 def _on_line(named: re.Pattern[str], text: str, end: int) -> str | None:
     """Return what a pattern finds behind a link, later on its line or in its item, before the next link."""
-    rest = _ITEM.match(text, end)
-    other = _LINK.search(text, end, rest.end()) if rest else None
-    found = named.search(text, end, other.start() if other else rest.end()) if rest else None
+    found = named.search(text, end, _end(text, end))
     return (found[1] or found[2]).rstrip(".-/") if found else None
+
+
+def _behind(text: str, end: int) -> str:
+    """Return what stands behind a link, later on its line or in its item, before the next link."""
+    return text[end : _end(text, end)]
+
+
+def _end(text: str, end: int) -> int:
+    """Return where the line of a link, or its item, or what stands before the next link, ends."""
+    rest = _ITEM.match(text, end)
+    last = rest.end() if rest else end
+    other = _LINK.search(text, end, last)
+    return other.start() if other else last
 
 
 def _listed(text: str) -> frozenset[int]:

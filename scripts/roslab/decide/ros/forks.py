@@ -1,0 +1,97 @@
+"""Forks of released packages that a page lists among what is needed: these are compiled, and not taken from apt."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
+from roslab.decide.decision import Choice, Warning_
+from roslab.decide.reasons import because, warn
+from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.sought import folder_for
+from roslab.decide.ros.source_names import address, drifts, fixed, plain
+from roslab.decide.ros.weights import Weight
+from roslab.evidence.dependency import Dependency, GitSource
+from roslab.evidence.facts import Evidence
+from roslab.evidence.ros.vcs import https
+from roslab.knowledge.listed_repositories import listed_repository
+from roslab.knowledge.released import released
+from roslab.values.dataclass import replace
+from roslab.values.origin import Place
+
+_NOT_BUILT = frozenset({"test", "doc", "exec", "run"})
+
+
+def with_forks(
+    choice: Choice[Sources], evidence: Evidence, config: Config, *, ros_distro: str | None, build_tool: BuildTool
+) -> Choice[Sources]:
+    """Return the sources with the forks of which package.xml files need packages that the distribution released.
+
+    Only these packages are compiled of one, as of the repository's day; where it is not there, apt's are installed, as
+    where a page has another repository of the repository's owner than the distribution and does not say why: that is
+    told. Not for the old formats, whose images never had them.
+    """
+    build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
+    if build is None or config.compatible:
+        return choice
+    sources = choice.answer
+    taken = {address(source.repo or "") for source in sources.everything} | {address(evidence.origin or "")}
+    day = date.value if (date := dated(evidence)) else ""
+    forks: list[Source] = []
+    reasons = []
+    warnings = list(choice.warnings)
+    for git, asked in _listed(evidence, ros_distro or ""):
+        names = tuple(each.name for each in asked)
+        if address(git.url) in taken or sources.names.intersection(names):
+            continue
+        if not git.forked:
+            if other := _of_another(git, evidence):
+                warnings.append(_told(git, asked, other))
+            continue
+        ref = fixed(git.ref)
+        source = Source(
+            name=folder_for(git.url, [*sources.sources, *sources.sought, *forks]),
+            repo=https(git.url),
+            ref=ref,
+            build=build,
+            before="" if ref and not drifts(ref) else day,
+            holding=names,
+            place=Place(file=git.file, line=git.line),
+        )
+        forks.append(source)
+        why = f"{asked[0].file}:{asked[0].line} needs {', '.join(names)}, of which {git.file} lists a fork"
+        reasons.append(because("source", source.name, why, git, weight=Weight.LISTED))
+    answer = replace(sources, sought=(*forks, *sources.sought)) if forks else sources
+    return replace(choice, answer=answer, reasons=(*choice.reasons, *reasons), warnings=tuple(warnings))
+
+
+def _listed(evidence: Evidence, ros_distro: str) -> Iterator[tuple[GitSource, list[Dependency]]]:
+    """Yield what the page at the root lists among what is needed, each with the released packages of such names."""
+    there, own = released(ros_distro), {manifest.name for manifest in evidence.manifests}
+    needed: dict[str, Dependency] = {}
+    for manifest in evidence.manifests:
+        for each in manifest.dependencies:
+            if each.role not in _NOT_BUILT and each.name in there and each.name not in own:
+                needed.setdefault(each.name, each)
+    for git in evidence.sources:
+        if git.kind == "link" and git.holds and not git.private:
+            name = plain(git.name)
+            found = [each for each in needed.values() if f"{plain(each.name)}_".startswith(f"{name}_")]
+            if found:
+                yield git, found
+
+
+def _of_another(git: GitSource, evidence: Evidence) -> str:
+    """Return the address of the repository that ROS lists by a name, where that is another than the owner's."""
+    owner = address(evidence.origin or "").rpartition("/")[0]
+    other = listed_repository(git.name)
+    mine = address(git.url).rpartition("/")[0] == owner
+    return other if owner and mine and other and address(other) != address(git.url) else ""
+
+
+def _told(git: GitSource, asked: list[Dependency], other: str) -> Warning_:
+    names = ", ".join(each.name for each in asked)
+    message = f"{git.url} is listed among what is needed, and {names} of ROS, from {other.removesuffix('.git')}, is"
+    more = "installed: where its owner's repository differs from that, give it under source in roslab.yaml"
+    return warn(f"{message} {more}", git)

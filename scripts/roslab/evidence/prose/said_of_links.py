@@ -1,0 +1,53 @@
+"""What a page says of a repository beside its link: that it is a fork, or that it is not public or may not work."""
+
+from __future__ import annotations
+
+import re
+
+from roslab.values.pattern import pattern
+
+MOST = 240
+"""Most characters before a link, and most of a sentence, that are read."""
+_FORK = pattern(
+    r"\b(?:forked|forks?(?! (?:of|from|it|me|this|the|your)\b)"
+    r"|(?:our|my) (?:own )?(?:[\w-]+ )?(?:version|copy)|(?:modified|patched|customi[sz]ed|adapted) (?:version|copy))\b",
+    re.IGNORECASE,
+)
+"""What is linked is a fork; not a fork of what is linked, nor what a reader is asked to do."""
+_ASKS = pattern(r"\b(?:to|please|can|could|may|should|you|and|or)\s+(?:also\s+)?$", re.IGNORECASE)
+_UNAVAILABLE = pattern(
+    r"(?:\bnot|n't|\bno longer)(?: (?:yet|currently|be|been|made|still))*"
+    r" (?:publi\w+|available|released|open[- ]?sourced?|accessible)\b",
+    re.IGNORECASE,
+)
+_UNCERTAIN = pattern(
+    r"(?:\b(?:may|might|does|do|will|would) not|\b(?:doesn|don|won|wouldn)'t) work\b"
+    r"|\b(?:don'?t|do not|not) (?:know|sure|certain)\b[^.]{0,60}\bworks?\b",
+    re.IGNORECASE,
+)
+_OF_CODE = pattern(
+    r"\b(?:forks?|forked|original|upstream|version|repo(?:sitory)?|code|package|library|source|solver|it|this)\b",
+    re.IGNORECASE,
+)
+_SENTENCE = pattern(r"(?<=[.!?])\s+|(?<=[.!?]\*)\s*\*?\s+")
+_MARKS = " \t\n*_:;,)(`-"
+
+
+def forked(before: str, after: str) -> bool:
+    """Tell whether a page calls what it links to a fork or a version of its own.
+
+    ``before`` and ``after``: what stands before the link and behind it, in its line or item.
+    """
+    for text in (before, after):
+        if any(not _ASKS.search(text[: match.start()]) for match in _FORK.finditer(text)):
+            return True
+    return False
+
+
+def doubt(after: str) -> str:
+    """Return the sentence behind a link that says that the code is not public or may not work, ``""`` without one."""
+    for sentence in _SENTENCE.split(after):
+        uncertain = _UNAVAILABLE.search(sentence) or _UNCERTAIN.search(sentence)
+        if uncertain and _OF_CODE.search(sentence) and len(sentence) <= MOST:
+            return " ".join(sentence.split()).strip(_MARKS)
+    return ""
