@@ -164,6 +164,11 @@ def _of_others(evidence: Evidence, launch: LaunchFile | None, sources: Sources, 
     """Yield a warning for what other launch files need, one for what nothing looks for and one for the rest."""
     where = tried(sources.sought)
     needed = lacking_elsewhere(evidence, launch, sources, ros_distro)
+    if renamed := {name: there for name in needed if (there := sources.renamed(name))}:
+        message = "launch files name packages otherwise than the cloned repositories that have them, and stop"
+        said = _listed(f"{there} for {name}" for name, there in renamed.items())
+        yield warn(f"{message}: write {said}", needed[next(iter(renamed))])
+    needed = {name: asked for name, asked in needed.items() if name not in renamed}
     here = "give their repositories under `source` in roslab.yaml"
     if unknown := [asked for name, asked in needed.items() if name not in where]:
         message = "launch files need packages that nothing is known to bring, and stop without them"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
+from itertools import pairwise, takewhile
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
 from roslab.decide.decision import Choice
@@ -39,8 +40,10 @@ def with_found_by_launches(
 
     Before these comes where a table knows such a package to be. ``command``: the default one, whose launch file's
     packages are looked for already. Not for the old formats, whose images never had them, nor a package that others
-    published, nor one a slip away from a package of the tree. So it is with modules that nodes import and nothing
-    brings; ``installed``: what pip installs. And first with packages that the README runs, in what that page clones.
+    published, nor one a slip away from a package of the tree, or that a clone has under a longer name. So it is with
+    modules that nodes import and nothing brings; ``installed``: what pip installs. Several packages whose names begin
+    alike are first looked for in a repository that is called so. And before all come packages that the README runs, in
+    what that page clones.
     """
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     owner = public_owner(evidence)
@@ -59,12 +62,19 @@ def with_found_by_launches(
     free = {
         name: asked
         for name, asked in (needed | imported).items()
-        if not (name in where or not PACKAGE.fullmatch(name) or ever_released(name) or meant(name, own))
+        if not (
+            name in where
+            or sources.renamed(name)
+            or not PACKAGE.fullmatch(name)
+            or ever_released(name)
+            or meant(name, own)
+        )
         and not ever_released(owners.get(asked.file) or "")  # what was published is not the owner's
     }
     tabled = holders(free) if build.startswith("catkin") else {}
     there = {name for held in tabled.values() for name in held}
-    guessed = {f"{owner}/{name}": (name,) for name in free if owner and name not in there}
+    guessed = {f"{owner}/{name}": names for name, names in _families(free.keys() - there).items() if owner}
+    guessed |= {f"{owner}/{name}": (name,) for name in free if owner and name not in there}
     brought = sources.names | {plain(name) for name in where} | {plain(source.name) for source in sources.everything}
     run = {} if sources.with_unknown_packages else run_by_page(evidence, ros_distro, brought)
     cloned = in_clones(run, evidence, taken)
@@ -88,3 +98,17 @@ def with_found_by_launches(
         why = "and nothing known brings it: it may be there, and is left out where not"
         reasons.append(because("source", source.name, f"{who} {', '.join(names)}, {why}", asked, weight=Weight.SOUGHT))
     return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))
+
+
+def _families(names: Collection[str]) -> dict[str, tuple[str, ...]]:
+    """Return the longest names of two words or more with which those of several packages begin, each with these.
+
+    ``a_b`` for ``a_b_utils`` and ``a_b_description``: the repository that holds such packages is often called so.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    for name, other in pairwise(sorted(names)):
+        pairs = zip(name.split("_")[:-1], other.split("_")[:-1], strict=False)
+        begin = "_".join(word for word, _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+        if "_" in begin and not ever_released(begin):
+            found[begin] = tuple(each for each in sorted(names) if each.startswith(f"{begin}_"))
+    return found

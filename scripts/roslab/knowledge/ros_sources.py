@@ -50,6 +50,21 @@ def ros_sources(package: str, ros: int, distro: str = "") -> tuple[RosSource, ..
     return (*first.values(), own)
 
 
+@cache
+def _held() -> dict[tuple[str, str], tuple[str, ...]]:
+    found: dict[tuple[str, str], tuple[str, ...]] = {}
+    for (package, ros), row in _table().items():
+        key = row["repo"].removesuffix(".git").lower(), ros
+        found[key] = (*found.get(key, ()), package)
+    return found
+
+
+def held_by(repo: str, ros: int, distro: str = "") -> frozenset[str]:
+    """Return the packages that the table finds in a repository, for a distribution that did not release them."""
+    packages = _held().get((repo.removesuffix(".git").lower(), str(ros)), ())
+    return frozenset(package for package in packages if ros_sources(package, ros, distro))
+
+
 def day_of(source: RosSource, distro: str, day: str) -> str:
     """Return the day of which the table's commit is taken, ``""`` for the commit itself.
 

@@ -345,3 +345,46 @@ def test_a_submodule_inside_of_a_package_holds_no_other(tree: Tree, folder: str,
     decision = tree({**files, ".gitmodules": modules})
     found = [each for each in decision.warnings if "stop without them: px4" in each.message]
     assert bool(found) is told_of
+
+
+TABLED = "<depend>kr_mav_msgs</depend>"
+GIT = {
+    ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/demo\n',
+    ".git/HEAD": "ref: refs/heads/a\n",
+}
+
+
+def _launching(*names: str, depends: str = "") -> dict[str, str]:
+    nodes = "".join(f'<node pkg="{name}" type="a" name="{name}"/>' for name in names)
+    files = {"launch/demo.launch": f"<launch>{NODE}</launch>", "launch/other.launch": f"<launch>{NODE}{nodes}</launch>"}
+    manifest = PACKAGE["package.xml"].replace("</package>", f"{depends}</package>")
+    page = "ROS Noetic\n```\ncatkin_make\nroslaunch demo demo.launch\n```\n"
+    return {**PACKAGE, **GIT, **files, "package.xml": manifest, "README.md": page}
+
+
+def test_what_a_clone_has_under_a_longer_name_is_told_and_not_guessed(tree: Tree) -> None:
+    decision = tree(_launching("trackers_manager", "best_widgets", "launch", depends=TABLED))
+    assert [source.repo for source in decision.source if source.holding] == ["https://github.com/lab/best_widgets.git"]
+    told = [each for each in decision.warnings if "write kr_trackers_manager for trackers_manager" in each.message]
+    assert [(each.file, each.line) for each in told] == [("launch/other.launch", 1)]
+    assert not [each for each in decision.warnings if "bring" in each.message and "trackers_manager" in each.message]
+
+
+def test_a_key_that_the_table_finds_in_a_clone_is_there(tree: Tree) -> None:
+    keys = f"{TABLED}<exec_depend>kr_trackers_manager</exec_depend><exec_depend>kr_other_part</exec_depend>"
+    decision = tree(_launching(depends=keys))
+    assert "kr_trackers_manager" in decision.skip_keys
+    assert not [each for each in decision.warnings if "kr_trackers_manager" in each.message]
+    assert "kr_other_part" not in decision.skip_keys
+
+
+def test_packages_that_begin_alike_are_looked_for_together_first(tree: Tree) -> None:
+    decision = tree(_launching("big_quad_utils", "big_quad_description", "big_tools", "small_quad_utils"))
+    sought = [(source.name, source.holding) for source in decision.source]
+    assert sought[0] == ("big_quad", ("big_quad_description", "big_quad_utils"))
+    assert {name for name, _ in sought[1:]} == {
+        "big_quad_utils",
+        "big_quad_description",
+        "big_tools",
+        "small_quad_utils",
+    }

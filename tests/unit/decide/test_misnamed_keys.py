@@ -205,3 +205,24 @@ def test_a_key_is_brought_by_what_pip_installs(tree: Tree, key: str) -> None:
 def test_a_key_that_pip_installs_nothing_for_is_unknown(tree: Tree) -> None:
     decision = tree(_files("python3-pymavlink"))
     assert [each.message for each in decision.warnings if "nothing here says" in each.message]
+
+
+@pytest.mark.parametrize(
+    ("page", "key", "apt"),
+    [
+        ("ROS Noetic\n", "python-rospkg", "python3-rospkg"),
+        ("ROS 2 Jazzy\n", "python-rospkg", "python3-rospkg"),
+        ("ROS Melodic\n", "python-rospkg", ""),
+        ("ROS Noetic\n", "python-of-ours", ""),
+    ],
+)
+def test_a_key_of_python_2_is_that_of_python_3_where_there_is_no_other(
+    tree: Tree, page: str, key: str, apt: str
+) -> None:
+    files = {**_files(key), "README.md": page}
+    if "ROS 2" not in page:
+        files["package.xml"] = files["package.xml"].replace("ament_cmake", "catkin")
+        files["CMakeLists.txt"] = "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    decision = tree(files)
+    assert (key in decision.skip_keys, apt in decision.apt_guessed) == (bool(apt), bool(apt))
+    assert bool([each for each in decision.warnings if f"{apt} is installed for it" in each.message]) is bool(apt)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from roslab.config.model import Source
 from roslab.decide.ros.source_names import address, plain, telling_words
 from roslab.evidence.dependency import Dependency
-from roslab.knowledge.ros_sources import alone, collections
-from roslab.values.dataclass import dataclass
+from roslab.knowledge.ros_sources import alone, collections, held_by
+from roslab.values.dataclass import dataclass, replace
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -58,6 +58,14 @@ class Sources:
         others = self._called_otherwise() - {plain(wanted)}
         return self.may_hold(wanted) and others.issuperset(self._unknown())
 
+    def renamed(self, wanted: str) -> str:
+        """Return the package of a clone that has a package's name behind one more word, ``""`` where none has.
+
+        Names of several words only: ``kr_trackers_manager`` stands for ``trackers_manager``.
+        """
+        found = (name for name in sorted(self.names) if "_" in wanted and name.endswith(f"_{wanted}"))
+        return next((name for name in found if "_" not in name.removesuffix(f"_{wanted}")), "")
+
     def _called_otherwise(self) -> frozenset[str]:
         """Return the names of the clones that the tree asks for by name, or that only a table of this program names."""
         known = {address(url) for url in collections()}
@@ -70,3 +78,13 @@ class Sources:
         for source in (*self.sources, *self.submodules):
             if source.build != "cmake" and source.name not in self.within and address(source.repo or "") not in single:
                 yield plain(source.name)
+
+
+def with_tabled(sources: Sources, ros: int, distro: str) -> Sources:
+    """Return the sources with the names of all packages that the table finds in what is cloned, also unasked ones.
+
+    Not of what launch files alone ask for, of which the rest is not built.
+    """
+    cloned = [each for each in sources.sources if each.repo and not each.only]
+    held = {name for each in cloned for name in held_by(address(each.repo or ""), ros, distro)}
+    return replace(sources, names=sources.names | held) if held else sources

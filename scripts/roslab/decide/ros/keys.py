@@ -9,7 +9,15 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.credited import credited
-from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, left_over, library_called, of_installed, packaged
+from roslab.decide.ros.misnamed import (
+    BUILD_TYPES,
+    elsewhere,
+    left_over,
+    library_called,
+    of_installed,
+    of_python_3,
+    packaged,
+)
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency
@@ -31,6 +39,7 @@ _STOPS = "the build looks for it in {}, and stops where it is not there"
 _STOPS_AT = ", and stops without it at {}, which the default command needs and whose code includes its headers"
 _HARMLESS = "nothing else of its package names it, so that it does no harm; remove it there"
 _HARMLESS_ALL = "nothing else of their packages names them, so that they do no harm; remove them there"
+_PIPS_NAME = "the name of a package of pip, not a key of rosdep"
 _NOWHERE = "nothing here says where it comes from"
 _MOST_MEANT = 3
 """Most names that a warning proposes for one."""
@@ -129,9 +138,11 @@ def translate(
     if useless := _useless(name, target.ros_distro, installed):
         return Translated(skip=True, warning=warn(useless, key))
     found = library_called(name, target.ubuntu)
-    python = packaged(name, target)
+    new = of_python_3(name, target)
+    python = (new,) if new else packaged(name, target)
     if python and not (found and found.apt and _of_code(key, evidence)):
-        message = f"{name} is the name of a package of pip, not a key of rosdep: {python[0]} is installed for it"
+        what = f"a key for Python 2, which ROS {target.ros_distro} has not" if new else _PIPS_NAME
+        message = f"{name} is {what}: {python[0]} is installed for it"
         return Translated(guessed=python, skip=True, warning=warn(message, key))
     if found and found.ros and target.knows(found.ros):
         found = replace(found, apt=(target.ros(found.ros),))

@@ -68,6 +68,14 @@ def packaged(name: str, target: Target) -> tuple[str, ...]:
     return (apt,) if apt and release is not None and release.python.startswith("3") else ()
 
 
+def of_python_3(name: str, target: Target) -> str:
+    """Return the package of Python 3 for a key of Python 2's on an Ubuntu without Python 2, ``""`` for another key."""
+    new = name.replace("python-", "python3-", 1) if name.startswith("python-") else ""
+    release = distro(target.ros_distro)
+    there = new in rosdep_keys() and name not in rosdep_keys()
+    return new if there and release is not None and release.python.startswith("3") else ""
+
+
 def left_over(name: str, ros_distro: str | None) -> bool:
     """Tell whether a key for ROS 2 names a part of ROS 1 itself, which no ROS 2 has and nobody publishes for it."""
     here = distro(ros_distro)

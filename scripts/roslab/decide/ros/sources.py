@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
-from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.built_sources import Sources, with_tabled
 from roslab.decide.ros.by_page import by_page
 from roslab.decide.ros.clones import clones, for_unknown, linked, only_below, refs_of, unreleased, with_itself
 from roslab.decide.ros.credited import told_by_pages
@@ -113,6 +113,7 @@ def decide_sources(
     choice = with_lists(chosen.choice(files), unknown, evidence, chosen.before, itself)
     names = frozenset(plain(each.name) for each in needed)
     answer = with_imported(replace(choice.answer, asked=names, within=inside_packages(evidence)), evidence)
+    answer = with_tabled(answer, chosen.ros, ros_distro or "")
     return with_sought(
         replace(choice, answer=answer),
         evidence,
