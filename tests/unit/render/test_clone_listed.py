@@ -101,6 +101,27 @@ def test_only_what_a_host_refuses_is_left_out(
     assert "waits" not in answer.stdout + answer.stderr
 
 
+@pytest.mark.parametrize(
+    ("version", "said", "status"),
+    [
+        ("1.9.1", "fatal: unable to access 'https://example.org/': gnutls_handshake() failed: Handshake failed", 0),
+        ("1.9.1", "fatal: unable to access 'https://example.org/': server certificate verification failed.", 0),
+        ("1.9.1", "fatal: unable to access 'https://example.org/': Could not resolve host: example.org", 128),
+        ("2.25.1", "fatal: unable to access 'https://example.org/': gnutls_handshake() failed: Handshake failed", 128),
+    ],
+)
+def test_a_host_may_not_speak_to_an_old_git(
+    tmp_path: Path, scripts_on_path: Path, monkeypatch: pytest.MonkeyPatch, *, version: str, said: str, status: int
+) -> None:
+    asked = f'[ "$1" != --version ] || {{ echo "git version {version}"; exit 0; }}\n'
+    (scripts_on_path / "git").write_text(GIT.replace("[ ", f"{asked}[ ", 1))
+    (scripts_on_path / "git").chmod(0o755)
+    monkeypatch.setenv("SAID", said)
+    answer = _run("https://example.org/quad.git", str(tmp_path / "quad"))
+    assert answer.returncode == status
+    assert ("does not speak to a git this old" in answer.stdout) == (status == 0)
+
+
 def test_a_ref_that_is_not_there_stops(tmp_path: Path, remote: Path) -> None:
     assert _run("--ref", "v9", remote.as_uri(), str(tmp_path / "copy")).returncode != 0
 

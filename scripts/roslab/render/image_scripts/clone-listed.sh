@@ -1,7 +1,8 @@
 #!/bin/bash
 # usage: clone-listed [--ros1|--ros2] [--plain] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
 # Clones to a folder of the workspace, as its owner's, a repository that a list or a page names. Where its host asks for a
-# password or has no such repository, it is named and left out, as are such submodules; what else fails stops the build.
+# password or has no such repository, or no longer speaks to a git as old as that of Ubuntu 14.04, it is named and left out,
+# as are such submodules; what else fails stops the build.
 # Of one in which the workspace finds nothing to build, that is told.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
 #   --plain          it is compiled by CMake where it has no package.xml
@@ -32,6 +33,11 @@ done
 url="$1" folder="$2" share=/usr/local/share/roslab
 refused='could not read (Username|Password)|Authentication failed|[Rr]epository not found|repository .* not found'
 refused+='|Permission denied \(|could not be found or you don.t have permission'
+why='its host asks for a password, or has it no longer'
+if [[ "$(git --version 2>/dev/null)" = 'git version 1.'* ]]; then
+  refused+='|gnutls_handshake\(\) failed|server certificate verification failed|SSL certificate problem'
+  why+=', or does not speak to a git this old'
+fi
 # Nobody is there to give a password
 export GIT_TERMINAL_PROMPT=0 LC_ALL=C
 
@@ -46,7 +52,7 @@ try() {
 }
 
 leave_out() { # WHAT
-  echo "roslab: left out: $1: its host asks for a password, or has it no longer"
+  echo "roslab: left out: $1: ${why}"
   if [ -w "${share}" ]; then echo "source $1" >>"${share}/left-out.txt"; fi
 }
 
