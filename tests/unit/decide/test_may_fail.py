@@ -40,6 +40,15 @@ def test_what_a_clone_may_hold_stops_no_others(tmp_path: Path) -> None:
     assert f"leave-out-failed --keep mine src/stack {folder}/above {folder}/arm -- " in text
 
 
+def test_the_build_stops_where_hardly_anything_is_left_unless_a_package_must_be(tmp_path: Path) -> None:
+    files = {**_package("mine", "roscpp"), **_package("arm", "acme_control"), "README.md": "ROS Noetic\n"}
+    steps = CLONE.format("stack")
+    _, text = planned(tmp_path / "kept", files, steps)
+    assert "leave-out-failed --keep mine src/stack" in text
+    (tmp_path / "kept/README.md").write_text(f"ROS Noetic\n```\n{steps}catkin_make\n```\n")
+    assert "leave-out-failed --own src/kept src/stack" in dockerfile(plan_repository(tmp_path / "kept").plan)
+
+
 @pytest.mark.parametrize(
     ("files", "cloned"),
     [

@@ -110,3 +110,26 @@ def test_a_spare_package_is_left_out_up_to_a_number(
 ) -> None:
     log = COLCON.replace("camera", "mine")
     assert _run(workspace, log, *options, failing="mine")[:2] == (code, hidden)
+
+
+@pytest.mark.parametrize(("own", "code", "left"), [(0, 1, 0), (1, 0, 1), (20, 0, 20)])
+def test_the_build_stops_where_hardly_any_package_of_the_repository_is_left(
+    workspace: Path, own: int, code: int, left: int
+) -> None:
+    for number in range(own):
+        _package(workspace, f"mine/good{number}", f"good{number}")
+    _package(workspace, "mine/camera", "mine_camera")
+    (workspace / "src/mine/package.xml").unlink()
+    log = COLCON.replace("camera", "mine_camera")
+    found, hidden, said = _run(workspace, log, "--own", "src/mine", "src/mine/camera", failing="mine/camera")
+    assert (found, hidden) == (code, ["camera"])
+    assert ("hardly any builds" in said) == (code == 1)
+
+
+def test_one_package_of_many_is_hardly_any(workspace: Path) -> None:
+    for number in range(11):
+        _package(workspace, f"mine/part{number}", f"part{number}")
+    (workspace / "src/mine/package.xml").unlink()
+    log = "".join(f"Failed   <<< part{number} [1s]\n" for number in range(11))
+    found, _, said = _run(workspace, log, "--own", "src/mine", "src/mine", failing="mine/part0")
+    assert (found, "hardly any builds" in said) == (1, True)

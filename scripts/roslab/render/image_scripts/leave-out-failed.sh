@@ -1,16 +1,18 @@
 #!/bin/bash
-# usage: leave-out-failed [--keep PACKAGE]... [--most N --spare PATH...] [FOLDER...] -- COMMAND...
+# usage: leave-out-failed [--keep PACKAGE]... [--most N --spare PATH...] [--own FOLDER] [FOLDER...] -- COMMAND...
 # Runs a command that builds the workspace in the current folder. Where it fails in packages below one of these folders, it is
 # run again without them, and they are told. The folders hold what is cloned, or packages that require what nothing brings:
 # one that needs the SDK of a camera stops all others. The packages of --keep still stop the build. Of the packages at the
-# paths of --spare, which nothing needs, so are at most N.
+# paths of --spare, which nothing needs, so are at most N. Where hardly any package of the folder of --own would be left, the
+# build stops: what they all lack is why.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-kept=() cloned=() spare=() most=0
+kept=() cloned=() spare=() most=0 own='' lost=0
 while [ "$1" != -- ]; do
   case "$1" in
     --keep) kept+=("$2") ;;
     --most) most="$2" ;;
+    --own) own="$2" ;;
     --spare) spare+=("$2") ;;
     *)
       cloned+=("$1/")
@@ -54,6 +56,9 @@ may_go() {
   return 1
 }
 
+# Prints how many packages lie below a folder
+packages_below() { find "$1" -name .git -prune -o -name package.xml -print | wc --lines; }
+
 log="$(mktemp)"
 until "$@" 2>&1 | tee "${log}"; do
   hidden=()
@@ -62,9 +67,15 @@ until "$@" 2>&1 | tee "${log}"; do
     if [ -e "${folder}/CATKIN_IGNORE" ] || [[ " ${kept[*]} " = *" ${name} "* ]] || ! may_go "${folder}"; then continue; fi
     touch "${folder}/CATKIN_IGNORE" "${folder}/COLCON_IGNORE"
     hidden+=("${name}")
+    if [ -n "${own}" ] && [[ "${folder}/" = "${own}/"* ]]; then lost=$((lost + 1)); fi
   done < <(failed_in "${log}")
   if [ "${#hidden[@]}" -eq 0 ]; then
     rm -f "${log}"
+    exit 1
+  fi
+  if [ "${lost}" -gt 0 ] && [ $((lost * 10)) -gt $(($(packages_below "${own}") * 9)) ]; then
+    rm -f "${log}"
+    echo "roslab: of the packages in ${own} hardly any builds without what could not be cloned; the last that failed: ${hidden[*]}"
     exit 1
   fi
   echo "roslab: the workspace does not build: once more without what failed"
