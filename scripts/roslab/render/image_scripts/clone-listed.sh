@@ -86,7 +86,8 @@ if [ -n "${ros}" ] && lacks "${manifests[@]}"; then
   at="$(git -C "${folder}" rev-parse --quiet --verify --short HEAD || echo 'no commit')"
   said="${url} has no package at ${at}, so that the workspace builds none of it"
   if [ -n "${plain}" ] && [ -f "${folder}/CMakeLists.txt" ]; then
-    said+=": it is compiled by CMake as a library"
+    said+=": it is compiled by CMake as a library; where CATKIN_DEPENDS names it, another repository is meant, for catkin"
+    said+=" takes packages alone there"
   elif [ -f "${folder}/CMakeLists.txt" ]; then
     said+=": if it is a library, give it under source in roslab.yaml, with build: cmake"
   fi
