@@ -51,3 +51,17 @@ def test_a_link_to_a_package_is_still_cloned_and_may_be_plain_cmake(tree: Tree) 
     page = "ROS Noetic\n\nWe use [springs](https://github.com/lab/springs).\n"
     decision = tree(_files("springs", "") | {"README.md": page})
     assert [(each.name, each.unread) for each in decision.source] == [("springs", True)]
+
+
+def test_the_package_of_a_library_that_a_key_names_stops_no_other(tree: Tree) -> None:
+    files = {"package.xml": PACKAGE.format("glfw3"), "README.md": "ROS Noetic\n"}
+    decision = tree(files | {"CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"})
+    assert "glfw3" in decision.skip_keys
+    assert "libglfw3-dev" in decision.apt_guessed
+    assert "libglfw3-dev" not in decision.apt
+
+
+def test_the_package_of_an_old_ubuntu_is_that_which_it_has(tree: Tree) -> None:
+    decision = tree(_files("pcl", "") | {"README.md": "ROS Indigo\n"})
+    assert "libpcl-1.7-all-dev" in decision.apt
+    assert "libpcl-dev" not in {*decision.apt, *decision.apt_guessed}

@@ -53,9 +53,8 @@ _OF_PIP = "-pip"
 class Translated:
     """What to install for a key that is a library's name and no rosdep key, and the warning about it."""
 
-    apt: tuple[str, ...] = ()
     guessed: tuple[str, ...] = ()
-    """Packages that an older Ubuntu may lack."""
+    """Packages that the Ubuntu may lack."""
     recipe: str = ""
     skip: bool = False
     warning: Warning_ | None = None
@@ -162,7 +161,7 @@ def translate(
     instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(
-        apt=found.apt,
+        guessed=found.apt,  # a wrong guess must not stop the installation of all others
         recipe="" if found.apt else found.recipe,
         skip=True,
         warning=warn(message, key),

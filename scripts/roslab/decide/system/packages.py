@@ -136,7 +136,8 @@ def decide_system(
     if instead := of_an_apt_source(tuple(found.unknown), target, evidence):
         found.warnings = [*(each for each in found.warnings if each not in found.unknown.values()), instead]
     by_hand = frozenset(address(git.url) for git in evidence.sources if git.installed)
-    known = frozenset({key.name for key in keys} - in_apt | packages.names | sisters | set(config.skip_keys))
+    unsure = {key.name for key in keys if key in found.guessed.values()}  # CMake may require them, and says so
+    known = frozenset({key.name for key in keys} - in_apt - unsure | packages.names | sisters | set(config.skip_keys))
     of_pip = imported_from_pip(evidence, installed)
     for dependency, trusted in needed:
         if dependency.name in known or of_another_python(dependency, target.ubuntu) or _for_debugging(dependency):
@@ -211,8 +212,6 @@ def with_libraries(choice: Choice[SystemPackages], built: frozenset[str], eviden
 
 
 def _keep(key: Dependency, meant: Translated, found: _Found) -> None:
-    for apt in meant.apt:
-        found.declared.setdefault(apt, key)
     for apt in meant.guessed:
         found.guessed.setdefault(apt, key)
     if meant.recipe:
