@@ -88,6 +88,8 @@ class Source:
     """Without a ``ref``: the newest commit not after this date (``YYYY-MM-DD``) is taken, if there is one."""
     unread: bool = False
     """Nobody has read what its own CMakeLists.txt asks for: no table knows the library, and no author configures it."""
+    tabled: bool = False
+    """A row of this program's table says how CMake builds it, on whichever Ubuntu the image has."""
     imported: bool = False
     """The code imports a module of its name: it may be plain Python."""
     by_make: bool = False

@@ -19,6 +19,10 @@ COPY <<'EOF' /archives.txt
 @@ _constant/archives.txt @@
 EOF
 
+COPY --chmod=755 <<'EOF' /configure-library
+@@ _constant/configure-library @@
+EOF
+
 COPY --chmod=755 <<'EOF' /compile-jobs
 @@ _constant/compile-jobs @@
 EOF
@@ -71,6 +75,7 @@ RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib
       libjpeg-dev \
  && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
+COPY --from=scripts /configure-library /usr/local/bin/
 COPY --from=scripts /compile-jobs /usr/local/bin/
 RUN mkdir --parents /tmp/sources \
  && git clone https://github.com/stevenlovegrove/Pangolin.git /tmp/sources/pangolin \
@@ -78,7 +83,7 @@ RUN mkdir --parents /tmp/sources \
  && git -C /tmp/sources/pangolin submodule update --init --recursive \
  && mkdir --parents /tmp/sources/pangolin/build \
  && cd /tmp/sources/pangolin/build \
- && cmake -DCMAKE_BUILD_TYPE=Release -DBUILD_EXAMPLES=OFF -DBUILD_TESTS=OFF -DBUILD_PANGOLIN_PYTHON=OFF ../ \
+ && configure-library -DCMAKE_BUILD_TYPE=Release -DBUILD_EXAMPLES=OFF -DBUILD_TESTS=OFF -DBUILD_PANGOLIN_PYTHON=OFF ../ \
  && export DESTDIR=/installed \
  && make --jobs="$(compile-jobs)" install \
  && mkdir --parents /installed

@@ -179,14 +179,22 @@ def test_where_pip_fails_the_other_ways_are_tried(tmp_path: Path) -> None:
 
 
 PAGE = "Needs [acme_lidar](https://github.com/lab/acme_lidar)"
+OWN = "format: 3\nsource:\n  - {name: acme-lidar, repo: 'https://github.com/lab/acme_lidar', cmake_options: -DA=1}\n"
 
 
-@pytest.mark.parametrize(("asked", "called"), [("acme_lidar", True), ("Pangolin", False)])
-def test_it_is_for_a_library_that_no_table_knows(tmp_path: Path, asked: str, called: bool) -> None:
+@pytest.mark.parametrize(
+    ("asked", "yaml", "called"),
+    [("acme_lidar", "", True), ("Pangolin", "", True), ("acme_lidar", OWN, False)],
+    ids=["link", "table", "roslab.yaml"],
+)
+def test_it_is_for_a_library_that_no_author_configures(tmp_path: Path, asked: str, yaml: str, called: bool) -> None:
     made = f"project(demo)\nfind_package({asked} REQUIRED)\nadd_executable(a a.cpp)\n"
-    for name, text in {"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": PAGE}.items():
+    files = {"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": PAGE} | (
+        {"roslab.yaml": yaml} if yaml else {}
+    )
+    for name, text in files.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
     text = dockerfile(plan_repository(tmp_path).plan)
     assert f"AS library-1-{asked.lower().replace('_', '-')}" in text
     assert ("\nCOPY --from=scripts /configure-library /usr/local/bin/\n" in text) == called
-    assert (" && configure-library -DCMAKE_BUILD_TYPE=Release ../" in text) == called
+    assert (" && configure-library " in text) == called

@@ -71,6 +71,7 @@ def _source(built: Recipe) -> Source:
         cmake_options=" ".join(built.options),
         cmake_folder=built.makefile_in,
         make_command=built.make,
+        tabled=built.makefile_in is None,
         by_make=built.makefile_in is not None,
     )
 

@@ -1,6 +1,7 @@
 #!/bin/bash
 # usage: configure-library [OPTION...] FOLDER
-# Configures a library of which nothing could be read when the image was planned, in the current folder.
+# Configures a library of which nothing could be read when the image was planned, or that a table tells how to build on
+# any Ubuntu, in the current folder.
 # Where CMake says that it is too old, pip brings a newer one for the library alone, and it is configured again.
 # Where CMake fails for programs that it names, those that are packages of apt under that name are installed and it is
 # configured again. Where it still fails, it is configured once more without what its own options leave out and nothing

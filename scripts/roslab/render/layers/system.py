@@ -11,6 +11,7 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import caches, locks, patches, required, secrets, shell
 from roslab.render.layers.packaged import asking_apt, unless_packaged
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.secret import NETRC, SSH
 
@@ -18,7 +19,7 @@ SOURCES = "/tmp/sources"  # noqa: S108 - a folder of the image while it is built
 BRANCH = pattern(r"(?![0-9a-f]{7,40}$)(?!.*\d+[._]\d)(?!refs/).+")
 """A ref that is no commit and has no number of a release: a branch, which may be gone."""
 CONFIGURE = "configure-library"
-"""A script that calls CMake for a library whose own options nobody has read."""
+"""A script that calls CMake for a library, once more with a newer one where the library asks for it."""
 INSTALL_BY_MAKE = "install-by-make"
 """A script that installs a library by its own Makefile."""
 
@@ -142,7 +143,7 @@ def library_stages(plan: Plan) -> str:
             fetched = []
         if reads:
             lines.append(required.of_library(plan, library, f"{SOURCES}/{library.name}"))
-        for script in (CONFIGURE,) * library.unread + (INSTALL_BY_MAKE,) * library.by_make:
+        for script in (CONFIGURE,) * _by_script(library) + (INSTALL_BY_MAKE,) * library.by_make:
             lines.append(shell.copy_script(script).rstrip())
         compiled = _told(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")], "compiled")
         needed = secrets.for_pip(plan) if library.build == "pip" else secrets.NONE
@@ -212,7 +213,7 @@ def _in_place(plan: Plan, library: Source) -> str:
     comment = f"{library.name}, from its source"
     return depends + shell.run(
         *_fetch(plan, library),
-        *_compile(plan, library),
+        *_compile(plan, replace(library, tabled=False)),  # an old format's call is made as it is
         "ldconfig",
         *keep,
         f"rm -rf {_folder(library)}",
@@ -264,6 +265,11 @@ def clone(source: Source, folder: str) -> list[str]:
     return [*commands, f"git -C {folder} submodule update --init --recursive"]
 
 
+def _by_script(library: Source) -> bool:
+    """Tell whether a failed call of CMake is made once more: an author's own call in roslab.yaml is made as it is."""
+    return library.unread or library.tabled
+
+
 def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
     folder = _folder(library)
     if library.build == "pip":
@@ -278,7 +284,7 @@ def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
     return [
         f"mkdir --parents {folder}/build",
         f"cd {folder}/build",
-        f"{CONFIGURE if library.unread else 'cmake'}{options} {quote.shell(library.cmake_folder or '../')}",
+        f"{CONFIGURE if _by_script(library) else 'cmake'}{options} {quote.shell(library.cmake_folder or '../')}",
         *first,
         f"{{ {make}; }}" if library.make_command else make,
     ]
