@@ -49,6 +49,7 @@ from roslab.decide.steps import decide_steps
 from roslab.decide.switched_off import without_what_is_lacking
 from roslab.decide.system.apt_sources import decide_apt_sources
 from roslab.decide.system.as_tried import as_tried
+from roslab.decide.system.beside_libraries import with_libraries
 from roslab.decide.system.gazebo import with_release
 from roslab.decide.system.guards import required_by_command
 from roslab.decide.system.inside import compiled_inside
@@ -57,7 +58,7 @@ from roslab.decide.system.missing import decide_missing, provided
 from roslab.decide.system.names import Target
 from roslab.decide.system.of_vendors import may_lack
 from roslab.decide.system.own_scripts import decide_scripts
-from roslab.decide.system.packages import decide_system, with_libraries
+from roslab.decide.system.packages import decide_system
 from roslab.decide.system.sections import of_this_ubuntu
 from roslab.decide.system.sought_libraries import with_tried
 from roslab.decide.variables import decide_variables
@@ -174,7 +175,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         sources, libraries, config, evidence, kind.answer, target=target, packages=packages, system=system.answer
     )
     system = may_lack(
-        with_release(with_libraries(system, frozenset(s.name for s, _ in libraries), evidence), evidence, target),
+        with_release(with_libraries(system, libraries, evidence, config, target), evidence, target),
         base.answer.image,
         config.apt,
     )

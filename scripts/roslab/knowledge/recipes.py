@@ -70,6 +70,33 @@ def beside(name: str) -> tuple[str, ...]:
     return tuple((_table(name) or {}).get("beside", ()))
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class OnCuda:
+    """How a library is compiled with its parts for CUDA."""
+
+    modules: tuple[str, ...]
+    """Its modules for CUDA, which code may include or not."""
+    without: tuple[str, ...]
+    """Those that need what no image has."""
+    core: str
+    """The module that all of it needs."""
+    apart_since: str
+    """The release since which the modules are in a repository of their own, ``apart``, under the same tags."""
+    apart: str
+    for_cuda_12: str
+    """The first release that CUDA 12 compiles."""
+
+
+@cache
+def on_cuda(name: str) -> OnCuda | None:
+    """Return how a library of the table is compiled for CUDA, ``None`` where the table does not know it."""
+    row: dict[str, Any] = (_table(name) or {}).get("on_cuda", {})
+    if not row:
+        return None
+    lists = {"modules": tuple(row["modules"]), "without": tuple(row["without"])}
+    return OnCuda(**(row | lists))
+
+
 @cache
 def licence(name: str) -> str:
     """Return what the user of a library has to get, and where to put it, ``""`` for nothing."""

@@ -14,6 +14,7 @@ from roslab.decide.system.libtorch import libtorch
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import TOOLKIT, needs
 from roslab.decide.system.offered import with_offered
+from roslab.decide.system.on_cuda import with_cuda
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.recipes import (
     of_another_release,
@@ -77,7 +78,9 @@ def decide_libraries(
         (replace(each, depends=tuple(dict.fromkeys((*depends, *each.depends)))), asked) for each, asked in linked
     )
     built = with_offered((*tabled, *torch, *needing), built_by_hand(evidence), evidence, system.installed)
-    return built if cuda or TOOLKIT in system.apt else without_cuda(built)
+    if not (cuda or TOOLKIT in system.apt):
+        return without_cuda(built)
+    return built if config.compatible else with_cuda(built, evidence, system.installed, target.ubuntu, cuda)
 
 
 def with_packages(library: Source, evidence: Evidence, system: SystemPackages) -> Source:

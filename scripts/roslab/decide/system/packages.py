@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 
 from roslab.config.model import Config, Kind
@@ -36,10 +35,9 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.debugging import debugging
 from roslab.knowledge.never import never
-from roslab.knowledge.recipes import beside, recipe
+from roslab.knowledge.recipes import recipe
 from roslab.knowledge.released import rosdep_keys
-from roslab.values.dataclass import dataclass, field, replace
-from roslab.values.name import bare_name
+from roslab.values.dataclass import dataclass, field
 from roslab.values.requirement import Requirement
 
 _IN_ANY_ROS = ("catkin", "ros_base", "ros_core", "ament_cmake")
@@ -192,23 +190,6 @@ def _drop(
     for name in guessed:
         del kept[name]
     return (*dropped, *guessed)
-
-
-def with_libraries(choice: Choice[SystemPackages], built: frozenset[str], evidence: Evidence) -> Choice[SystemPackages]:
-    """Add what the libraries that are built from their source need beside them, and leave out ROS's packages of these.
-
-    Two versions would be mixed. What CMake finds as packages of ROS keeps its keys.
-    """
-    names = "|".join(bare_name(name) for name in built)
-    twin = re.compile(rf"ros-[a-z]+-(?:lib)?(?:{names})") if names else None
-    key = re.compile(rf"lib(?:{names})") if names else None
-    kept = {name for name in choice.answer.apt_guessed if twin is None or not twin.fullmatch(name)}
-    kept |= {name for library in built for name in beside(library) if name not in choice.answer.apt}
-    answer = replace(choice.answer, apt_guessed=tuple(sorted(kept)))
-    components = {each.name for made in evidence.cmake for each in made.dependencies if each.namespace == "ros"}
-    skip = [name for name in answer.rosdep if key and key.fullmatch(name) and name not in components]
-    rosdep = tuple(name for name in answer.rosdep if name not in skip)
-    return replace(choice, answer=replace(answer, rosdep=rosdep, skip_keys=(*answer.skip_keys, *skip)))
 
 
 def _keep(key: Dependency, meant: Translated, found: _Found) -> None:
