@@ -5,11 +5,12 @@ from __future__ import annotations
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.native.cmake_needs import COMPONENT
 from roslab.evidence.native.searched import SEARCHED
+from roslab.knowledge.code_limits import satisfies
 from roslab.knowledge.distros import distro, ever
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released
 from roslab.knowledge.table import rows
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
 MOST_OF_A_PATTERN = 30
@@ -75,12 +76,21 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
         if found is None and dependency.role == SEARCHED:
             found = library("cmake", dependency.name, target.ubuntu)
         if found is not None:
+            found = _of_release(found, dependency, target)
             own = dependency.namespace == "cmake" and dependency.role != COMPONENT and dependency.name in target.modules
             return _library((own and _by_link(found, dependency.name, target)) or found, target)
         if dependency.namespace != "link":
             other = None if dependency.name in target.modules else target.released_as(dependency.name)
             return _ros(other or dependency.name, target)
     return Resolved(known=False)
+
+
+def _of_release(found: Library, asked: Dependency, target: Target) -> Library:
+    """Return where a library comes from: not from ROS where CMake asks for a release that Ubuntu alone has."""
+    if not (found.ros and asked.namespace == "cmake" and asked.version and target.ubuntu):
+        return found
+    of_ros, of_ubuntu = (satisfies(asked.name, target.ubuntu, asked.version, ros=ros) for ros in (True, False))
+    return replace(found, ros="") if of_ubuntu and not of_ros else found
 
 
 def _by_link(found: Library, name: str, target: Target) -> Library | None:

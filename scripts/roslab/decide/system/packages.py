@@ -33,6 +33,7 @@ from roslab.decide.system.requested import requested
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.code_limits import satisfies
 from roslab.knowledge.debugging import debugging
 from roslab.knowledge.never import never
 from roslab.knowledge.recipes import recipe
@@ -226,6 +227,8 @@ def _add(
 
     An optional library without a package is built if its address is among those that a page builds ``by_hand``.
     """
+    if _useless(dependency, target):
+        return
     meant = resolve(dependency, target)
     if dependency.namespace == "apt" and dependency.strength == "prose":
         found.written.update(meant.apt)
@@ -243,6 +246,16 @@ def _add(
     if dependency.strength != "optional":
         for apt in meant.beside:
             found.guessed.setdefault(apt, dependency)
+
+
+def _useless(asked: Dependency, target: Target) -> bool:
+    """Tell whether CMake only tries a library, in a release that the Ubuntu does not have: it goes on without."""
+    tried = asked.namespace == "cmake" and asked.strength == "optional"
+    if not (tried and asked.version and target.ubuntu):
+        return False
+    return not any(
+        satisfies(asked.name, target.ubuntu, asked.version, ros=ros) for ros in {bool(target.ros_distro), False}
+    )
 
 
 def _for_debugging(dependency: Dependency) -> bool:
