@@ -93,7 +93,7 @@ class OwnScript:
     required: bool = False
     """Nothing else is built: what fails stops the build."""
     after: bool = False
-    """It needs the library of the project, which is installed before."""
+    """It is run once all else is built: it needs the library of the project, or a page runs it after the workspace."""
     by_compiler: bool = False
     """It is a Makefile that calls compilers alone: CMake has no part in it."""
 

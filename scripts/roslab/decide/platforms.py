@@ -125,6 +125,8 @@ def _of_code(on_x86: OnX86) -> Against | None:
         return f"CMake takes {on_x86.needed.what}, which is for amd64 only, on every processor", on_x86.needed
     if on_x86.needed.source in {"opened", "opened by Python"}:
         return f"the code opens {on_x86.needed.what}, which is compiled for amd64 only", on_x86.needed
+    if on_x86.needed.source == "started":
+        return f"the code starts {on_x86.needed.what}, which is compiled for amd64 only", on_x86.needed
     what = (
         f"it includes {on_x86.needed.what}" if on_x86.needed.source == "header" else f"{on_x86.needed.what} is passed"
     )

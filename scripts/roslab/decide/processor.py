@@ -40,10 +40,12 @@ def decide_processor(
     by_pip = {project.folder for project in installed}
     # A program of Python opens a library where it lies: there is no build that it would be part of
     ours = {"setup.py": by_pip, "opened by Python": folders | by_pip if kind in {"ros1", "ros2"} else {""}}
+    anew = {path for mention in evidence.mentions if mention.topic == "make" for path in mention.files[1:]}
     compiled = [
         each
         for each in evidence.x86_only
-        if (
+        if not (each.source == "started" and each.what in anew and kind in {"ros1", "ros2"})
+        and (
             each.file in made or each.file.rpartition("/")[0] in parts
             if each.source == "make"
             else _below(each.file, ours.get(each.source, folders | by_pip))

@@ -154,7 +154,9 @@ class Mention:
     text: str
     """The words around it, which the reason quotes."""
     files: tuple[str, ...] = ()
-    """Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``.
+    """Of a call of make: the Makefile of the tree, and programs for x86-64 beside it, which it may make anew.
+
+    Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``.
     Of what is fetched: where to, ``value`` being the URL; of what is unpacked: the archive and the folder, ``value``
     being the build file that names what it holds. Of an archive for the home: the folder there, and how many folders
     of its paths are left out."""

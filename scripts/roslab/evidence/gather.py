@@ -30,6 +30,7 @@ from roslab.evidence.native import (
     stops_without,
     x86,
     x86_binaries,
+    x86_programs,
 )
 from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.asked_modules import of_modules
@@ -273,6 +274,7 @@ def gather(repository: Repository) -> Evidence:
         x86_only=(
             *x86.read(repository, intrinsics, signs.included),
             *x86_binaries.read(repository, ((m.file.path, m.text) for m in modules(repository))),
+            *x86_programs.read(repository),
         ),
         problems=(
             *repository.problems,

@@ -27,7 +27,7 @@ FILES = {
     "samples/one/wave.cpp": "int main() {}\n",
     "samples/one/grasp.cpp": "int main() {}\n",
 }
-MESSAGE = "# What needs the library that is installed above"
+MESSAGE = "# What is compiled once all above is built: it may need that"
 
 
 def write(root: Path, files: dict[str, str]) -> None:

@@ -322,3 +322,24 @@ def test_the_first_that_is_compiled_is_told(tree: Callable[[dict[str, str]], Dec
     files = {"CMakeLists.txt": top, "main.cpp": "int main() {}\n", "a/CMakeLists.txt": OTHER}
     found = tree({**files, "deep/er/CMakeLists.txt": "add_compile_options(-march=native)\n"})
     assert [each.file for each in found.warnings if each.message.startswith(FLAG)] == ["deep/er/CMakeLists.txt"]
+
+
+CPUID = "#include <cpuid.h>\nint main() { unsigned a; __get_cpuid(0, &a, &a, &a, &a); }\n"
+
+
+@pytest.mark.parametrize(
+    ("code", "more", "refused"),
+    [
+        (CPUID, {}, True),
+        ("#if defined(__x86_64__)\n#include <cpuid.h>\n#endif\nint main() {}\n", {}, False),
+        (CPUID.replace("<cpuid.h>", '"cpuid.h"'), {"cpuid.h": "#pragma once\n"}, False),
+    ],
+    ids=["always", "guarded", "its own"],
+)
+def test_the_header_of_an_instruction_of_x86_rules_out_arm(
+    tree: Tree, code: str, more: dict[str, str], *, refused: bool
+) -> None:
+    decision = tree(cmake() | {"a.cpp": code} | more)
+    assert (decision.platforms == (AMD64,)) is refused
+    if refused:
+        assert "includes cpuid.h" in dict(decision.platforms_refused)[ARM64]

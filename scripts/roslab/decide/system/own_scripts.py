@@ -16,6 +16,7 @@ from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.inside import meant
+from roslab.decide.system.made_by_pages import with_made_by_pages
 from roslab.decide.system.names import Target
 from roslab.decide.system.run_by_pages import ASIDE, MOST, by_author, by_make_alone, run_by_pages, script_of
 from roslab.evidence.cmake_project import CMakeProject
@@ -64,7 +65,7 @@ def decide_scripts(
     if by_author(config):
         return Choice(answer=())
     if kind not in {"python", "cuda", "cpp"}:
-        return _of_packages(evidence, target) if kind == "ros1" else Choice(answer=())
+        return with_made_by_pages(_of_packages(evidence, target) if kind == "ros1" else Choice(answer=()), evidence)
     listed = evidence.python or evidence.requirements or evidence.conda
     if by_make_alone(evidence, kind):
         return _made(evidence, kind)

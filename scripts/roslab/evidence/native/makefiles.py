@@ -116,6 +116,11 @@ def _files(repository: Repository) -> list[File]:
     return [found[folder] for folder in sorted(found)]
 
 
+def compiles(text: str) -> bool:
+    """Tell whether a Makefile calls compilers, or make in other folders, and no other build tool or system."""
+    return _COMPILES.search(text) is not None and not _OTHERS.search(text)
+
+
 def _makefile(file: File, repository: Repository) -> Makefile | None:
     from roslab.evidence.native import compile_scripts, make_goals, recursive_make  # noqa: PLC0415 - as above
 

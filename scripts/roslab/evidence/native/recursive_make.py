@@ -93,8 +93,14 @@ def told(mentions: Iterable[Mention], folders: Iterable[str]) -> Iterator[tuple[
     calls = [m.value.split() for m in mentions if m.topic == "make" and m.source == "readme"]
     for folder in folders:
         for place, *words in calls:
-            targets = [word for word in words if _TARGET.fullmatch(word)]
-            plain = len(targets) == len(words) and _NO_BUILD.isdisjoint(targets)
-            if plain and (place == folder or (folder and f"/{place}".endswith(f"/{folder}"))):
+            targets = compiled_targets(words)
+            if targets is not None and (place == folder or (folder and f"/{place}".endswith(f"/{folder}"))):
                 yield folder, " ".join(targets)
                 break
+
+
+def compiled_targets(words: Iterable[str]) -> list[str] | None:
+    """Return the targets of a call of make that compiles, ``None`` for a call for something else, or with options."""
+    targets = list(words)
+    plain = all(map(_TARGET.fullmatch, targets)) and _NO_BUILD.isdisjoint(targets)
+    return targets if plain else None

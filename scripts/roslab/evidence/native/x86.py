@@ -34,7 +34,7 @@ _CONDITION = pattern(r"\s*(?:#|(?:else|end)?if\b)", re.IGNORECASE)
 _VARIABLE = pattern(r"\$\{(\w+)\}")
 _INCLUDE = pattern(r"include[ \t]*[<\"](\w+\.h)[>\"]")
 _CHOOSES = pattern(r"uname\b|platform\.machine|aarch64|arm64|\barmv?\d?\b|x86_64|\bCPU_?ARCH|\bARCH\b|cpuinfo")
-_END = "intrin.h"
+_ENDS = ("intrin.h", "cpuid.h")
 """How every header of x86 alone ends."""
 _HEADERS = (".h", ".hpp", ".hh", ".cuh")
 _SOURCES = (*_HEADERS, ".c", ".cc", ".cpp", ".cxx", ".cu")
@@ -49,7 +49,7 @@ class Intrinsics:
 
     def source(self, path: str, text: str) -> None:
         """Read a file in C, C++ or CUDA."""
-        if _END not in text:
+        if not any(end in text for end in _ENDS):
             return
         for match in _INCLUDE.finditer(text):
             before = text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip()
@@ -64,7 +64,7 @@ class Intrinsics:
 
 def tells(header: str) -> bool:
     """Tell whether a header may be one of x86 alone: each file that includes it matters."""
-    return header.endswith(_END)
+    return header.endswith(_ENDS)
 
 
 def read(repository: Repository, intrinsics: Intrinsics, included: Collection[str]) -> tuple[X86Only, ...]:
@@ -83,6 +83,8 @@ def read(repository: Repository, intrinsics: Intrinsics, included: Collection[st
 
 def _used(repository: Repository, intrinsics: Intrinsics, included: Collection[str]) -> Iterator[X86Only]:
     for header, path, text, position in intrinsics.found:
+        if repository.named(header):
+            continue  # a file of the tree is called so
         name = path.rpartition("/")[2]
         if name.endswith(_HEADERS) and name not in included and not places.vendored(path):
             continue  # nothing compiles it

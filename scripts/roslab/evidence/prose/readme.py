@@ -26,6 +26,7 @@ from roslab.evidence.prose import (
     generated,
     libtorch,
     links,
+    makes,
     mentions,
     octave,
     python_path,
@@ -166,6 +167,8 @@ def _compiled(mention: Mention, repository: Repository) -> Iterator[Mention]:
 def _checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
     if mention.topic == "build_script":
         yield from checked(mention, repository)
+    elif mention.topic == "make":
+        yield makes.with_makefile(mention, repository)
     elif mention.topic in {"fetched", "unpacked"}:
         yield from filter(None, [downloads.placed(mention, repository)])
     elif mention.topic == "data":

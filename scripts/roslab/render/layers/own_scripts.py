@@ -20,8 +20,8 @@ def before_program(plan: Plan) -> str:
 
 
 def after_program(plan: Plan) -> str:
-    """Compile what links the program's library, which is installed now."""
-    head = "# What needs the library that is installed above"
+    """Compile what links the program's library, which is installed now, and what a page makes after the workspace."""
+    head = "# What is compiled once all above is built: it may need that"
     return _run(plan, [script for script in plan.workspace.scripts if script.after], head)
 
 
