@@ -197,7 +197,7 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         build=f"{inside}/build" if config.compatible else f"{folder}-build",
         arguments=config.build_args,
         cmake_options=own_options(decision, config),
-        on_path=not config.compatible,
+        on_path=not config.compatible and bool(decision.program_folders or not decision.installed),
         programs=() if config.compatible else programs[:MAX_FOLDERS],
         compilers=decision.compilers,
         install=decision.installed and not config.compatible,

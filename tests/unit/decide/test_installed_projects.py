@@ -27,6 +27,7 @@ OTHER = "```\ngit clone https://github.com/lab/leg\ncd leg\nmkdir build && cd bu
     [
         (CLONED.format("make install -j4"), True),
         (CLONED.format("make\nsudo make install"), True),
+        (CLONED.format("cmake --build .\n[sudo] cmake --build . --target install"), True),
         (CLONED.format("make"), False),
         (OTHER, False),
     ],
@@ -45,3 +46,24 @@ def test_it_is_installed_by_root_after_it_was_compiled(tmp_path: Path) -> None:
     assert at > max(number for number, line in enumerate(lines) if line.startswith("FROM ")), "in the image itself"
     assert "USER root" in lines[at - 4 : at]
     assert lines[at + 1] == "USER ${NB_USER}"
+
+
+@pytest.mark.parametrize(
+    ("made", "page", "on_path"),
+    [
+        ("add_library(arm arm.cpp)\n", "make install", False),
+        ("add_library(arm arm.cpp)\n", "make", True),
+        ("add_executable(arm arm.cpp)\n", "make install", True),
+    ],
+    ids=["library", "not installed", "program"],
+)
+def test_where_no_program_is_compiled_its_folder_is_not_on_the_path(
+    tmp_path: Path, made: str, page: str, *, on_path: bool
+) -> None:
+    cmake = f"project(arm CXX)\n{made}install(TARGETS arm DESTINATION lib)\n"
+    for path, text in {**CODE, "CMakeLists.txt": cmake, "README.md": CLONED.format(page)}.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    program = plan_repository(tmp_path).plan.workspace.program
+    assert program is not None
+    assert program.on_path is on_path

@@ -53,7 +53,7 @@ _MARK = "`"
 _WRAPPERS = frozenset(
     (
         *("export", "ARG", "ENV", "sudo", "time", "exec", "nice", "command", "then", "do", "else", "if", "!", "while"),
-        *("RUN", "$", "%", "yes", "eval", "retry", "-", "*", "run:"),
+        *("[sudo]", "RUN", "$", "%", "yes", "eval", "retry", "-", "*", "run:"),
     )
 )
 _VALUED_SUDO = frozenset({"-u", "-g", "-n", "--user"})

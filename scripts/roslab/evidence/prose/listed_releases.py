@@ -21,8 +21,16 @@ _NAMED = pattern(
     re.IGNORECASE,
 )
 _URL = pattern(r"https?://\S+")
+_RECOMMENDED = pattern(r"\([^()]{0,200}\brecommended\b[^()]{0,50}\)", re.IGNORECASE)
+"""A newer release that fits as well: ``PCL 1.7+ (1.10.0 recommended)``."""
+_LINK = pattern(r"\[([^\[\]]{0,200})\]\([^()\s]{0,500}\)")
 _OTHER = pattern(r"\d|\b(?:optional(?:ly)?|not|only (?:for|if))\b")
 """What follows a release that is not the only one, or not needed."""
+
+
+def _behind(text: str) -> str:
+    """Return what stands behind a release, without addresses and what is only recommended."""
+    return _RECOMMENDED.sub("", _URL.sub("", _LINK.sub(r"\1", text))).lower()
 
 
 def read(repository: Repository) -> tuple[CodeLimit, ...]:
@@ -35,7 +43,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
     for file in (page for page in pages(repository) if "/" not in page.path):
         for line, item in page_lists.items(text_of(repository, file)):
             match = _NAMED.match(item.strip())
-            if match is None or _OTHER.search(_URL.sub("", item.strip()[match.end() :]).lower()):
+            if match is None or _OTHER.search(_behind(item.strip()[match.end() :])):
                 continue
             library, (number, below) = _LIBRARIES[match[1].lower()], bounds_of(_LIBRARIES[match[1].lower()], match[3])
             least = bool(match[4]) or match[2] in {">=", "≥", ">"}
