@@ -126,6 +126,12 @@ def stands_beside(name: str) -> bool:
 
 
 @cache
+def header_only(name: str) -> bool:
+    """Tell whether a library is headers alone: what includes a newer release of it has that compiled in."""
+    return bool((_table(name) or {}).get("header_only", False))
+
+
+@cache
 def of_ros(name: str) -> bool:
     """Tell whether packages of ROS link a library or show it in their headers: a process loads one release of it."""
     return bool((_table(name) or {}).get("of_ros", False))

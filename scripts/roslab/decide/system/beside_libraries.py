@@ -8,6 +8,7 @@ from collections.abc import Collection, Sequence
 from roslab.config.model import Config, Source
 from roslab.decide.decision import Choice
 from roslab.decide.ros.source_names import plain
+from roslab.decide.system.listed_here import told_of_page, too_old_for_page
 from roslab.decide.system.names import Target
 from roslab.decide.system.on_cuda import compiled_without
 from roslab.decide.system.packages import SystemPackages
@@ -48,8 +49,11 @@ def with_libraries(
         skip_keys=(*choice.answer.skip_keys, *skip),
     )
     sources = {plain(source.name) for source in config.source}
-    told = None if config.compatible else compiled_without((source for source, _ in libraries), evidence, sources)
-    return replace(choice, answer=answer, warnings=(*choice.warnings, *((told,) if told else ())))
+    if config.compatible:
+        return replace(choice, answer=answer)
+    told = compiled_without((source for source, _ in libraries), evidence, sources)
+    of_page = told_of_page(tuple(too_old_for_page(evidence, target)), {*map(str.lower, built), *sources}, target)
+    return replace(choice, answer=answer, warnings=(*choice.warnings, *filter(None, (told,)), *of_page))
 
 
 def _doubles(built: Collection[str], evidence: Evidence, config: Config, target: Target) -> frozenset[str]:

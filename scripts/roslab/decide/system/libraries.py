@@ -11,6 +11,7 @@ from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, built_by_hand, by_hand
 from roslab.decide.system.libtorch import libtorch
+from roslab.decide.system.listed_here import built_for_page, too_old_for_page
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import TOOLKIT, needs
 from roslab.decide.system.offered import with_offered
@@ -51,6 +52,7 @@ def decide_libraries(
     """
     own = own_names(evidence, folder_name)
     required = () if config.compatible else tuple(required_releases(needs(evidence, packages, kind, target.ros_distro)))
+    listed = () if config.compatible else tuple(too_old_for_page(evidence, target))
     of_ros = (name for name in system.apt_guessed if name.startswith("ros-"))
     wanted = (
         *sources.libraries,
@@ -60,9 +62,10 @@ def decide_libraries(
         *too_old_here(evidence, (*system.apt, *of_ros), target),
         *too_new_here(evidence, target),
         *refused_here(required, target),
+        *built_for_page(listed),
     )
     tabled = as_written(
-        recipes_for(wanted, target.ubuntu, (*evidence.limits, *required), own, evidence.pip_day), evidence
+        recipes_for(wanted, target.ubuntu, (*evidence.limits, *required, *listed), own, evidence.pip_day), evidence
     )
     if not config.compatible:
         tabled = tuple((with_packages(each, evidence, system), asked) for each, asked in tabled)

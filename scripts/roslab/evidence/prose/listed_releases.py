@@ -23,14 +23,13 @@ _NAMED = pattern(
 _URL = pattern(r"https?://\S+")
 _RECOMMENDED = pattern(r"\([^()]{0,200}\brecommended\b[^()]{0,50}\)", re.IGNORECASE)
 """A newer release that fits as well: ``PCL 1.7+ (1.10.0 recommended)``."""
-_LINK = pattern(r"\[([^\[\]]{0,200})\]\([^()\s]{0,500}\)")
 _OTHER = pattern(r"\d|\b(?:optional(?:ly)?|not|only (?:for|if))\b")
 """What follows a release that is not the only one, or not needed."""
 
 
 def _behind(text: str) -> str:
     """Return what stands behind a release, without addresses and what is only recommended."""
-    return _RECOMMENDED.sub("", _URL.sub("", _LINK.sub(r"\1", text))).lower()
+    return _RECOMMENDED.sub("", _URL.sub("", text)).lower()
 
 
 def read(repository: Repository) -> tuple[CodeLimit, ...]:

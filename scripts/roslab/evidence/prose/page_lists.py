@@ -167,7 +167,7 @@ def _lines(text: str) -> Iterator[tuple[int, str, str | None, bool]]:
         if (heading := _HEADING.match(line)) or _UNDERLINE.match(below):
             title = heading[1] if heading else line
             titled, of_python = bool(_TITLE.search(title)), bool(_PYTHON.search(title))
-        elif item is None and not line.startswith((" ", "\t")) and line.rstrip().endswith(":"):
+        elif item is None and not line.startswith((" ", "\t")) and _plain(line).rstrip().endswith(":"):
             titled, of_python = bool(_TITLE.search(line)), bool(_PYTHON.search(line))
         named = item and titled and not _OF_BRANCH.search(line)
         yield number, line, _plain(item[1][:MAX_LINE]) if item and named else None, of_python
