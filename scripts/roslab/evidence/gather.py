@@ -18,6 +18,7 @@ from roslab.evidence.native import (
     cpu,
     extension_code,
     fetching,
+    gpu_code,
     gpus,
     made_elsewhere,
     made_headers,
@@ -283,6 +284,7 @@ def gather(repository: Repository) -> Evidence:
             *vcs.absent(repository),
             *links.problems(lost, by_name_alone),
             *cpu.read(repository),
+            *gpu_code.read(repository),
             *authors_folders.read(
                 repository, {(path.file, path.line) for path in paths if path.there and not path.made}
             ),

@@ -34,7 +34,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
     around every use of their variable, or around all that brings CUDA.
     """
     found: dict[int, CodeLimit] = {}
-    for file in _files(repository):
+    for file in files(repository):
         for architecture, line in _in(file, repository.read(file)):
             first, after = cuda_of_gpu(architecture)
             if first and architecture not in found:
@@ -44,10 +44,11 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
     return tuple(found.values())
 
 
-def _files(repository: Repository) -> list[File]:
-    files = (*repository.named("CMakeLists.txt", "Makefile", "setup.py"), *repository.suffixed(".cmake"))
+def files(repository: Repository) -> list[File]:
+    """Return the build files that are searched, those nearest to the root first."""
+    found = (*repository.named("CMakeLists.txt", "Makefile", "setup.py"), *repository.suffixed(".cmake"))
     aside = (places.vendored, places.example, places.test, places.documentation)
-    kept = [file for file in files if file.size <= MAX_SIZE and not any(each(file.path) for each in aside)]
+    kept = [file for file in found if file.size <= MAX_SIZE and not any(each(file.path) for each in aside)]
     return nearest(kept)[:MAX_FILES]
 
 
@@ -65,15 +66,20 @@ def _in(file: File, text: str) -> Iterator[tuple[int, int]]:
 def _in_cmake(text: str) -> Iterator[tuple[int, int]]:
     if _left_out(call for call in calls(text, _BRINGS) if _TOOLKITS & set(call.written)):
         return
-    for call in calls(text, _CALLS):
-        if call.in_function or not _taken(call) or _unused(call, text):
-            continue
+    for call in passing(text):
         for index, word in enumerate(call.written):
             yield from ((int(match[1]), call.line) for match in _GPU.finditer(word))
             if word in _LISTS:
                 yield from (
                     (int(m[1]), call.line) for each in call.written[index + 1 :] for m in _NUMBER.finditer(each)
                 )
+
+
+def passing(text: str) -> Iterator[Call]:
+    """Yield the calls of a file of CMake that may give options to CUDA's compiler, on every machine."""
+    for call in calls(text, _CALLS):
+        if not (call.in_function or not _taken(call) or _unused(call, text)):
+            yield call
 
 
 def _taken(call: Call) -> bool:
