@@ -1,0 +1,39 @@
+"""A folder of the author's computer in a file of CMake: taken by the build, read by the program, or by nobody."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.evidence.native import authors_folders
+from trees import tree_of
+
+DEFINES = (
+    'project(a)\nadd_executable(a a.cpp)\ntarget_compile_definitions(a PUBLIC\n  DATA_DIR="/home/ana/data/set"\n)\n'
+)
+
+
+def _told(folder: Path, cmake: str, code: str) -> list[tuple[str, str, int]]:
+    return list(authors_folders.read(tree_of(folder, {"CMakeLists.txt": cmake, "a.cpp": code})))
+
+
+@pytest.mark.parametrize(
+    "cmake", [DEFINES, 'project(a)\n\n\nadd_definitions(-DDATA_DIR="/home/ana/data/set")\nadd_executable(a a.cpp)\n']
+)
+def test_what_the_code_has_as_a_macro_is_read_when_it_runs(tmp_path: Path, cmake: str) -> None:
+    ((message, _, line),) = _told(tmp_path, cmake, "const char *data = DATA_DIR;\n")
+    assert message.startswith("/home/ana/data/set is a folder of its author's computer: the code has it as DATA_DIR, ")
+    assert line == 4
+
+
+@pytest.mark.parametrize("code", ["int MY_DATA_DIR;\n", "// std::string path = DATA_DIR;\nint main() {}\n"])
+def test_a_macro_that_no_code_names_is_not_told(tmp_path: Path, code: str) -> None:
+    assert _told(tmp_path, DEFINES, code) == []
+
+
+def test_what_the_build_takes_is_told_with_what_else_there_is(tmp_path: Path) -> None:
+    cmake = f"{DEFINES}include_directories(/home/ana/lib/include)\n"
+    ((message, _, line),) = _told(tmp_path, cmake, "int main() {}\n")
+    assert message.startswith("/home/ana/lib/include is a folder of its author's computer: what the build takes ")
+    assert line == 6
