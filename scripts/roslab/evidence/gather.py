@@ -20,6 +20,7 @@ from roslab.evidence.native import (
     fetching,
     gpu_code,
     gpus,
+    latest_releases,
     made_elsewhere,
     made_headers,
     makefiles,
@@ -285,6 +286,7 @@ def gather(repository: Repository) -> Evidence:
             *links.problems(lost, by_name_alone),
             *cpu.read(repository),
             *gpu_code.read(repository),
+            *latest_releases.read(repository),
             *authors_folders.read(
                 repository, {(path.file, path.line) for path in paths if path.there and not path.made}
             ),
