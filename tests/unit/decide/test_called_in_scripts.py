@@ -27,6 +27,8 @@ def decided(tree: Tree, script: str, **more: str) -> Decision:
         ("tmuxinator start -p a.yml", {"tmuxinator"}),
         ("tmux new-session -d -s demo; jq . a.json", {"tmux", "jq"}),
         ("names=$(tmux list-sessions | jq -r .)", {"tmux", "jq"}),
+        ("names=$(cat a.json | jq)\nothers=`ls | screen`", {"jq", "screen"}),
+        ("case $1 in\nstart|screen) true ;;\njq) true ;;\nesac", set()),
         ("if ! screen -ls; then xterm -e roscore & fi", {"screen", "xterm"}),
         ("echo 'tmux attach; jq .'\n# tmux attach\nprintf \"a; tmux b\"", set()),
         ("tmux() { true; }\ntmux new", set()),

@@ -23,6 +23,8 @@ _CALLED = pattern(
     re.MULTILINE,
 )
 """A word where a command begins, also in ``$(…)``."""
+_LAST_OF_PIPE = pattern(r"(?:\$\(|`)[^()`\n]{0,200}\|[ \t]*([A-Za-z][\w.+-]*)(?=[)`])")
+"""The word that ends ``$(… | bc)``; one before the parenthesis of a ``case`` is none."""
 _FUNCTION = pattern(r"\b([A-Za-z][\w.+-]*)[ \t]*\(\)")
 _NOT_RUN = pattern(
     r"(?m)(?:^|(?<=\s))#.*$|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\\n]|\\[^\n]){0,500}\"|'[^'\n]{0,500}'|[^;&|\"'\n]){0,500}"
@@ -80,7 +82,8 @@ def calls_of(script: str) -> Iterator[tuple[str, int]]:
     text = _NOT_RUN.sub("", script)
     functions = set(_FUNCTION.findall(text))
     seen: set[str] = set()
-    for match in _CALLED.finditer(text):
+    found = (*_CALLED.finditer(text), *_LAST_OF_PIPE.finditer(text))
+    for match in sorted(found, key=lambda each: each.start(1)):
         if (name := match[1]) not in functions | seen:
             seen.add(name)
             yield name, text.count("\n", 0, match.start(1)) + 1

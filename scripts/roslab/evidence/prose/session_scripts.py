@@ -1,0 +1,47 @@
+"""Scripts in ``scripts/`` of a package of ROS that start launch files in several terminals: what they call for that."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.prose.called_in_scripts import calls_of
+from roslab.knowledge.compiled import programs
+from roslab.repository.checkout import Repository, nearest
+from roslab.values.pattern import pattern
+
+MOST = 20
+"""Most such scripts that are read, those nearest to the root first."""
+MAX_SIZE = 64 * 1024
+_SUFFIXES = (".sh", ".bash")
+_LAUNCHES = pattern(r"^[^#\n]*\b(?:roslaunch|ros2[ \t]+launch)[ \t]+[\w./${\"-]")
+_TERMINALS = frozenset({"byobu", "screen", "tmux", "tmuxinator", "xterm", "x-terminal-emulator"})
+_TOOLS = frozenset({"bc", "dialog", "expect", "gawk", "jq", "killall", "lsof", "nc", "wmctrl", "xdotool"})
+"""Small programs without which such a script goes wrong in its midst: no image has them of itself."""
+
+
+def read(repository: Repository) -> Iterator[Dependency]:
+    """Yield the packages of apt with what these scripts call, each once for a script.
+
+    They are how the author starts the package, also where no page says so; all other scripts may be for anything.
+    """
+    folders = {posixpath.join(file.folder, "scripts") for file in repository.named("package.xml")}
+    scripts = (file for file in repository.suffixed(*_SUFFIXES) if file.folder in folders) if folders else ()
+    for file in nearest(file for file in scripts if file.size <= MAX_SIZE and not places.aside(file.path))[:MOST]:
+        text = repository.read(file)
+        if not any(map(_LAUNCHES.match, text.split("\n"))):
+            continue
+        found = dict(calls_of(text))
+        if _TERMINALS.isdisjoint(found):
+            continue
+        for name in sorted(found.keys() & (_TERMINALS | _TOOLS)):
+            yield Dependency(
+                namespace="apt",
+                name=programs()[name],
+                strength="used",
+                file=file.path,
+                line=found[name],
+                role="session_script",
+            )
