@@ -123,7 +123,15 @@ def test_a_library_differs_by_ubuntu() -> None:
 
 @pytest.mark.parametrize(
     ("path", "apt"),
-    [("Eigen/Core", ("libeigen3-dev",)), ("GL/glew.h", ("libglew-dev",)), ("opencv2/core.hpp", ("libopencv-dev",))],
+    [
+        ("Eigen/Core", ("libeigen3-dev",)),
+        ("GL/glew.h", ("libglew-dev",)),
+        ("opencv2/core.hpp", ("libopencv-dev",)),
+        ("boost/bind.hpp", ("libboost-dev",)),
+        ("boost/algorithm/string.hpp", ("libboost-dev",)),
+        ("boost/thread.hpp", ("libboost-all-dev",)),
+        ("boost/filesystem/path.hpp", ("libboost-all-dev",)),
+    ],
 )
 def test_a_header_is_known_by_its_folder_or_its_path(path: str, apt: tuple[str, ...]) -> None:
     found = libraries.header(path, "focal")
