@@ -41,9 +41,9 @@ def with_found_by_launches(
     Before these comes where a table knows such a package to be. ``command``: the default one, whose launch file's
     packages are looked for already. Not for the old formats, whose images never had them, nor a package that others
     published, nor one a slip away from a package of the tree, or that a clone has under a longer name. So it is with
-    modules that nodes import and nothing brings; ``installed``: what pip installs. Several packages whose names begin
-    alike are first looked for in a repository that is called so. And before all come packages that the README runs, in
-    what that page clones.
+    modules that nodes import and nothing brings, in the place of whose repository comes one of that name that the code
+    links to; ``installed``: what pip installs. Several packages whose names begin alike are first looked for in a
+    repository that is called so. And before all come packages that the README runs, in what that page clones.
     """
     build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
     owner = public_owner(evidence)
@@ -64,6 +64,7 @@ def with_found_by_launches(
         for name, asked in (needed | imported).items()
         if not (
             name in where
+            or name in sources.names
             or sources.renamed(name)
             or not PACKAGE.fullmatch(name)
             or ever_released(name)
@@ -72,6 +73,10 @@ def with_found_by_launches(
         and not ever_released(owners.get(asked.file) or "")  # what was published is not the owner's
     }
     tabled = holders(free) if build.startswith("catkin") else {}
+    for git in evidence.commented:  # where the code says that it took something from
+        name = plain(git.name)
+        if name in imported and name in free:
+            tabled.setdefault(git.url, (name,))
     there = {name for held in tabled.values() for name in held}
     guessed = {f"{owner}/{name}": names for name, names in _families(free.keys() - there).items() if owner}
     guessed |= {f"{owner}/{name}": (name,) for name in free if owner and name not in there}

@@ -236,7 +236,7 @@ def gather(repository: Repository) -> Evidence:
             *from_root.read(own, prose.mentions),
             *sibling_folders.read(own, prose.mentions),
             *from_above.read(own, prose.mentions),
-            *at_top.read(own, prose.mentions, launched),
+            *at_top.read(own, prose.mentions, launched, python_projects),
             *(() if manifests else reached.read(own, imported, started, prose.mentions)),
             *(() if manifests else start_imports.read(own, imported, started, prose.mentions)),
             *on_gpu.read(own, launched),

@@ -21,6 +21,8 @@ class PythonProject:
     requirements: tuple[Requirement, ...]
     scripts: tuple[tuple[str, int], ...] = ()
     """Console scripts, with their lines."""
+    modules: tuple[str, ...] = ()
+    """The modules that those of a setup.py start, by their whole names."""
     version: str | None = None
     script_files: tuple[str, ...] = ()
     """Files of the tree that are installed as programs, each under its own name."""

@@ -78,3 +78,64 @@ def test_nobody_is_the_owner_of_a_tree_without_an_origin(tree: Tree) -> None:
     files = {"package.xml": MANIFEST.format(""), "CMakeLists.txt": CMAKE + INSTALLED, "README.md": "ROS Noetic\n"}
     decision = tree({**files, "scripts/map.py": NODE + IMPORT})
     assert [s for s in decision.source if s.holding] == []
+
+
+ROS2 = (
+    "<package format='3'><name>mapper</name><version>0.1.0</version><description>d</description>"
+    "<maintainer email='a@b.c'>a</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>"
+    "<export><build_type>ament_python</build_type></export></package>"
+)
+SETUP = (
+    "from setuptools import setup\nsetup(name='mapper', packages=['mapper'], "
+    "entry_points={'console_scripts': ['map = mapper.map:main']})\n"
+)
+PYTHON = {"package.xml": ROS2, "setup.py": SETUP, "setup.cfg": "[install]\n", "mapper/__init__.py": "", **GIT}
+
+
+@pytest.mark.parametrize(
+    ("files", "repo"),
+    [
+        ({"mapper/map.py": "import rclpy\n" + IMPORT}, "https://github.com/lab/lab_converter.git"),
+        (
+            {"mapper/map.py": "import rclpy\nfrom mapper.parts import a\n", "mapper/parts.py": IMPORT},
+            "https://github.com/lab/lab_converter.git",
+        ),
+        ({"mapper/map.py": "import rclpy\n", "mapper/parts.py": IMPORT}, None),  # no program imports it
+        (
+            {
+                "setup.py": SETUP.replace(".map:", ".parts:"),
+                "mapper/map.py": "import rclpy\n" + IMPORT,
+                "mapper/parts.py": "",
+            },
+            None,
+        ),
+        (
+            {"mapper/map.py": "import rclpy\n# https://github.com/acme/lab_converter/blob/main/cloud.py\n" + IMPORT},
+            "https://github.com/acme/lab_converter.git",
+        ),
+        (
+            {"mapper/map.py": "import rclpy\n# https://github.com/acme/other\n" + IMPORT},
+            "https://github.com/lab/lab_converter.git",
+        ),
+    ],
+)
+def test_a_program_of_a_package_in_python_is_a_node(tree: Tree, files: dict[str, str], repo: str | None) -> None:
+    decision = tree({**PYTHON, "README.md": "ROS Humble\n", **files})
+    assert [(s.repo, s.holding) for s in decision.source] == ([(repo, ("lab_converter",))] if repo else [])
+
+
+@pytest.mark.parametrize(("origin", "told"), [(True, True), (False, False)])
+def test_what_no_table_knows_is_told_with_where_the_build_looks(tree: Tree, *, origin: bool, told: bool) -> None:
+    files = {path: text for path, text in PYTHON.items() if origin or path != ".git/config"}
+    decision = tree({**files, "README.md": "ROS Humble\n", "mapper/map.py": "import rclpy\n" + IMPORT})
+    (said,) = [w.message for w in decision.warnings if "no table knows" in w.message]
+    assert ("unless a repository of https://github.com/lab that is called like it, in which" in said) == told
+
+
+@pytest.mark.parametrize(("distro", "ref"), [("Humble", "humble"), ("Jazzy", "jazzy"), ("Foxy", None)])
+def test_a_table_knows_where_a_module_lies(tree: Tree, distro: str, ref: str | None) -> None:
+    node = "import rclpy\nimport ros2_numpy\n"
+    decision = tree({**PYTHON, "README.md": f"ROS 2 {distro}\n", "mapper/map.py": node})
+    found = [(s.name, s.repo, s.ref) for s in decision.source if not s.holding]
+    assert found == ([("ros2_numpy", "https://github.com/Box-Robotics/ros2_numpy.git", ref)] if ref else [])
+    assert any("no table knows" in w.message for w in decision.warnings) == (ref is None)

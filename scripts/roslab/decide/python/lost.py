@@ -21,6 +21,8 @@ from roslab.decide.python.on_index import on_index
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.refused import refused
 from roslab.decide.reasons import warn
+from roslab.decide.ros.sought import public_owner
+from roslab.decide.ros.sought_imports import modules_of_owner
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence, Mention
@@ -30,6 +32,7 @@ from roslab.knowledge.guesses import ros_modules
 from roslab.knowledge.not_on_index import not_on_index
 from roslab.knowledge.python2_packages import of_python2, system_package
 from roslab.knowledge.released import ever_released
+from roslab.knowledge.ros_sources import ros_sources
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.requirement_line import stated
@@ -43,13 +46,18 @@ _MESSAGES = ("_msgs", "_srvs", "_interfaces")
 
 
 def lost(
-    evidence: Evidence, kind: Kind, chosen: Chosen, ubuntu: str | None, brought: Collection[str] = ()
+    evidence: Evidence,
+    kind: Kind,
+    chosen: Chosen,
+    ubuntu: str | None,
+    ros_distro: str | None,
+    brought: Collection[str] = (),
 ) -> Iterator[Warning_]:
     """Yield a warning for each imported module that pip's index is known to lack, and one for those of no table.
 
     Where a manifest declares packages, a submodule is missing, or a page has people install what it links to, the
-    warning says that one of them may bring such a module. ``ubuntu``: the one whose own Python it is, if it is one's.
-    ``brought``: packages that come from elsewhere, as conda's.
+    warning says that one of them may bring such a module, or the owner's repository in which the build looks for it.
+    ``ubuntu``: the one whose own Python it is, if it is one's. ``brought``: packages that come from elsewhere, as conda's.
     """
     for used in _refused(evidence, chosen):
         if canonicalize_name(used.name) in brought:
@@ -61,7 +69,7 @@ def lost(
             then = f"{'' if _CONFIGURED in row.why else then} ({row.source})"
             yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}{then}", used)
     yield from _tried(chosen)
-    unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen)]
+    unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen, ros_distro)]
     places = {each.value: each for each in chosen.stopping}
     stopping = [used for used in unknown if used.name in places]
     for at, found in ((places, stopping), ({}, [used for used in unknown if used.name not in places])):
@@ -86,12 +94,21 @@ def _of_no_table(
         *(["a submodule"] if absent(evidence) else []),
         *(f"{git.name} ({git.url})" for git in _told(evidence) if f"git+{https(git.url)}" in installed),
         *dict.fromkeys(f"{git.name} ({https(git.url)})" for git in _may_bring(evidence, unknown[:MOST])),
+        *(_of_owner(evidence, chosen, unknown) if kind in _OF_ROS else ()),
     ]
     unless = f"unless {' or '.join(others)} brings it, " if others else ""
     stops = "the default command stops at this import: " if at else ""
     needed = "" if at else " if it is needed"
     name = "name the package under `pip`" + (" or its repository under `source`" if kind in _OF_ROS else "")
     return f"{message}; {unless}{stops}{name} in roslab.yaml{needed}"
+
+
+def _of_owner(evidence: Evidence, chosen: Chosen, unknown: Sequence[Dependency]) -> Iterator[str]:
+    """Yield in words where the build looks for modules that may be packages of the repository's owner."""
+    owner = public_owner(evidence)
+    able = {each.name for each in modules_of_owner(evidence, (*chosen.declared, *chosen.guessed))} if owner else set()
+    if any(each.name in able for each in unknown):
+        yield f"a repository of {owner} that is called like it, in which the build looks,"
 
 
 def _tried(chosen: Chosen) -> Iterator[Warning_]:
@@ -148,7 +165,7 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     return found
 
 
-def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Dependency]:
+def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen, ros_distro: str | None) -> Iterator[Dependency]:
     """Yield the imports of no table in packages of ROS, unless something that they name may bring one.
 
     Messages that nothing has are told where the workspace is decided.
@@ -167,6 +184,8 @@ def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iterator[Depend
         name = canonicalize_name(used.name)
         tabled = name in not_on_index() or used.name in imports() or of_python2(used.name) or on_index(evidence, used)
         if not _always(used) or name in known | own or tabled:
+            continue
+        if ros_sources(used.name, 1 if kind == "ros1" else 2, ros_distro or ""):
             continue
         longer = name.startswith(tuple(own))
         if not (longer or _of_ros(used.name) or used.name.endswith(_MESSAGES) or excuses(stems, used.name)):

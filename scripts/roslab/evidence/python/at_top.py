@@ -12,6 +12,7 @@ from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.python.imports import modules_of, statements
 from roslab.evidence.python.modules import Module, modules, run_by_pages
 from roslab.evidence.python.through_modules import of_tree
+from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -22,17 +23,22 @@ _INSTALLED = pattern(r"\b(?:catkin_install_python|install)[ \t]*\(\s*PROGRAMS\b(
 _PROGRAM = pattern(r"[\w./-]+\.py\b")
 
 
-def read(repository: Repository, mentions: Iterable[Mention], launched: Iterable[LaunchFile]) -> Iterator[Mention]:
+def read(
+    repository: Repository,
+    mentions: Iterable[Mention],
+    launched: Iterable[LaunchFile],
+    projects: Iterable[PythonProject],
+) -> Iterator[Mention]:
     """Yield the modules that programs import under no condition, with the place of the first import in each.
 
-    Of those that pages run what they import themselves; of nodes, which launch files start or CMake installs, what
-    modules of the tree import for them, too.
+    Of those that pages run what they import themselves; of nodes, which launch files start and CMake or the setup.py
+    beside a package.xml installs, what modules of the tree import for them, too.
     """
     run = run_by_pages(mentions)
     for module in modules(repository) if run else ():
         if module.file.path in run:
             yield from _of(module, "at_top")
-    nodes = {*_started(launched), *_installed(repository)}
+    nodes = {*_started(launched), *_installed(repository), *_entries(repository, projects)}
     starting = [module.file.path for module in modules(repository) if module.file.path in nodes] if nodes else []
     reached = nodes | of_tree(repository).reached(starting) if starting else frozenset()
     for module in modules(repository) if reached else ():
@@ -61,3 +67,12 @@ def _installed(repository: Repository) -> Iterator[str]:
         text = repository.read(file, limit=MAX_SIZE)
         for match in _INSTALLED.finditer(text) if "PROGRAMS" in text else ():
             yield from (posixpath.normpath(posixpath.join(file.folder, name)) for name in _PROGRAM.findall(match[1]))
+
+
+def _entries(repository: Repository, projects: Iterable[PythonProject]) -> Iterator[str]:
+    """Yield the files of the modules that packages of ROS in Python install as programs."""
+    for project in projects:
+        if project.modules and repository.has(posixpath.join(project.folder, "package.xml")):
+            for module in project.modules:
+                path = f"{module.replace('.', '/')}.py"
+                yield from (posixpath.join(project.folder, path), posixpath.join(project.folder, "src", path))

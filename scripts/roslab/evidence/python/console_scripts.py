@@ -20,6 +20,13 @@ def startable(repository: Repository, folder: str, entries: Iterable[str]) -> It
             yield name.strip()
 
 
+def modules_of(entries: Iterable[str]) -> Iterator[str]:
+    """Yield the whole name of the module that each entry starts."""
+    for entry in entries:
+        if module := entry.partition("=")[2].partition(":")[0].strip():
+            yield module
+
+
 def _gone(repository: Repository, folder: str, module: str) -> bool:
     package, _, last = module.rpartition(".")
     if not package or not all(map(str.isidentifier, module.split("."))):

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from roslab.evidence.python import requirements
-from roslab.evidence.python.console_scripts import startable
+from roslab.evidence.python.console_scripts import modules_of, startable
 from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
@@ -69,6 +69,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
             {(r.text, r.role, r.group): r for part in _asked(first, rest) for r in part.requirements}.values()
         ),
         scripts=tuple(script for part in parts for script in part.scripts),
+        modules=tuple(name for part in parts for name in part.modules),
         script_files=tuple(name for part in parts for name in part.script_files),
         extensions=tuple(dict.fromkeys(extension for part in parts for extension in part.extensions)),
         classifiers=tuple(dict.fromkeys(line for part in parts for line in part.classifiers)),
@@ -168,6 +169,7 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         build_requires=tuple(_listed(script.build_requires, path, line_of)),
         requirements=tuple(asked),
         scripts=tuple((name, line_of(name)) for name in startable(repository, folder, script.scripts)),
+        modules=tuple(modules_of(script.scripts)),
         script_files=_in(folder, script.script_files),
         extensions=(*extensions(text), *by_install(text, script.commands)),
         classifiers=script.classifiers,
