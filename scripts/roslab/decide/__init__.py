@@ -130,7 +130,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
             kind.answer,
             ros_distro=distro,
             build_tool=build_tool.answer,
-            needed=asked(evidence, packages, target, kind.answer),
+            needed=asked(evidence, packages, target, kind.answer, everything),
             own=packages.names,
             folder_name=folder_name,
             launched=packages_lacking(evidence, config, command.answer.command, distro),

@@ -226,3 +226,28 @@ def test_a_key_of_python_2_is_that_of_python_3_where_there_is_no_other(
     decision = tree(files)
     assert (key in decision.skip_keys, apt in decision.apt_guessed) == (bool(apt), bool(apt))
     assert bool([each for each in decision.warnings if f"{apt} is installed for it" in each.message]) is bool(apt)
+
+
+@pytest.mark.parametrize(
+    ("key", "more", "said"),
+    [
+        ("torch", {"net.py": "import rclpy\nimport torch\n"}, "pip installs torch"),
+        ("rosbags", {"net.py": "import rclpy\nimport rosbags\n"}, "pip installs rosbags"),
+        ("acme_arm", {"requirements.txt": "acme-arm\n"}, "pip installs acme-arm"),
+        ("skimage", {"requirements.txt": "scikit-image\n"}, "pip installs scikit-image"),  # its module
+        ("acme_arm", {"requirements.txt": "acme-leg\n"}, "the build looks for it"),
+        (
+            "acme_arm",
+            {"requirements.txt": "acme-arm\n", "a.cpp": "#include <acme_arm/a.hpp>\n"},
+            "the build looks for it",
+        ),
+    ],
+)
+def test_what_pip_installs_is_no_unknown_key(tree: Tree, key: str, more: dict[str, str], said: str) -> None:
+    decision = tree({**_files(key), **more})
+    (found,) = [
+        each.message for each in decision.warnings if f"no key {key} " in each.message or f"{key} is no" in each.message
+    ]
+    assert said in found
+    assert (key in decision.skip_keys) == ("pip" in said)
+    assert bool(decision.source) == ("looks" in said)

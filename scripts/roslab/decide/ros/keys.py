@@ -9,15 +9,8 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.credited import credited
-from roslab.decide.ros.misnamed import (
-    BUILD_TYPES,
-    elsewhere,
-    left_over,
-    library_called,
-    of_installed,
-    of_python_3,
-    packaged,
-)
+from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, left_over, library_called, of_python_3, packaged
+from roslab.decide.ros.pip_keys import brought_by_pip, of_code
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency
@@ -104,16 +97,6 @@ def own_packages(keys: Iterable[Dependency], evidence: Evidence, target: Target)
     return found
 
 
-def _of_code(key: Dependency, evidence: Evidence) -> bool:
-    """Tell whether CMake of the key's package asks for it by its name, or the package's code includes its headers."""
-    folder = key.file.rpartition("/")[0]
-    cmake = f"{folder}/CMakeLists.txt".lstrip("/")
-    if any(d.name == key.name for project in evidence.cmake if project.file == cmake for d in project.dependencies):
-        return True
-    included = (d for d in evidence.code if d.namespace == "include" and d.name.startswith(f"{key.name}/"))
-    return any(not folder or d.file.startswith(f"{folder}/") for d in included)
-
-
 def translate(
     key: Dependency,
     target: Target,
@@ -134,12 +117,12 @@ def translate(
     name = key.name
     if name in rosdep_keys() or name in released(target.ros_distro or "") or _of_python_2(name, target):
         return Translated()
-    if useless := _useless(name, target.ros_distro, installed):
+    if useless := _useless(key, target.ros_distro, installed, evidence):
         return Translated(skip=True, warning=warn(useless, key))
     found = library_called(name, target.ubuntu)
     new = of_python_3(name, target)
     python = (new,) if new else packaged(name, target)
-    if python and not (found and found.apt and _of_code(key, evidence)):
+    if python and not (found and found.apt and of_code(key, evidence)):
         what = f"a key for Python 2, which ROS {target.ros_distro} has not" if new else _PIPS_NAME
         message = f"{name} is {what}: {python[0]} is installed for it"
         return Translated(guessed=python, skip=True, warning=warn(message, key))
@@ -168,9 +151,10 @@ def translate(
     )
 
 
-def _useless(name: str, ros_distro: str | None, installed: Collection[str]) -> str:
+def _useless(key: Dependency, ros_distro: str | None, installed: Collection[str], evidence: Evidence) -> str:
     """Return what is wrong with a key that no repository can bring, ``""`` where one can."""
-    if by_pip := of_installed(name, installed):
+    name = key.name
+    if by_pip := brought_by_pip(key, installed, evidence):
         return f"{name} is no key of rosdep for ROS {ros_distro}: pip installs {by_pip}"
     if left_over(name, ros_distro):
         return f"rosdep has no key {name} for ROS {ros_distro}: left over from ROS 1; remove the dependency"

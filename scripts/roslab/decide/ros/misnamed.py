@@ -52,13 +52,14 @@ def library_called(name: str, ubuntu: str | None) -> Library | None:
 
 
 def of_installed(name: str, installed: Collection[str]) -> str:
-    """Return the name of what pip installs that a key of Python is called like, ``""`` where it is none of it.
+    """Return what pip installs that a key is called like, or a module of which is, ``""`` where it is none of it.
 
-    ``installed``: names in pip's plain spelling.
+    Also behind ``python3-``, as rosdep's keys of Python are called. ``installed``: names in pip's plain spelling.
     """
-    plain = _OF_PYTHON.fullmatch(name)
-    key = canonicalize_name(plain[1]) if plain else ""
-    return key if key in installed else ""
+    of_python = _OF_PYTHON.fullmatch(name)
+    called = of_python[1] if of_python else name
+    brings = imports().get(called, (None, None))[0]
+    return next((key for key in map(canonicalize_name, (called, brings or called)) if key in installed), "")
 
 
 def packaged(name: str, target: Target) -> tuple[str, ...]:

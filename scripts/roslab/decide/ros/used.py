@@ -8,6 +8,7 @@ from roslab.config.model import Kind
 from roslab.decide.ros.included import imported, included
 from roslab.decide.ros.keys import declared_keys
 from roslab.decide.ros.own_targets import own_targets
+from roslab.decide.ros.pip_keys import brought_by_pip
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.bare_links import as_packages
@@ -17,11 +18,20 @@ from roslab.decide.system.switches import given, waits
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.released import released, rosdep_keys
+from roslab.values.requirement import Requirement
 
 
-def asked(evidence: Evidence, packages: Packages, target: Target, kind: Kind) -> tuple[Dependency, ...]:
-    """Return what package.xml files, build files, started programs, messages of the code and linked names ask for."""
-    keys = declared_keys(packages, target, kind)
+def asked(
+    evidence: Evidence, packages: Packages, target: Target, kind: Kind, installed: Iterable[Requirement] = ()
+) -> tuple[Dependency, ...]:
+    """Return what package.xml files, build files, started programs, messages of the code and linked names ask for.
+
+    Without the unknown keys that what pip installs brings (``installed``).
+    """
+    keys, by_pip = declared_keys(packages, target, kind), {each.key for each in installed}
+    known = rosdep_keys() | released(target.ros_distro or "")
+    keys = tuple(key for key in keys if key.name in known or not brought_by_pip(key, by_pip, evidence))
     ours = own_targets(keys, evidence)
     return (
         *(key for key in keys if key.name not in ours),
