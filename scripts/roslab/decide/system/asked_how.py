@@ -23,6 +23,7 @@ _HOW = {
     "in_script": "the script of the default command calls a program of {}",
     "session_script": "a script of a package, which starts launch files, calls a program of {}",
     "typelib": "a program asks for a library of GObject, which needs {}",
+    "backend": "matplotlib draws its windows by a library that needs {}",
     "python3": "a program whose first line asks for Python 3 imports what {} has",
     "shebang": "the first line of a program names {}",
     "named": "the page names {}",

@@ -38,7 +38,7 @@ def _made(module: Module) -> Iterator[Dependency]:
         if not re.search(rf"^[ \t]*{imported}", text, re.MULTILINE):
             continue
         for match in re.finditer(rf"^[ \t]*(?:[\w.]+[ \t]*=[ \t]*)?{re.escape(call)}\(", text, re.MULTILINE):
-            if not _conditional(text, match.start()):
+            if not conditional(text, match.start()):
                 line = text.count("\n", 0, match.start()) + 1
                 yield Dependency(
                     namespace="import", name=row["module"], strength="used", file=module.file.path, line=line
@@ -46,7 +46,7 @@ def _made(module: Module) -> Iterator[Dependency]:
                 break
 
 
-def _conditional(text: str, start: int) -> bool:
+def conditional(text: str, start: int) -> bool:
     """Tell whether a line is reached only under a condition, by what stands before it with less indentation."""
     depth = _depth(text[start:])
     for line in reversed(text[:start].split("\n")[:-1]):
