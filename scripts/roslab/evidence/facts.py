@@ -144,6 +144,7 @@ class Mention:
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import",
         "from_above",        "on_gpu", "handed", "own_spelling", "optional_step", "started",
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "optional_ros",
+        "on_gpu", "handed", "own_spelling", "optional_step", "started", "typestore",
     ]  # fmt: skip
     value: str
     source: Literal[

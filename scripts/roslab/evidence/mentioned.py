@@ -13,7 +13,7 @@ from roslab.evidence.prose import (
     of_other_indexes,
     optional_ros,
 )
-from roslab.evidence.python import opened, own_spelling, said_in_code
+from roslab.evidence.python import opened, own_spelling, said_in_code, typestores
 from roslab.evidence.ros import handed_lists, on_machines, own_setup, started_by_scripts
 
 MENTIONED = (
@@ -22,5 +22,5 @@ MENTIONED = (
     *(optional_ros.read, own_spelling.read, started_by_scripts.calls, started_programs.read, templates.read),
 )
 """What pages, code and files of a project tell by themselves."""
-OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read)
+OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read)
 """What launch files, scripts and lists tell of a workspace of ROS."""

@@ -7,6 +7,7 @@ from roslab.decide.day import existed, there
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.addresses import beside_packages
+from roslab.decide.ros.by_code import by_code
 from roslab.decide.ros.compared import by_comparison
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.distro_evidence import reasons_for, stale
@@ -60,7 +61,7 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     unknown = {n: m | unlaunched.get(n, frozenset()) | other.get(n, frozenset()) for n, m in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
     every = [*reasons_for(evidence, ros), *by_gazebo(evidence, ros), *by_comparison(evidence, ros)]
-    every += on_machines(evidence, ros)
+    every += [*on_machines(evidence, ros), *by_code(evidence, ros)]
     named = [reason for reason in there(evidence, every) if not stale(reason, evidence.day)]
     if dated(evidence) and all(_tells_nothing(reason, unknown, evidence) for reason in named):
         named = []

@@ -6,6 +6,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.lines import matches_at
 from roslab.repository.checkout import Repository, nearest
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
@@ -13,23 +14,26 @@ MAX_FILES = 2_000
 """Most files that are opened, those nearest to the root first."""
 MAX_FOUND = 50
 _CODE = (".cpp", ".cc", ".cxx", ".h", ".hpp", ".py", ".launch", ".yaml", ".xacro")
-_ADDRESS = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)")
+_ADDRESS = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/(?:-/)?(?:blob|tree)/([\w.-]+))?")
 _BEGINNINGS = ("https://github.com/", "https://gitlab.com/")
 
 
 def read(repository: Repository) -> tuple[GitSource, ...]:
-    """Return each repository once, at its first place; nothing of copied code."""
+    """Return each repository once, at its first place and with the first branch named; nothing of copied code."""
     found: dict[str, GitSource] = {}
     files = [f for f in repository.suffixed(*_CODE) if f.size <= MAX_SIZE and not places.vendored(f.path)]
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
         for match in matches_at(_ADDRESS, text, *_BEGINNINGS):
-            url = match[0].removesuffix(".git")
-            if url not in found and len(found) < MAX_FOUND:
+            url = text[match.start() : match.end(1)].removesuffix(".git")
+            first = found.get(url)
+            if first and match[2] and not first.ref:
+                found[url] = replace(first, ref=match[2])
+            elif not first and len(found) < MAX_FOUND:
                 found[url] = GitSource(
                     name=match[1].removesuffix(".git"),
                     url=url,
-                    ref=None,
+                    ref=match[2],
                     strength="prose",
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,

@@ -1,0 +1,42 @@
+"""The distribution that the code itself names, in passing: a sign where only the date of the last commit tells else."""
+
+from __future__ import annotations
+
+from roslab.decide.decision import Reason
+from roslab.decide.reasons import because
+from roslab.decide.ros.distro_dates import dated, supported
+from roslab.evidence import places
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.distros import default_distro, distros
+
+TYPESTORE = 120
+"""Weight of the messages that code reads bags with: less than any word of a page, more than a date."""
+ADDRESS = 110
+"""Weight of an address on a code host, as on a page: code may be taken from the branch of another distribution."""
+
+
+def by_code(evidence: Evidence, ros: int) -> list[Reason]:
+    """Return the distribution of a ROS version that code names alone of those that were there at the last commit.
+
+    By the messages of its bags, and by branches in the addresses of what it was taken from. Examples of a library name
+    the one that was new then, so that without a date none older than the default counts; rolling tells nothing.
+    """
+    date = dated(evidence)
+
+    def possible(name: str) -> bool:
+        found = distros().get(name)
+        if found is None or found.ros != ros or found.never_ends:
+            return False
+        return supported(name, date.value) if date else found.released >= default_distro(ros).released
+
+    stores = [each for each in evidence.mentions if each.topic == "typestore" and possible(each.value)]
+    links = [each for each in evidence.commented if possible(each.ref or "") and not places.aside(each.file)]
+    found: list[Reason] = []
+    if len({each.value for each in stores}) == 1:
+        why = f"its code reads bags with the messages of {stores[0].value}: {stores[0].text}"
+        found.append(because("ros_distro", stores[0].value, why, stores[0], weight=TYPESTORE))
+    if len({each.ref for each in links}) == 1:
+        name = links[0].ref or ""
+        why = f"its code names {links[0].url} of the branch {name}"
+        found.append(because("ros_distro", name, why, links[0], weight=ADDRESS))
+    return found
