@@ -107,7 +107,8 @@ class Source:
     marked: tuple[str, ...] = ()
     """Folders of it that the author has the build tool pass over, ``""`` for all of it."""
     only: tuple[str, ...] = ()
-    """Packages of it that launch files alone want: what these do not need is hidden from the build tool."""
+    """Packages of it that launch files alone want, or messages alone: what these do not need is hidden from the build
+    tool."""
     instead: tuple[str, ...] = ()
     """Packages with it that a page installs from a source which it adds to apt: it is built where apt has them not."""
     place: Place | None = None

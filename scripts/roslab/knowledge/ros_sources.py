@@ -88,3 +88,9 @@ def alone() -> frozenset[str]:
 def collections() -> frozenset[str]:
     """Return the repositories that may hold others beside the packages that the table knows of them."""
     return frozenset(row["repo"] for row in rows("ros_sources")) - alone()
+
+
+@cache
+def packages_at(repo: str) -> frozenset[str]:
+    """Return the packages that the table knows in a repository."""
+    return frozenset(row["package"] for row in rows("ros_sources") if row["repo"] == repo)

@@ -30,7 +30,7 @@ UNNAMED = "nothing says which ROS distribution"
         ({"mapper/a.py": STORE}, "humble", False),
         ({"mapper/a.py": LINK}, "humble", False),
         ({"mapper/a.py": LINK.replace("blob", "tree")}, "humble", False),
-        ({"mapper/a.py": LINK, "mapper/b.py": STORE.replace("HUMBLE", "JAZZY")}, "jazzy", False),  # what it reads is more
+        ({"mapper/a.py": LINK, "mapper/b.py": STORE.replace("HUMBLE", "JAZZY")}, "jazzy", False),
         ({"mapper/a.py": "import rclpy\n"}, "jazzy", True),
         ({"mapper/a.py": STORE.replace("HUMBLE", "FOXY")}, "jazzy", True),  # it had ended
         ({"mapper/a.py": STORE + "OTHER = Stores.ROS2_JAZZY\n"}, "jazzy", True),  # it reads both

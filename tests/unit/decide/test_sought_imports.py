@@ -139,3 +139,18 @@ def test_a_table_knows_where_a_module_lies(tree: Tree, distro: str, ref: str | N
     found = [(s.name, s.repo, s.ref) for s in decision.source if not s.holding]
     assert found == ([("ros2_numpy", "https://github.com/Box-Robotics/ros2_numpy.git", ref)] if ref else [])
     assert any("no table knows" in w.message for w in decision.warnings) == (ref is None)
+
+
+@pytest.mark.parametrize(
+    ("beside", "sought"),
+    [
+        ("lab_converter_flat.py", False),
+        ("lab_converter.txt", True),
+        ("lab_tools.py", True),
+        ("parts/lab_converter_flat.py", True),
+    ],
+)
+def test_a_variant_of_what_lies_beside_it_is_a_lost_file(tree: Tree, beside: str, *, sought: bool) -> None:
+    node = {"mapper/map.py": "import rclpy\n" + IMPORT, f"mapper/{beside}": ""}
+    decision = tree({**PYTHON, "README.md": "ROS 2 Humble\n", **node})
+    assert [s.name for s in decision.source] == ["lab_converter"] * sought

@@ -15,12 +15,12 @@ PACKAGE = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend>{}
 LAUNCH = '<launch><include file="$(find rotors_description)/launch/a.launch"/></launch>'
 
 
-def _tree(tmp_path: Path, needs: str) -> str:
+def _tree(tmp_path: Path, needs: str, page: str = "ROS Noetic\n") -> str:
     files = {
         "package.xml": PACKAGE.format("demo", needs),
         "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
         "launch/demo.launch": LAUNCH,
-        "README.md": "ROS Noetic\n",
+        "README.md": page,
     }
     for name, text in files.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
@@ -37,6 +37,23 @@ def test_only_what_a_launch_file_wants_is_compiled(tmp_path: Path, needs: str, *
     assert (bool(re.search(asked, text)), bool(re.search(call, text))) == (hides, hides)
 
 
+@pytest.mark.parametrize(
+    ("needs", "page", "hides"),
+    [
+        ("<depend>voxblox_msgs</depend>", "", True),
+        ("<depend>voxblox_msgs</depend><depend>voxblox</depend>", "", False),
+        ("<depend>voxblox_msgs</depend>", "```\ngit clone https://github.com/ethz-asl/voxblox.git\n```\n", False),
+    ],
+)
+def test_messages_need_no_library_beside_them(tmp_path: Path, needs: str, page: str, *, hides: bool) -> None:
+    text = _tree(tmp_path, needs, f"ROS Noetic\n{page}")
+    assert "ethz-asl/voxblox.git" in text
+    assert bool(re.search(r'needed="\$\(workspace-packages needed \S+/voxblox voxblox_msgs \|', text)) == hides
+    if hides:
+        assert "catkin_simple.git" in text
+        assert "minkindr.git" not in text
+
+
 @pytest.mark.usefixtures("scripts_on_path")
 def test_what_makes_the_plugins_of_a_model_is_needed(tmp_path: Path) -> None:
     for name, needs in {"model": "", "plugins": "<depend>comm</depend>", "comm": "", "viewer": ""}.items():
@@ -48,3 +65,8 @@ def test_what_makes_the_plugins_of_a_model_is_needed(tmp_path: Path) -> None:
         ["workspace-packages", "needed", str(tmp_path), "model"], capture_output=True, text=True, check=True
     )
     assert [line.split("\t")[0] for line in done.stdout.splitlines()] == ["model", "plugins", "comm"]
+
+
+def test_what_may_be_another_package_of_it_is_not_hidden(tmp_path: Path) -> None:
+    needs = "<depend>voxblox_msgs</depend><depend>voxblox_new_msgs</depend>"
+    assert "/voxblox voxblox_msgs voxblox_new_msgs |" in _tree(tmp_path, needs)

@@ -145,6 +145,7 @@ class _Chosen:
     packages: set[str] = field(default_factory=set)
     """Packages that the table finds in these repositories."""
     wanted: dict[str, list[tuple[str, Dependency]]] = field(default_factory=dict)
+    asked: set[str] = field(default_factory=set)  # names that the build uses, and neither rosdep nor ROS has
     private: frozenset[str] = frozenset()
     """Addresses of what pages call private."""
     itself: set[str] = field(default_factory=set)
@@ -239,6 +240,7 @@ class _Chosen:
         for asked in needed:
             if asked.namespace not in {"rosdep", "ros", "cmake"} or asked.name in elsewhere:
                 continue
+            self.asked.add(asked.name)
             for found in ros_sources(asked.name, ros, distro):
                 if address(found.repo) in self.others:
                     continue
@@ -255,7 +257,7 @@ class _Chosen:
                 self.add(git, f"{asked.name} is needed, and no distribution released {found.package}", tabled=True)
                 if name in self.sources:
                     self.packages.add(found.package)
-                    self.wanted.setdefault(name, []).append((asked.name, asked))
+                    self.wanted.setdefault(name, []).append((found.package, asked))
                     self._complete(name, found, asked, distro)
 
     def _complete(self, name: str, found: RosSource, asked: Dependency, distro: str) -> None:
@@ -289,7 +291,7 @@ class _Chosen:
         """Return the sources with their reasons and warnings."""
         return Choice(
             answer=Sources(
-                sources=only_for_launches(self.sources.values(), self.wanted),
+                sources=only_for_launches(self.sources.values(), self.wanted, self.asked, others=bool(self.empty)),
                 vcs=files,
                 submodules=tuple(self.empty),
                 libraries=tuple(self.libraries.items()),

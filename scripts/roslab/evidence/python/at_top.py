@@ -21,6 +21,8 @@ MAX_SIZE = 64 * 1024
 
 _INSTALLED = pattern(r"\b(?:catkin_install_python|install)[ \t]*\(\s*PROGRAMS\b([^()]{1,4000})\)", re.IGNORECASE)
 _PROGRAM = pattern(r"[\w./-]+\.py\b")
+_VARIANT = 2
+"""Fewest words that the names of two modules beside each other begin with alike by more than chance."""
 
 
 def read(
@@ -32,7 +34,8 @@ def read(
     """Yield the modules that programs import under no condition, with the place of the first import in each.
 
     Of those that pages run what they import themselves; of nodes, which launch files start and CMake or the setup.py
-    beside a package.xml installs, what modules of the tree import for them, too.
+    beside a package.xml installs, what modules of the tree import for them, too, but what is a module of the tree
+    that was not committed, by the names of those beside it.
     """
     run = run_by_pages(mentions)
     for module in modules(repository) if run else ():
@@ -43,7 +46,8 @@ def read(
     reached = nodes | of_tree(repository).reached(starting) if starting else frozenset()
     for module in modules(repository) if reached else ():
         if module.file.path in reached:
-            yield from _of(module, "node_import")
+            beside = of_tree(repository).beside(module.file.path)
+            yield from (each for each in _of(module, "node_import") if not _lost(each.value, beside))
 
 
 def _of(module: Module, topic: Literal["at_top", "node_import"]) -> Iterator[Mention]:
@@ -76,3 +80,14 @@ def _entries(repository: Repository, projects: Iterable[PythonProject]) -> Itera
             for module in project.modules:
                 path = f"{module.replace('.', '/')}.py"
                 yield from (posixpath.join(project.folder, path), posixpath.join(project.folder, "src", path))
+
+
+def _lost(name: str, beside: Iterable[str]) -> bool:
+    """Tell whether modules beside it are variants of a module: ``net_dense`` of ``net_dense_flat``, or both of one."""
+    words = name.split("_")
+    return any(_shared(words, each.split("_")) >= _VARIANT for each in beside if each != name)
+
+
+def _shared(one: list[str], other: list[str]) -> int:
+    """Return how many words two names begin with alike."""
+    return next((at for at, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))

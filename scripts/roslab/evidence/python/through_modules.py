@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Set as AbstractSet
 
 from roslab.evidence.python.import_graph import ImportGraph
 from roslab.evidence.python.modules import Module, modules
@@ -47,6 +48,10 @@ class Modules:
         self._written: dict[str, tuple[str, ...]] = {}
         self._imports: dict[str, tuple[str, ...]] = {}
         self.graph = ImportGraph(self.by_file, self._inside, self._tops, self._resolved)
+
+    def beside(self, file: str) -> AbstractSet[str]:
+        """Return the names of the modules and of the folders that lie beside a file."""
+        return self._inside.get(posixpath.dirname(file), frozenset())
 
     def reached(self, starts: Iterable[str]) -> frozenset[str]:
         """Return the files that these import at their top, by whichever way."""
