@@ -176,7 +176,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     )
     system = may_lack(
         with_release(with_libraries(system, libraries, evidence, config, target), evidence, target),
-        base.answer.image,
+        base.answer,
         config.apt,
     )
     repositories = decide_apt_sources(

@@ -43,6 +43,7 @@ from roslab.decide.system.missing import Missing, marked
 from roslab.decide.system.must_build import must_build
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import host_options
+from roslab.decide.system.of_vendors import what_stops
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
 from roslab.decide.system.own_packages import own_packages
 from roslab.decide.system.packages import SystemPackages
@@ -104,12 +105,6 @@ def _unknown_packages(of: Choices, evidence: Evidence, config: Config) -> Choice
     return decide_unknown_packages(evidence, config, of.kind.answer, sources=of.sources.answer, there=there)
 
 
-def _as_needed(of: Choices, evidence: Evidence, needed: tuple[str, ...]) -> Choice[SystemPackages]:
-    """Return the system packages with what is told of those without which the default command does not start."""
-    told = once(of.system.warnings, of.missing.warnings)
-    return replace(of.system, warnings=tuple(stopping(told, of.packages, needed, evidence)))
-
-
 def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     """Return the decision, with the reasons and the warnings of every choice.
 
@@ -134,7 +129,11 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     )
     whole = of.own.answer or config.compatible or not ros
     alone = () if whole else spare(evidence, config, of.command.answer, of.packages, {*of.left_out, *failing})
-    system = of.system if of.own.answer else _as_needed(of, evidence, needed)
+    system = of.system
+    if not of.own.answer:
+        told = stopping(once(system.warnings, of.missing.warnings), of.packages, needed, evidence)
+        told = what_stops(told, of.packages, {*alone, *failing, *of.left_out}, of.build_tool.answer)
+        system = replace(system, warnings=tuple(told))
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),

@@ -86,3 +86,26 @@ def test_a_version_without_an_image_is_told(tmp_path: Path) -> None:
     found = _decided(tmp_path, "CUDA 13.0 or newer")
     assert found.base_image == "ros:noetic-ros-base"
     assert any("the toolkit of focal is CUDA 10.1, and no image" in each.message for each in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("page", "image"),
+    [
+        ("I am using CUDA 10.2", "nvidia/cuda:11.0.3-devel-ubuntu16.04"),
+        ("CUDA 7.5", "ros:kinetic-ros-base"),
+        ("A paper.", "ros:kinetic-ros-base"),
+    ],
+)
+def test_the_toolkit_of_xenial_is_an_old_one(tmp_path: Path, page: str, image: str) -> None:
+    found = _decided(tmp_path, page, ros="kinetic")
+    assert found.base_image == image
+    assert (TOOLKIT in found.apt) == (not image.startswith("nvidia"))
+    assert found.cuda_options == ()  # what compiles beside it is xenial's own
+
+
+def test_where_no_image_knows_the_gpus_it_is_told(tmp_path: Path) -> None:
+    cmake = f'{MADE}set(CUDA_NVCC_FLAGS "-gencode arch=compute_30,code=sm_30")\n'
+    found = _decided(tmp_path, "I am using CUDA 10.2", cmake, ros="kinetic")
+    assert found.base_image == "ros:kinetic-ros-base"
+    told = [w.message for w in found.warnings if "the toolkit of xenial is CUDA 7.5, and no image" in w.message]
+    assert len(told) == 1

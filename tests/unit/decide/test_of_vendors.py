@@ -51,3 +51,36 @@ def test_what_the_author_lists_has_to_install(tmp_path: Path) -> None:
 def test_images_of_the_vendor_have_the_source(image: str, *, added: bool) -> None:
     found = [each for each in added_sources() if "nvidia" in each.url and not each.base.fullmatch(image)]
     assert bool(found) == added
+
+
+OTHER = "<package><name>other</name><buildtool_depend>catkin</buildtool_depend><depend>demo</depend></package>"
+PLAIN = "project(other)\nfind_package(catkin REQUIRED)\nadd_executable(b b.cpp)\n"
+BELOW = {f"scan/{name}": text for name, text in FILES.items()}
+
+
+@pytest.mark.parametrize(
+    ("page", "more", "told"),
+    [
+        ("ROS Noetic", {}, "if that does not install, catkin_make stops at demo, which links it"),
+        (
+            "ROS Noetic",
+            {"other/package.xml": OTHER, "other/CMakeLists.txt": PLAIN},
+            "if that does not install, catkin_make stops at demo, which links it, and other needs that",
+        ),
+        ("ROS Kinetic", {}, "and none of those is known for Ubuntu xenial, so that catkin_make stops at demo, which"),
+        ("ROS Melodic", {}, "and none of those is known for Ubuntu bionic, so that catkin_make stops at demo, which"),
+        (
+            "ROS Noetic",
+            {
+                f"{name}/{file}": text.replace("demo", name).replace("nvinfer", "pthread").replace("NvInfer.h", "a.h")
+                for name in ("p1", "p2", "p3", "p4", "p5", "p6")
+                for file, text in FILES.items()
+            },
+            "if that does not install, what links it is not built",  # it may be left out of so many
+        ),
+    ],
+)
+def test_what_happens_without_it(tree: Tree, page: str, more: dict[str, str], told: str) -> None:
+    decision = tree({**BELOW, **more, "README.md": f"# Demo\n{page}\n"})
+    (said,) = (each for each in decision.warnings if each.message.startswith("libnvinfer-dev is only in its vendor's"))
+    assert told in said.message
