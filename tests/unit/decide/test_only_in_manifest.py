@@ -75,3 +75,19 @@ def test_what_one_package_uses_is_told_as_before(tree: Tree) -> None:
     files = {f"demo/{path}": text for path, text in BASE.items() if path != "README.md"}
     decision = tree({"README.md": BASE["README.md"], **files, **other})
     assert not any("does no harm" in w.message for w in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    ("code", "harmless"),
+    [
+        ("int last_bspline_phase;\n", True),
+        ("#include <bspline/curve.h>\n", False),
+        ("BsplineCurve curve;\n", False),
+    ],
+)
+def test_a_name_of_one_word(tree: Tree, code: str, *, harmless: bool) -> None:
+    more = MANIFEST.format("<depend>bspline</depend>")
+    told = [
+        w.message for w in tree({**BASE, "package.xml": more, "src/demo.cpp": code}).warnings if "no key" in w.message
+    ]
+    assert any("bspline" in message and "no harm" in message for message in told) == harmless

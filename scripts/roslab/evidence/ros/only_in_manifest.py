@@ -20,7 +20,8 @@ _XML = (".launch", ".xml", ".xacro", ".urdf", ".world", ".sdf")
 _OTHERS = (".cmake", ".py", ".yaml", ".yml", ".msg", ".srv", ".action", ".cfg", ".sh", ".bash", ".txt", ".test")
 _WITHOUT_ENDING = "scripts/"
 _WORDS = pattern(r"[A-Za-z][\w-]*")
-_NAME = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+_NAME = pattern(r"(?!lib|python)[a-z](?:[a-z0-9]*(?:_[a-z0-9]+)+|[a-z0-9]{3,})")
+"""One word alone has to be of four letters."""
 _OF_BUILD = frozenset({"build", "buildtool"})
 _HASH = pattern(r"#[^\n]*")
 _OPENS = pattern(r"/[/*]")
@@ -48,7 +49,7 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             used |= {*unknown}
             continue
         found = _words(repository, files.get(manifest.file.rpartition("/")[0], ()))
-        used |= {name for name in unknown if found is None or any(name in word for word in found)}
+        used |= {name for name in unknown if found is None or any(_used(name, word) for word in found)}
         for name, asked in unknown.items():
             text = f"<depend>{name}</depend>"
             at = Mention(
@@ -56,6 +57,11 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             )
             first.setdefault(name, at)
     yield from (each for name, each in first.items() if name not in used)
+
+
+def _used(name: str, word: str) -> bool:
+    """Tell whether a word may mean a package: it has its name in it, or begins so where that is one word alone."""
+    return name in word if "_" in name else word.lower().startswith((name, f"lib{name}"))
 
 
 def _words(repository: Repository, own: Collection[File]) -> set[str] | None:
