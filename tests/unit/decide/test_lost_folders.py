@@ -72,6 +72,25 @@ def test_it_is_made_and_told(tmp_path: Path, file: str, text: str, found: str) -
     assert written.count(line) == (2 if found else 0), "before the build, and where the source is copied again after it"
 
 
+@pytest.mark.parametrize(
+    ("files", "made"),
+    [
+        (["demo/models/net.trt"], False),
+        (["demo/models/other.trt"], True),
+        (["demo/models/net.trt", "other/net.trt"], True),  # either may be meant
+    ],
+)
+def test_what_lies_elsewhere_is_told_and_not_made(tmp_path: Path, files: list[str], *, made: bool) -> None:
+    root = tmp_path / "whole"
+    launch = "<launch><param name='a' value='$(find demo)/demo/models/net.trt'/></launch>\n"
+    told, written = lost(root, {"demo/launch/a.launch": launch, **dict.fromkeys(files, "")})
+    assert told == (["demo/demo/models/"] if made else [])
+    assert ("whole/demo/demo/models" in written) == made
+    warnings = [each.message for each in plan_repository(root).decision.warnings]
+    said = "demo/demo/models/net.trt is named there, and the repository has demo/models/net.trt: correct the path"
+    assert (said in warnings) != made
+
+
 def test_of_ros_2_nothing_is_found_where_the_source_lies(tmp_path: Path) -> None:
     told, written = lost(tmp_path / "whole", {"demo/src/demo.cpp": WRITES.format("/results/a.bin")}, "ament_cmake")
     assert (told, "ws/src/whole/demo/results" in written) == ([], False)

@@ -31,7 +31,7 @@ def decide_not_there(
     if config.compatible:
         return Choice(answer=())
     data = tuple(_of_data(evidence, folders)) if build_tool.startswith("catkin") else ()
-    made = tuple(f"{each.value}/" for each in data)
+    made = tuple(f"{each.value}/" for each in data if not each.files)
     if not installs:
         return Choice(answer=made, warnings=tuple(map(_lost, data)))
     found = [
@@ -42,12 +42,16 @@ def decide_not_there(
 
 
 def _of_data(evidence: Evidence, folders: Mapping[str, str | None]) -> Iterator[Mention]:
-    """Yield the folders of data of the packages that are built."""
+    """Yield the folders of data of the packages that are built, and of files that lie elsewhere."""
     lost = (m for m in evidence.mentions if m.topic == "lost_folder")
     yield from (m for m in lost if any(not folder or m.value.startswith(f"{folder}/") for folder in folders))
 
 
 def _lost(folder: Mention) -> Warning_:
+    if folder.files:
+        (there,) = folder.files
+        name = f"{folder.value}/{there.rpartition('/')[2]}"
+        return warn(f"{name} is named there, and the repository has {there}: correct the path", folder)
     why = "git keeps no empty folders, and its code has files there: made empty"
     return warn(f"the repository does not have {folder.value}/ ({why})", folder)
 

@@ -32,7 +32,10 @@ _GIVEN = (
 
 
 def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterator[Mention]:
-    """Yield each such folder once, by its path from the root, at the first place that names it."""
+    """Yield each such folder once, by its path from the root, at the first place that names it.
+
+    With the file that is meant (``files``) where the tree has one of that name elsewhere.
+    """
     owners = {each.name: posixpath.dirname(each.file) for each in manifests if each.name and not each.ignored}
     found: set[str] = set()
     for file in repository.suffixed(*_CODE, *_LAUNCH) if owners else ():
@@ -51,7 +54,16 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             found.add(folder)
             line = text.count("\n", 0, match.start()) + 1
             said = match[0][:120]
-            yield Mention(topic="lost_folder", value=folder, source="code", file=file.path, line=line, text=said)
+            there = tuple(each.path for each in repository.named(match[3]) if match[3] and each.name == match[3])
+            yield Mention(
+                topic="lost_folder",
+                value=folder,
+                source="code",
+                file=file.path,
+                line=line,
+                text=said,
+                files=there if len(there) == 1 else (),
+            )
             if len(found) == MOST:
                 return
 
