@@ -115,7 +115,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     interpreters = decide_interpreters(evidence, config, ubuntu)
     files: Choice[tuple[str, ...]] = Choice(answer=()) if of.own.answer else own_packages(evidence, config, ubuntu)
-    folders = decide_author_folders(evidence, config, of.packages, of.layout.answer, of.build_tool.answer)
+    folders = decide_author_folders(
+        evidence, config, of.packages, of.layout.answer, of.build_tool.answer, image=of.base.answer.image
+    )
     failing = may_fail(
         evidence, of.packages, of.target, of.sources.answer, of.left_out, stopping=of.missing.answer.stopping
     )
@@ -129,11 +131,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     )
     whole = of.own.answer or config.compatible or not ros
     alone = () if whole else spare(evidence, config, of.command.answer, of.packages, {*of.left_out, *failing})
-    system = of.system
-    if not of.own.answer:
-        told = stopping(once(system.warnings, of.missing.warnings), of.packages, needed, evidence)
-        told = what_stops(told, of.packages, {*alone, *failing, *of.left_out}, of.build_tool.answer)
-        system = replace(system, warnings=tuple(told))
+    told = stopping(once(of.system.warnings, of.missing.warnings), of.packages, needed, evidence)
+    told = what_stops(told, of.packages, {*alone, *failing, *of.left_out}, of.build_tool.answer)
+    system = of.system if of.own.answer else replace(of.system, warnings=tuple(told))
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),

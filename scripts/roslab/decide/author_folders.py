@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import BuildTool, Config
+from roslab.decide.cuda.toolkit_links import TOOLKIT, toolkit_links
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because
 from roslab.decide.ros.layout import Layout
@@ -13,6 +14,7 @@ from roslab.evidence import places
 from roslab.evidence.author_path import AuthorPath
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.launch_file import LaunchFile
+from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 
 LINKED = 40
@@ -27,6 +29,20 @@ _LISTED = (".yaml", ".yml", ".launch", ".xml", ".xacro", ".urdf", ".rviz")
 
 
 def decide_author_folders(
+    evidence: Evidence, config: Config, packages: Packages, layout: Layout, build_tool: BuildTool, *, image: str
+) -> Choice[tuple[tuple[str, str], ...]]:
+    """Return the folders that links stand for: the author's, and those of releases of CUDA that the image has not."""
+    choice = _of_author(evidence, config, packages, layout, build_tool)
+    toolkits = () if config.compatible else tuple(toolkit_links(evidence, image))
+    why = f"CMake names it, and the image has another release of CUDA: a link there leads to {TOOLKIT}"
+    return replace(
+        choice,
+        answer=(*choice.answer, *((folder, TOOLKIT) for folder, _ in toolkits)),
+        reasons=(*choice.reasons, *(because("workspace", f, why, said, weight=LINKED) for f, said in toolkits)),
+    )
+
+
+def _of_author(
     evidence: Evidence, config: Config, packages: Packages, layout: Layout, build_tool: BuildTool
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return the author's folders, each with what a link there leads to: ``source/...`` or ``workspace/install``.

@@ -192,7 +192,7 @@ class Decision:
     interpreters: tuple[tuple[str, str], ...] = ()
     """Paths of Python on the author's machine, each with the program that a link there leads to."""
     author_folders: tuple[tuple[str, str], ...] = ()
-    """Folders of the author's machine, each with what a link there leads to: ``source/…`` or ``workspace/…``.
+    """Folders of the author's machine, each with what a link there leads to: ``source/…``, ``workspace/…``, or a path.
 
     ``~/NAME`` lies in the home of the image's user.
     """

@@ -102,7 +102,7 @@ class Plan:
     interpreters: tuple[tuple[str, str], ...]
     """Paths of Python on the author's machine that scripts name, each with the program that a link there leads to."""
     author_folders: tuple[tuple[str, str], ...]
-    """Folders of the author's machine that files name, each with the folder below the home that a link leads to.
+    """Folders of the author's machine that files name, each with what a link leads to: below the home, or a path.
 
     ``~/NAME`` is one of the home itself.
     """

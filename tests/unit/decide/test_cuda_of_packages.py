@@ -109,3 +109,20 @@ def test_where_no_image_knows_the_gpus_it_is_told(tmp_path: Path) -> None:
     assert found.base_image == "ros:kinetic-ros-base"
     told = [w.message for w in found.warnings if "the toolkit of xenial is CUDA 7.5, and no image" in w.message]
     assert len(told) == 1
+
+
+@pytest.mark.parametrize(
+    ("line", "page", "image", "link"),
+    [
+        ("set(CUDA_INSTALL_DIR /usr/local/cuda-10.2)", "", "nvidia/cuda:11.0.3-devel-ubuntu16.04", True),
+        ("include_directories(/usr/local/cuda-10.2/include)", "", "nvidia/cuda:11.0.3-devel-ubuntu16.04", True),
+        ("set(CUDA_INSTALL_DIR /usr/local/cuda-11.1)", "", "nvidia/cuda:11.1.1-devel-ubuntu16.04", False),
+        ("set(CUDA_INSTALL_DIR /usr/local/cuda-7.5)", "CUDA 11.1", "ros:kinetic-ros-base", False),  # CMake tells more
+        ("# set(CUDA_INSTALL_DIR /usr/local/cuda-10.2)", "", "ros:kinetic-ros-base", False),
+        ("set(CUDA_INSTALL_DIR /usr/local/cuda)", "", "ros:kinetic-ros-base", False),
+    ],
+)
+def test_the_toolkit_whose_folder_cmake_names(tmp_path: Path, line: str, page: str, image: str, *, link: bool) -> None:
+    found = _decided(tmp_path, page, f"{MADE}{line}\n", ros="kinetic")
+    assert found.base_image == image
+    assert found.author_folders == ((("/usr/local/cuda-10.2", "/usr/local/cuda"),) if link else ())

@@ -19,7 +19,7 @@ USER = 1234 if os.getuid() == 0 else os.getuid()
 """Who else than root the folders may be given to."""
 
 
-def _made(*folders: str) -> str:
+def _made(*folders: str, target: str = "source") -> str:
     decision = Decision(
         kind="python",
         ros_distro=None,
@@ -27,7 +27,7 @@ def _made(*folders: str) -> str:
         base_image="ubuntu:22.04",
         build_tool="pip",
         python=Python(version="3.10", manager="system"),
-        author_folders=tuple((folder, "source") for folder in folders),
+        author_folders=tuple((folder, target) for folder in folders),
     )
     return author_folders(make_plan(decision, Config(), folder_name="paper"))
 
@@ -56,3 +56,8 @@ def test_what_the_image_has_stays(tmp_path: Path) -> None:
 @pytest.mark.parametrize("path", ["/paper", "~/Paper"])
 def test_nothing_is_made_at_the_root_or_in_the_home(path: str) -> None:
     assert "install --directory" not in _made(path)
+
+
+def test_a_link_may_lead_to_a_path_of_the_image(tmp_path: Path) -> None:
+    _run(_made(f"{tmp_path}/cuda-10.2", target=f"{tmp_path}/cuda"))
+    assert (tmp_path / "cuda-10.2").readlink() == tmp_path / "cuda"

@@ -116,6 +116,9 @@ def _asked(evidence: Evidence) -> Iterator[_Asked]:
             if each.namespace == "cmake" and each.name in _NAMES and each.version and each.strength == "declared":
                 words = f"find_package asks for {each.name} {each.version}"
                 yield _Asked(lowest=each.version, place=each, words=words)
+    for path in evidence.mentions:
+        if path.topic == "cuda_path":
+            yield _Asked(exact=path.value, place=path, words=f"CMake names the toolkit of CUDA {path.value}")
     said = (m for m in evidence.mentions if m.topic == "cuda" and m.source == "readme")
     for mention in sorted(said, key=lambda m: m.file.count("/")):
         if not _OF_WHEELS.search(mention.text):

@@ -15,7 +15,8 @@ def author_folders(plan: Plan) -> str:
     for path, target in plan.author_folders:
         name = _at_home(path) if path.startswith("~/") else quote.shell(path)
         above = "" if path.startswith("~/") else _made(posixpath.dirname(path))
-        linked.append(f"if [ ! -e {name} ]; then {above}ln --symbolic {_at_home(f'~/{target}')} {name}; fi")
+        to = quote.shell(target) if target.startswith("/") else _at_home(f"~/{target}")
+        linked.append(f"if [ ! -e {name} ]; then {above}ln --symbolic {to} {name}; fi")
     return shell.run(*linked, comment="Files name these folders of the author's machine") if linked else ""
 
 
