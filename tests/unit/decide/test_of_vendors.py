@@ -28,6 +28,12 @@ def test_the_source_is_added_to_an_image_of_ros(tree: Tree) -> None:
     assert told.file in FILES
 
 
+def test_ubuntu_18_04_has_a_source_too(tree: Tree) -> None:
+    decision = tree({**FILES, "README.md": "# Demo\nROS Melodic, Ubuntu 18.04\n"})
+    assert "libnvinfer-dev" in decision.apt_guessed
+    assert any("/cuda/repos/ubuntu1804/x86_64/ /" in each for each in decision.repositories)
+
+
 def test_what_the_author_lists_has_to_install(tmp_path: Path) -> None:
     for name, text in {**FILES, "roslab.yaml": "format: 3\napt: [libnvinfer-dev]\n"}.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
@@ -68,7 +74,7 @@ BELOW = {f"scan/{name}": text for name, text in FILES.items()}
             "if that does not install, catkin_make stops at demo, which links it, and other needs that",
         ),
         ("ROS Kinetic", {}, "and none of those is known for Ubuntu xenial, so that catkin_make stops at demo, which"),
-        ("ROS Melodic", {}, "and none of those is known for Ubuntu bionic, so that catkin_make stops at demo, which"),
+        ("ROS Melodic", {}, "if that does not install, catkin_make stops at demo, which links it"),
         (
             "ROS Noetic",
             {
