@@ -145,7 +145,7 @@ class Mention:
         "from_above",        "on_gpu", "handed", "own_spelling", "optional_step", "started",
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "optional_ros",
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "typestore",
-        "cuda_path",
+        "cuda_path", "lost_module",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -154,3 +154,6 @@ def test_a_variant_of_what_lies_beside_it_is_a_lost_file(tree: Tree, beside: str
     node = {"mapper/map.py": "import rclpy\n" + IMPORT, f"mapper/{beside}": ""}
     decision = tree({**PYTHON, "README.md": "ROS 2 Humble\n", **node})
     assert [s.name for s in decision.source] == ["lab_converter"] * sought
+    told = [w for w in decision.warnings if "most likely it was not committed" in w.message]
+    assert [(w.file, w.line) for w in told] == [("mapper/map.py", 2)] * (not sought)
+    assert any("no table knows" in w.message for w in decision.warnings) == sought

@@ -70,12 +70,20 @@ def lost(
             yield warn(f"the code imports {used.name}, which the index of pip does not have: {row.why}{then}", used)
     yield from _tried(chosen)
     unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen, ros_distro)]
-    places = {each.value: each for each in chosen.stopping}
-    stopping = [used for used in unknown if used.name in places]
-    for at, found in ((places, stopping), ({}, [used for used in unknown if used.name not in places])):
+    lacking = {m.value: m for m in evidence.mentions if m.topic == "lost_module" and not places.aside(m.file)}
+    yield from (_not_committed(lacking[used.name]) for used in unknown if used.name in lacking)
+    unknown = [used for used in unknown if used.name not in lacking]
+    stops = {each.value: each for each in chosen.stopping}
+    stopping = [used for used in unknown if used.name in stops]
+    for at, found in ((stops, stopping), ({}, [used for used in unknown if used.name not in stops])):
         if found:
             first = at.get(found[0].name, found[0])
             yield warn(_of_no_table(found, at, evidence, kind, chosen), first)
+
+
+def _not_committed(module: Mention) -> Warning_:
+    what = f"{module.file} imports {module.value}, which the tree does not have, and which is called like {module.text}"
+    return warn(f"{what} beside it: most likely it was not committed, and what imports it stops; add it", module)
 
 
 def _of_no_table(

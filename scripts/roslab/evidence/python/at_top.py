@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Iterator
+from collections.abc import Set as AbstractSet
 from typing import Literal
 
 from roslab.evidence.facts import Mention
@@ -14,6 +15,7 @@ from roslab.evidence.python.modules import Module, modules, run_by_pages
 from roslab.evidence.python.through_modules import of_tree
 from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -34,8 +36,8 @@ def read(
     """Yield the modules that programs import under no condition, with the place of the first import in each.
 
     Of those that pages run what they import themselves; of nodes, which launch files start and CMake or the setup.py
-    beside a package.xml installs, what modules of the tree import for them, too, but what is a module of the tree
-    that was not committed, by the names of those beside it.
+    beside a package.xml installs, what modules of the tree import for them, too. With its own topic what is a
+    module of the tree that was not committed, by the names of those beside it, the first of which is its text.
     """
     run = run_by_pages(mentions)
     for module in modules(repository) if run else ():
@@ -47,7 +49,9 @@ def read(
     for module in modules(repository) if reached else ():
         if module.file.path in reached:
             beside = of_tree(repository).beside(module.file.path)
-            yield from (each for each in _of(module, "node_import") if not _lost(each.value, beside))
+            for each in _of(module, "node_import"):
+                variant = _variant(each.value, beside)
+                yield replace(each, topic="lost_module", text=variant) if variant else each
 
 
 def _of(module: Module, topic: Literal["at_top", "node_import"]) -> Iterator[Mention]:
@@ -82,10 +86,14 @@ def _entries(repository: Repository, projects: Iterable[PythonProject]) -> Itera
                 yield from (posixpath.join(project.folder, path), posixpath.join(project.folder, "src", path))
 
 
-def _lost(name: str, beside: Iterable[str]) -> bool:
-    """Tell whether modules beside it are variants of a module: ``net_dense`` of ``net_dense_flat``, or both of one."""
+def _variant(name: str, beside: AbstractSet[str]) -> str:
+    """Return the first module beside one that is not there which is called as a variant of it is, else ``""``.
+
+    ``net_dense_flat`` is one of ``net_dense``, and ``net_dense_old`` is one, too.
+    """
     words = name.split("_")
-    return any(_shared(words, each.split("_")) >= _VARIANT for each in beside if each != name)
+    alike = (each for each in sorted(beside) if _shared(words, each.split("_")) >= _VARIANT)
+    return "" if name in beside else next(alike, "")
 
 
 def _shared(one: list[str], other: list[str]) -> int:
