@@ -45,12 +45,15 @@ _SAID_LAUNCH = pattern(
 """A launch in a sentence, by a package or a path: ``Run "roslaunch demo map.launch" to start``."""
 
 
-def in_sentence(line: str) -> Iterator[str]:
-    """Yield what a line of prose tells to do, as the shell's commands."""
+def in_sentence(line: str, *, title: bool = False) -> Iterator[str]:
+    """Yield what a line of prose tells to do, as the shell's commands.
+
+    ``title``: it is that of a block of commands below, which say how its program is started.
+    """
     yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
     yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
     quoted = "`" in line
     yield from (f"cd {named[1]}" for named in (_GO_INTO.finditer(line) if quoted else ()))
-    yield from (f"./{named[1]}" for named in (_NAMED.finditer(line) if quoted else ()))
+    yield from (f"./{named[1]}" for named in (_NAMED.finditer(line) if quoted and not title else ()))
     yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
     yield from (f"./{named[1]}" for named in (_NAMED_SHELL.finditer(line) if ".sh" in line else ()))

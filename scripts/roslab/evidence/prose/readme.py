@@ -52,6 +52,7 @@ from roslab.evidence.prose.script_folders import elsewhere
 from roslab.evidence.prose.shell_functions import functions, meant
 from roslab.evidence.prose.shells import leads_elsewhere
 from roslab.evidence.prose.telling import Signs, lines_with, signs_in, telling
+from roslab.evidence.prose.titled import titles_commands
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -253,7 +254,8 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             following = lines[index].lstrip()
             line = line.rstrip() + "\n" + (_MARK.sub("", following) if marked else following)
             index += 1
-        for shell in _shell(line, signs, fenced=fenced):
+        title = not fenced and "`" in line and titles_commands(lines, first)
+        for shell in _shell(line, signs, fenced=fenced, title=title):
             yield first, shell, " / ".join(titles.values())
 
 
@@ -262,7 +264,7 @@ def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
     return telling(line, signs) or (not fenced and telling(line, IN_SENTENCES))
 
 
-def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
+def _shell(line: str, signs: Signs, *, fenced: bool, title: bool) -> Iterator[str]:
     line = without_marks(typed(line), fenced=fenced)
     if (alone := _ALONE.fullmatch(line)) and (_START.match(alone[2]) or _BARE.fullmatch(alone[2])):
         line, fenced = alone[2], True
@@ -276,4 +278,4 @@ def _shell(line: str, signs: Signs, *, fenced: bool) -> Iterator[str]:
         spans = (typed(s[2]) for s in _SPAN.finditer(line) if not of_failure(line, s.start(), s.end(), s[2].strip()))
         told = (span for span in spans if telling(span, signs) and " " in span)
         yield from (f"({span})" if _THERE.match(span) else span for span in told)  # a shell of its own
-        yield from in_sentence(line)
+        yield from in_sentence(line, title=title)
