@@ -16,7 +16,7 @@ from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.purposes import names_of_whole
 from roslab.decide.reasons import page_of
-from roslab.decide.ros.workspace import packages_of
+from roslab.decide.ros.workspace import packages_of, types
 from roslab.decide.scripts import NOTEBOOK
 from roslab.decide.sessions import in_sessions
 from roslab.decide.startable_launches import unstartable
@@ -25,8 +25,9 @@ from roslab.decide.system.switches import given
 from roslab.decide.unmade_nodes import with_unmade
 from roslab.decide.written_commands import written
 from roslab.evidence import places
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.prose.pointed import offered
+from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
@@ -150,12 +151,25 @@ def _nodes(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
             if (package := packages.get(name)) and not _TEST.search(name) and not places.aside(project.file):
                 why = "a program that its package compiles"
                 yield Candidate(argv=(*start, package, name), why=why, file=project.file, line=line, strong=False)
-    folders = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages_of(evidence).built}
+    by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
+    made = {manifest.file.rpartition("/")[0]: manifest for manifest in packages_of(evidence).built}
     for python in evidence.python if kind == "ros2" else ():
-        for name, line in python.scripts if folders.get(python.folder) else ():
+        manifest = made.get(python.folder)
+        if manifest is None or not manifest.name or (python.folder in by_cmake and not _by_python(python, manifest)):
+            continue
+        for name, line in python.scripts:
             why = "a program that its package installs"
-            argv = (*start, str(folders[python.folder]), name)
+            argv = (*start, manifest.name, name)
             yield Candidate(argv=argv, why=why, file=python.file, line=line, strong=False)
+
+
+def _by_python(project: PythonProject, manifest: PackageManifest) -> bool:
+    """Tell whether colcon installs the programs of a project beside a CMakeLists.txt where ``ros2 run`` looks for them.
+
+    It does where Python builds the package; ament_cmake reads a setup.cfg, and neither setup.py nor pyproject.toml.
+    https://github.com/ament/ament_cmake (ament_cmake_python/cmake/ament_python_install_package.cmake), 2026-11-27.
+    """
+    return "ament_python" in types(manifest, 2) or project.file.endswith("setup.cfg")
 
 
 def _compiled(evidence: Evidence) -> Iterator[Candidate]:

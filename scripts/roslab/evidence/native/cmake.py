@@ -52,14 +52,21 @@ https://github.com/PickNikRobotics/generate_parameter_library/blob/main/generate
 (read 2026-11-26)
 """
 _TARGETS = _EXECUTABLE | _LIBRARY
-_REPEATED = _TARGETS | {"set_target_properties"}
+_COMPONENT = "rclcpp_components_register_node"
+_REPEATED = _TARGETS | {"set_target_properties", _COMPONENT}
 _TESTS = frozenset({"add_test", "gtest_discover_tests", "catch_discover_tests"})
+_NOTING = {
+    **dict.fromkeys(_TESTS, Reading.test),
+    **dict.fromkeys(_LIBRARY, Reading.library),
+    _COMPONENT: Reading.component,
+}
 _NAMES = (
     cmake_needs.CALLS
     | _TESTS
     | cmake_needs.BRINGING
     | _EXECUTABLE
     | _LIBRARY
+    | {_COMPONENT}
     | frozenset(
         [
             "project",
@@ -252,10 +259,8 @@ def _note(call: Call, path: str, reading: Reading) -> None:
         reading.languages += words[:1]
     elif name in _EXECUTABLE and words and TARGET.match(words[0]):
         reading.program(told)
-    elif name in _TESTS:
-        reading.test(told)
-    elif name in _LIBRARY:
-        reading.library(told)
+    elif noting := _NOTING.get(name):
+        noting(reading, told)
     elif name in cmake_needs.BRINGING:
         reading.brought |= dict.fromkeys(cmake_needs.brought(call))
         reading.sources += cmake_needs.fetched(told, path) if name in cmake_needs.FETCHING else ()

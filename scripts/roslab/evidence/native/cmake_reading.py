@@ -5,9 +5,10 @@ from __future__ import annotations
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.lex.cmake import Call
+from roslab.evidence.native.made_targets import TARGET
 from roslab.evidence.native.outside import outside_of_workspaces
 from roslab.evidence.native.program_folders import ProgramFolders
-from roslab.values.dataclass import dataclass, field
+from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 
 _CODE = pattern(r"\w[\w./+-]*\.(?:c|cc|cpp|cxx|cu)$")
@@ -88,6 +89,15 @@ class Reading:
         for condition in call.conditions:
             found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
             self.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
+
+    def component(self, call: Call) -> None:
+        """Note the program that starts a component of ROS 2, which the call makes of a library and installs.
+
+        https://github.com/ros2/rclcpp (rclcpp_components/cmake/rclcpp_components_register_node.cmake), 2026-11-27.
+        """
+        for word, name in zip(call.words, call.words[1:], strict=False):
+            if word == "EXECUTABLE" and TARGET.match(name):
+                self.program(replace(call, words=(name,), written=()))
 
     def test(self, call: Call) -> None:
         """Note a test, and the options that are off and that it waits for, of all the one that waits for the fewest."""
