@@ -9,6 +9,7 @@ from roslab.decide.absent import variant
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import without_chores
 from roslab.decide.equally_meant import of_whole, without_robot
+from roslab.decide.only_launched import only_launched
 from roslab.decide.purposes import of_purpose
 from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running, shows, starts
@@ -101,7 +102,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     rest = [c for c in written if not _after(c)] or [
         c for c in written if is_python(c) or (_meant(c) > 0 and not _named(c, _AFTER))
     ]
-    rest = rest or [c for c in written if _purpose(c)] or _only_launched(written)
+    rest = rest or [c for c in written if _purpose(c)] or only_launched(written)
     if before := _before_all(written, rest):
         return before[0]
     whole = {program_of(c.argv) for c in rest if not c.cut}
@@ -267,13 +268,6 @@ def _purpose(candidate: Candidate) -> bool:
     """Tell whether a node or a launch file has the name of its package: what that is called is what it is for."""
     words = program_of(candidate.argv)
     return words[0] in LAUNCHERS and bare_name(words[-1]).startswith(bare_name(words[-2]))
-
-
-def _only_launched(written: Sequence[Candidate]) -> list[Candidate]:
-    """Return the launch file that the README runs in a section about use, where it runs no other: that is the use."""
-    launched = [c for c in written if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
-    said = [c for c in launched if "/" not in c.file and of_readme(c.file) and about_running(c.heading) > 0]
-    return said[:1] if len({program_of(c.argv) for c in launched}) == 1 else []
 
 
 def _named(candidate: Candidate, names: re.Pattern[str]) -> bool:

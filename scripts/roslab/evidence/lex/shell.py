@@ -101,17 +101,6 @@ def without_remarks(text: str) -> str:
     return _EXPLAINED.sub(lambda _: "\\", text) if "\\ " in text or "\\\t" in text else text
 
 
-_CHOICE = pattern(r"(?<=[\w./-])(?:\[(\w+)(?:\|[\w-]+)+\]|\{(\w+)(?:\|[\w-]+)+\}|<(\w+)(?:\|[\w-]+)+>)(?!\()")
-
-_OFFER = pattern(r"\|(?<=\w\|)[\w-]")
-"""What each choice has; it begins with the bar, which is found much faster than the end of a word."""
-
-
-def with_first_choice(text: str) -> str:
-    """Take the first of the names that a page lets its reader choose from in a word: ``run_[indoor|outdoor].py``."""
-    return _CHOICE.sub(lambda match: match[match.lastindex or 0], text) if _OFFER.search(text) else text
-
-
 def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
     """Yield ``(line, text)`` with continuations joined; newlines stay inside, comment lines become empty ones."""
     pending: list[str] = []

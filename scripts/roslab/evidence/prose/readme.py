@@ -10,12 +10,12 @@ import re
 from collections.abc import Iterator, Mapping
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.choices import with_first_choice
 from roslab.evidence.lex.shell import (
     UNKNOWN,
     commands,
     fill_placeholders,
     logical_lines,
-    with_first_choice,
     without_remarks,
 )
 from roslab.evidence.prose import (

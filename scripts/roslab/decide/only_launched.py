@@ -1,0 +1,34 @@
+"""The launch file that is the use of a repository although its name says that it serves another one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.reasons import of_readme
+from roslab.decide.sections import about_running
+from roslab.values.pattern import pattern
+
+_VIEWS = pattern(r"(?:^|[_.-])(?:rqt|rviz2?)(?:[_.-]|$)", re.IGNORECASE)
+"""The name of a launch file that opens windows for what others do."""
+_TRIES = pattern(r"(?:^|[_.-])(?:bench\w*|tests?)(?:[_.-]|$)", re.IGNORECASE)
+"""The name of one that has the code do something to be measured by."""
+
+
+def only_launched(written: Sequence[Candidate]) -> list[Candidate]:
+    """Return the launch file that the README runs in a section about use, where it runs no other: that is the use.
+
+    Viewers beside it are no other. Of several that measure what the code does, and that one section runs, the first.
+    """
+    launched = [c for c in written if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
+    launched = [c for c in launched if not _VIEWS.search(_name(c))] or launched
+    said = [c for c in launched if "/" not in c.file and of_readme(c.file) and about_running(c.heading) > 0]
+    if len({program_of(c.argv) for c in launched}) == 1:
+        return said[:1]
+    sections = {(c.file, c.heading) for c in launched}
+    return said[:1] if len(sections) == 1 and all(_TRIES.search(_name(c)) for c in launched) else []
+
+
+def _name(candidate: Candidate) -> str:
+    return program_of(candidate.argv)[-1].rpartition("/")[2].partition(".")[0]
