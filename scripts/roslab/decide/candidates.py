@@ -26,6 +26,7 @@ from roslab.decide.unmade_nodes import with_unmade
 from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
+from roslab.evidence.program import Program
 from roslab.evidence.prose.pointed import offered
 from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import replace
@@ -219,7 +220,8 @@ def of_notebooks(evidence: Evidence) -> Iterator[Candidate]:
 def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
     """Yield the programs that the project installs, then the files that are made to be run.
 
-    Where there are none, the ``examples``, of which none is meant before the others.
+    Where there are none, the ``examples``, of which none is meant before the others. What a package starts by its name
+    is what the programs that are installed with it do.
     """
     found = False
     for project in evidence.python:
@@ -228,7 +230,9 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
                 found = True
                 why = "a program that the project installs"
                 yield Candidate(argv=(script,), why=why, file=project.file, line=line, strong=False)
+    scripts = found
     library = any(project.meant and not project.folder and project.requirements for project in evidence.python)
+    installed = any(project.installable and not project.folder for project in evidence.python)
     imported = {(m.file, m.value) for m in evidence.mentions if m.topic == "from_root"}
     tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
     whole = any(program.kind == "main" and "/" not in program.file for program in evidence.programs)
@@ -238,20 +242,39 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
         if path in tests and len(tests) < len(evidence.programs):
             continue
         aside = places.vendored(path) or (library and _TOOLS.match(path))
-        if program.kind == "main" and path.count("/") <= 1 and not aside:
-            why = (
-                "it has a __main__ guard" if program.guarded else "it is called like a program, and its statements run"
-            )
-            argv = ("python3", *(_as_module(path) if (path, path.partition("/")[0]) in imported else (path,)))
+        words = _words(program, imported, installed=installed)
+        if program.kind == "main" and words and not aside:
+            argv, why = ("python3", *words), _why(program)
             each = Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
             if places.example(path):
                 shown.append(replace(each, cut=True))
-            elif (whole and _TRIALS.match(path)) or (not program.guarded and helps(each)):
+            elif (
+                (scripts and program.module) or (whole and _TRIALS.match(path)) or (not program.guarded and helps(each))
+            ):
                 yield replace(each, cut=True)
             else:
                 found = True
                 yield each
     yield from shown if examples and not found else ()
+
+
+def _why(program: Program) -> str:
+    if program.module:
+        return f"the __main__.py of {program.module}"
+    return "it has a __main__ guard" if program.guarded else "it is called like a program, and its statements run"
+
+
+def _words(program: Program, imported: Collection[tuple[str, str]], *, installed: bool) -> tuple[str, ...]:
+    """Return what Python is given to start a program at the root or in a folder there, ``()`` for one further down.
+
+    A package is started by its name, one of ``src`` where pip installs the whole (``installed``).
+    """
+    path = program.file
+    if program.module and "." not in program.module and (installed or path.count("/") == 1):
+        return ("-m", program.module)
+    if path.count("/") > 1:
+        return ()
+    return _as_module(path) if (path, path.partition("/")[0]) in imported else (path,)
 
 
 def _as_module(path: str) -> tuple[str, ...]:

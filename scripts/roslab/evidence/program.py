@@ -20,3 +20,5 @@ class Program:
     """It has such a guard; else its statements run whenever it is imported."""
     imported: bool = False
     """Another module of the tree imports it."""
+    module: str = ""
+    """The package that ``python -m`` starts by it, of a ``__main__.py``: from above its folder, or of ``src``."""

@@ -11,6 +11,7 @@ from roslab.evidence.python.imported_programs import imported_programs
 from roslab.evidence.python.modules import modules
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
+from roslab.evidence.python.packages_started import package
 from roslab.evidence.python.top_level import called_like_one, first_statement
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -35,7 +36,7 @@ def _programs(repository: Repository) -> tuple[Program, ...]:
         if places.test(file.path) or file.name in {"setup.py", "conftest.py"}:
             continue
         if file.name == "__main__.py":
-            found.append(Program(file=file.path, line=1, kind="main"))
+            found.append(Program(file=file.path, line=1, kind="main", module=package(repository, module)))
         elif "__main__" in module.words and (match := first_line(_MAIN, text, "__main__")):
             if only_tests(text[match.end() :]):
                 continue
