@@ -6,6 +6,7 @@ import posixpath
 import shlex
 
 from roslab.config.model import Config, Kind, Volume
+from roslab.decide.among import among
 from roslab.decide.author_command import (
     composed,
     entry_point_of,
@@ -207,7 +208,7 @@ def _obvious(
     if first and "/" in first.file and not dockerfile:
         first = listed(evidence, kind) or first
     if first:
-        why = _before_others(first, ours)
+        why = among(first, ours, found)
         argv = given(first, authored) if dockerfile and authored else first.argv
         return argv, because("command", shlex.join(argv), why, first, weight=Weight.FIRST)
     meant = None if dockerfile else only_contained(ours) or pointed_at(evidence, kind) or included(evidence, kind)
@@ -228,7 +229,7 @@ def _obvious(
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)
     clear = len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0]))
     if only := _behind_others(found, every) or (obvious[0] if clear else _alone(found, every)):
-        why = f"the only one: {only.why}"
+        why = among(only, [], found)
         argv = given(only, authored) if dockerfile and authored else only.argv
         return argv, because("command", shlex.join(argv), why, only, weight=Weight.ONLY_ONE)
     programs = len({program_of(c.argv) for c in found})
@@ -237,15 +238,6 @@ def _obvious(
         why = "what pages run lacks arguments that its launch file demands"
     said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said
-
-
-def _before_others(first: Candidate, ours: list[Candidate]) -> str:
-    """Return the reason for the first, with the number of other programs that pages run, and whether all come later."""
-    programs = list(dict.fromkeys(program_of(c.argv) for c in ours if c.strong))
-    others = len({*programs} - {program_of(first.argv)})
-    foremost = programs[:1] == [program_of(first.argv)] or program_of(first.argv) not in programs
-    order = "before" if foremost else "and"
-    return f"{first.why}, {order} {others} other{'s' * (others > 1)}" if others else f"the only one: {first.why}"
 
 
 def _alone(found: list[Candidate], ours: list[Candidate]) -> Candidate | None:

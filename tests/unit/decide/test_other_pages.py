@@ -24,7 +24,7 @@ def reason(decision: Decision) -> tuple[object, str, str | None, int | None]:
     [
         ("INSTALL.md", "the README runs it, before 1 other"),
         ("GETTING_STARTED.md", "the README runs it, before 1 other"),
-        ("docs/SETUP.md", "the only one: the README runs it"),
+        ("docs/SETUP.md", "the README runs it; 1 other was found beside it"),
     ],
 )
 def test_the_readme_comes_first(tree: Tree, page: str, why: str) -> None:
