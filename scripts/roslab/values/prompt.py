@@ -17,8 +17,14 @@ PROMPT = pattern(
 )
 """To be matched at the start of a line; what follows the match is the command."""
 
+_USAGE = pattern(r"\s{0,40}Usage:\s{1,9}(?=\.{0,2}/|build/|python[\d.]{0,5}\s|ros(?:launch|run|2)\s)")
+"""What a text about the usage of a program begins with, before how it is called."""
+
 
 def typed(line: str) -> str:
-    """Return what follows a shell's prompt, else the line, without the remark that a page writes behind ``//``."""
-    match = PROMPT.match(line)
+    """Return what follows a shell's prompt or ``Usage:``, else the line, without the remark that is behind ``//``.
+
+    What argparse prints begins with ``usage:``, and is no call.
+    """
+    match = PROMPT.match(line) or _USAGE.match(line)
     return (line[match.end() :] if match else line).partition(" // ")[0]

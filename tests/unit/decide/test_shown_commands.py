@@ -57,11 +57,14 @@ def test_a_module_in_a_folder_that_the_page_puts_on_the_path_is_started(
         ("[Terminal 2]$ {}", "launch"),
         ("Terminal 1: {}", "launch"),
         ("(shell #2) $ {}", "launch"),
+        ("Usage: {}", "launch"),
+        ("Usage {}", ""),
+        ("usage: {}", ""),
         ("terminals 1: {}", ""),
         ("terminal one: {}", ""),
     ],
 )
-def test_the_name_of_a_terminal_before_a_command_is_a_prompt(tree: Tree, shown: str, command: str) -> None:
+def test_the_name_of_a_terminal_or_usage_before_a_command_is_a_prompt(tree: Tree, shown: str, command: str) -> None:
     files = {
         "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
         "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
