@@ -140,7 +140,8 @@ def _launched(evidence: Evidence, kind: Kind, calls: Mapping[str, tuple[str, ...
         if launch.package and not aside and kind == f"ros{launch.ros}":
             start = ("roslaunch",) if launch.ros == 1 else ("ros2", "launch")
             argv = (*start, *calls[launch.file])
-            yield Candidate(argv=argv, why="a launch file", file=launch.file, line=launch.line, strong=False)
+            why = "a launch file, which its package does not install" if launch.by_path else "a launch file"
+            yield Candidate(argv=argv, why=why, file=launch.file, line=launch.line, strong=False)
 
 
 def _nodes(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:

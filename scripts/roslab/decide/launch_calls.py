@@ -1,4 +1,4 @@
-"""How a launch file is started: by its package and name, or by its path where the package has two of that name."""
+"""How a launch file is started: by its package and name, or by its path where the package has none or two of it."""
 
 from __future__ import annotations
 
@@ -17,10 +17,20 @@ def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
 
     Both look for the name in every folder of the package and refuse to choose between two
     (ros/ros: core/roslib/src/roslib/packages.py; ros2/launch_ros: ros2launch/ros2launch/api/api.py; 2026-11-23).
+    What is not installed they do not find either.
     """
     named = [(each.file, each.package, each.file.rpartition("/")[2]) for each in evidence.launch if each.package]
     often = Counter((package, name) for _, package, name in named)
-    return {file: (file,) if often[package, name] > 1 else (package, name) for file, package, name in named}
+    alone = {each.file for each in evidence.launch if each.by_path}
+    return {
+        file: (file,) if file in alone or often[package, name] > 1 else (package, name) for file, package, name in named
+    }
+
+
+def as_found(words: tuple[str, ...], calls: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+    """Return package, launch file and arguments, with the path of a file that its package does not install."""
+    alone = [path for path, call in calls.items() if call == (path,) and path.endswith(f"/{words[1]}")]
+    return (alone[0], *words[2:]) if len(alone) == 1 and words[:2] not in calls.values() else words
 
 
 def demanded(launch: LaunchFile, words: Iterable[str] = ()) -> frozenset[str]:

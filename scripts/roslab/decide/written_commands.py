@@ -11,6 +11,7 @@ from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch
 from roslab.decide.candidate import Candidate, demanded, inside_of, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import (
+    as_found,
     call_of,
     from_root,
     launch_calls,
@@ -19,6 +20,7 @@ from roslab.decide.launch_calls import (
     without_package,
 )
 from roslab.decide.made_folders import made_before
+from roslab.decide.own_test_runs import runs_tests
 from roslab.decide.pages_of_tools import of_a_tool
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
@@ -126,7 +128,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
             place = (mention.file, mention.line, mention.value)
             once = place in tried
             strong = strong and (once or not (compiled and argv[0].startswith("python")))
-            strong = strong and (ros or mention.file.count("/") == nearest) and (place in named or not _tests(argv))
+            strong = strong and (ros or mention.file.count("/") == nearest) and (place in named or not runs_tests(argv))
             strong = strong and place not in withheld
             strong = strong and not copies.below(mention.file, evidence.copies)
             yield Candidate(
@@ -205,7 +207,7 @@ def _runnable(
         here = module_of(argv, programs, (*tree.projects, *filter(None, (mention.inside,))))
     else:
         here = program_here(argv, programs, mention.file.rpartition("/")[0])
-    if here is None or (compiled and _tests(here)) or not tree.nodes.isdisjoint(here[:1]):
+    if here is None or (compiled and runs_tests(here)) or not tree.nodes.isdisjoint(here[:1]):
         return None
     return ("python3" if ros else argv[0], *here)
 
@@ -232,7 +234,7 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
         other = () if there or "/" in mention.file else renamed(words, tree.declared)
         return argv if there else (*start, *other) if other else None
     file = next((word.rpartition("/")[2] for word in rest if not word.startswith("-")), "")
-    return argv if file in tree.launched.get(package, ()) else None
+    return (*start, *as_found(words, tree.calls)) if file in tree.launched.get(package, ()) else None
 
 
 def _program_of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
@@ -292,9 +294,3 @@ def _has(package: str, program: str, tree: _Tree) -> bool:
 def _run(package: str, program: str, rest: tuple[str, ...], tree: _Tree) -> tuple[str, ...]:
     """Return the call of a package's program."""
     return (*(("rosrun",) if tree.kind == "ros1" else ("ros2", "run")), package, program, *rest)
-
-
-def _tests(argv: tuple[str, ...]) -> bool:
-    """Tell whether a command only runs tests or benchmarks; a node that a page starts by its name may be called so."""
-    programs = [part for part in argv if argv[0] not in _WORDS and part.endswith(".py")]
-    return any(part.endswith("_test.py") or places.test(part) for part in programs)

@@ -73,3 +73,5 @@ class LaunchFile:
     """Files of the tree that it loads or starts whatever the arguments are, itself first."""
     installed: bool = True
     """Not, if it lies in a folder that the build of its package does not name."""
+    by_path: bool = False
+    """It is started by its path alone: its package installs programs, and no launch files."""

@@ -13,7 +13,8 @@ LAUNCH = "from launch import LaunchDescription\ndef generate_launch_description(
 PACKAGE = "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
 ROS = {
     "sim/src/ws/demo/package.xml": PACKAGE,
-    "sim/src/ws/demo/CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\nament_package()\n",
+    "sim/src/ws/demo/CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n"
+    "install(DIRECTORY launch DESTINATION share/demo)\nament_package()\n",
     "sim/src/ws/demo/launch/one.launch.py": LAUNCH,
     "sim/src/ws/demo/launch/two.launch.py": LAUNCH,
     "sim/src/launch/launch.py": LAUNCH,

@@ -58,3 +58,46 @@ def test_what_a_build_names(tmp_path: Path, folder: str, place: str, build: str,
         (tmp_path / folder / path).write_text(written)
     (found,) = launch.read(Repository.open(tmp_path))
     assert found.installed is installed
+
+
+CMAKE = "project(eye)\nfind_package(ament_cmake REQUIRED)\n{}\nament_package()\n"
+TARGETS = "add_executable(node a.cpp)\ninstall(TARGETS node DESTINATION lib/eye)"
+
+
+@pytest.mark.parametrize(
+    ("place", "build", "text", "by_path"),
+    [
+        ("launch/a.launch.py", TARGETS, LAUNCH, True),
+        ("launch/a.launch.py", f"include(GNUInstallDirs)\n{TARGETS}\n# install(DIRECTORY launch", LAUNCH, True),
+        ("launch/a.launch.py", "ament_python_install_package(eye)", LAUNCH, True),
+        ("launch/a.launch.py", f"{TARGETS}\ninstall(DIRECTORY include DESTINATION include)", LAUNCH, False),
+        ("launch/a.launch.py", f"{TARGETS}\ninstall(DIRECTORY launch DESTINATION share/eye)", LAUNCH, False),
+        ("launch/a.launch.py", f"{TARGETS}\ninstall(FILES ${{all}} DESTINATION share/eye)", LAUNCH, False),
+        ("launch/a.launch.py", f"{TARGETS}\ninclude(cmake/all.cmake)", LAUNCH, False),
+        ("launch/a.launch.py", f"{TARGETS}\nadd_subdirectory(src)", LAUNCH, False),
+        ("launch/a.launch.py", f"{TARGETS}\neye_install(all)", LAUNCH, False),
+        ("launch/a.launch.py", f"{TARGETS}\nament_auto_package(INSTALL_TO_SHARE config)", LAUNCH, False),
+        ("launch/a.launch.py", TARGETS, f"{LAUNCH}# FindPackageShare('eye')\n", False),
+        ("launch/a.launch.py", TARGETS, f"{LAUNCH}get_package_share_directory('eye')\n", False),
+        ("a.launch.py", TARGETS, LAUNCH, False),
+    ],
+)
+@pytest.mark.parametrize("folder", ["", "src/eye/"])
+def test_a_build_that_installs_programs_alone(
+    tmp_path: Path, folder: str, place: str, build: str, *, text: str, by_path: bool
+) -> None:
+    files = {"package.xml": "<package><name>eye</name></package>", "CMakeLists.txt": CMAKE.format(build), place: text}
+    for path, written in files.items():
+        (tmp_path / folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / folder / path).write_text(written)
+    (found,) = launch.read(Repository.open(tmp_path))
+    assert found.by_path is by_path
+
+
+def test_no_build_of_ament_tells_nothing(tmp_path: Path) -> None:
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "package.xml").write_text("<package><name>eye</name></package>")
+    (tmp_path / "CMakeLists.txt").write_text("project(eye)\ninstall(TARGETS node DESTINATION lib/eye)\n")
+    (tmp_path / "launch/a.launch.py").write_text(LAUNCH)
+    (found,) = launch.read(Repository.open(tmp_path))
+    assert not found.by_path

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.ros.only_programs import only_programs
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -24,19 +25,23 @@ def marked(
 ) -> tuple[LaunchFile, ...]:
     """Return the launch files, with those marked that lie in a folder which their package's build does not name.
 
+    And those of a package whose build installs programs alone: they are started by their paths.
     ``packages`` are the names of the packages by their folders. Of ROS 1 none is: its workspace finds the source.
     """
-    return tuple(
-        replace(each, installed=False) if each.ros == 2 and _left(each.file, repository, packages) else each
-        for each in launches
-    )
+    return tuple(_marked(each, repository, packages) if each.ros == 2 else each for each in launches)
 
 
-def _left(path: str, repository: Repository, packages: Mapping[str, str]) -> bool:
-    above = [folder for folder in packages if not folder or path.startswith(f"{folder}/")]
+def _marked(launch: LaunchFile, repository: Repository, packages: Mapping[str, str]) -> LaunchFile:
+    above = [folder for folder in packages if not folder or launch.file.startswith(f"{folder}/")]
     if not above:
-        return False
+        return launch
     folder = max(above, key=len)
+    if _left(launch.file, folder, repository, packages):
+        return replace(launch, installed=False)
+    return replace(launch, by_path=True) if only_programs(launch.file, folder, repository) else launch
+
+
+def _left(path: str, folder: str, repository: Repository, packages: Mapping[str, str]) -> bool:
     inside = f"{folder}/" if folder else ""
     place, _, name = path[len(inside) :].rpartition("/")
     first = place.partition("/")[0]

@@ -1,0 +1,39 @@
+"""A launch file that its package does not install is started by its path."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+FILES = {
+    "eye/package.xml": '<package format="3"><name>eye</name><buildtool_depend>ament_cmake</buildtool_depend>'
+    "<export><build_type>ament_cmake</build_type></export></package>",
+    "eye/CMakeLists.txt": "project(eye)\nfind_package(ament_cmake REQUIRED)\nadd_executable(node a.cpp)\n"
+    "install(TARGETS node DESTINATION lib/eye)\n{}ament_package()\n",
+    "eye/launch/see.launch.py": "def generate_launch_description():\n"
+    "    return LaunchDescription([Node(package='eye', executable='node')])\n",
+    "eye/a.cpp": "",
+}
+INSTALLS = "install(DIRECTORY launch DESTINATION share/eye)\n"
+PATH = "ros2 launch eye/launch/see.launch.py"
+
+
+@pytest.mark.parametrize(
+    ("installs", "page", "command"),
+    [
+        ("", "", PATH),
+        (INSTALLS, "", "ros2 launch eye see.launch.py"),
+        ("", "ros2 launch eye see.launch.py", PATH),
+        ("", "ros2 launch eye see.launch.py rate:=5", f"{PATH} rate:=5"),
+        ("", "ros2 launch eye/launch/see.launch.py", PATH),
+        (INSTALLS, "ros2 launch eye see.launch.py rate:=5", "ros2 launch eye see.launch.py rate:=5"),
+    ],
+)
+def test_the_call_of_a_launch_file(tree: Tree, installs: str, page: str, command: str) -> None:
+    files = FILES | {"eye/CMakeLists.txt": FILES["eye/CMakeLists.txt"].format(installs)}
+    readme = f"# Eye\nFor ROS Humble.\n## Usage\n```\n{page}\n```\n"
+    assert " ".join(tree({**files, "README.md": readme}).command) == command
