@@ -23,10 +23,11 @@ from roslab.decide.brought_launches import brought
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of, there
 from roslab.decide.candidates import candidates_of, once
 from roslab.decide.contained import only_contained
+from roslab.decide.container_scripts import of_image, shown
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.demanded_arguments import told as lacking_arguments
 from roslab.decide.demanded_arguments import without_lacking
-from roslab.decide.entry_scripts import stops, told
+from roslab.decide.entry_scripts import stops
 from roslab.decide.first_command import first_of, helps, serves
 from roslab.decide.gone_programs import gone_programs
 from roslab.decide.helpers_first import behind_helpers
@@ -50,7 +51,6 @@ from roslab.decide.skipped_commands import without_skipped
 from roslab.decide.unbuilt_packages import starts_one, unbuilt
 from roslab.decide.upkeep import upkeep
 from roslab.decide.wanted_arguments import without_wanting
-from roslab.decide.windows import opens_windows
 from roslab.decide.written_commands import TOOLS
 from roslab.evidence.entry_script import Taken
 from roslab.evidence.facts import AuthorDockerfile, Evidence
@@ -120,12 +120,13 @@ def decide_command(
     if config.command is not None:
         text = line_of(config.command)
         said = configured(config, "command", text, "command")
-        gui = config.gui if config.gui is not None else opens_windows(evidence, text)
+        gui = shown(text, config, evidence, authored)
         chosen = Command(command=config.command, candidates=candidates, gui=gui, volumes=volumes)
         chosen = replace(_given(chosen, dockerfile, authored), entrypoint_takes=taken)
-        return Choice(answer=chosen, reasons=(said,), warnings=told(authored, chosen.command) if authored else ())
+        warnings = of_image(authored, chosen.command, evidence, (*volumes, *config.volume))
+        return Choice(answer=chosen, reasons=(said,), warnings=warnings)
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
-    gui = config.gui if config.gui is not None else opens_windows(evidence, shlex.join(command))
+    gui = shown(shlex.join(command), config, evidence, authored)
     inside = next((c for c in found if c.argv == command and (c.inside or (c.makes and not dockerfile))), None)
     page = by_argv.get(command)
     ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
@@ -151,7 +152,7 @@ def decide_command(
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
     shell = command == ("bash",) and not dockerfile
     gone = (*gone_programs(evidence, kind), *lacking_arguments(found)) if shell else ()
-    said_of = told(authored, chosen.command) if authored else ()
+    said_of = of_image(authored, chosen.command, evidence, (*chosen.volumes, *config.volume))
     return Choice(
         answer=chosen, reasons=reasons, warnings=(*said_of, *(left_to_reader(page, evidence) if page else gone))
     )

@@ -146,6 +146,7 @@ class Mention:
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "optional_ros",
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "typestore",
         "cuda_path", "lost_module",
+        "on_gpu", "handed", "own_spelling", "optional_step", "started", "screen", "mounted",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -7,6 +7,7 @@ from roslab.evidence.native import cloned_heads, cuda_paths, shared_objects, tem
 from roslab.evidence.prose import (
     asked_options,
     branch_tables,
+    container_scripts,
     for_reference,
     laid_as_sources,
     named_ports,
@@ -20,7 +21,7 @@ MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
     *(asked_options.read, matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
     *(optional_ros.read, own_spelling.read, started_by_scripts.calls, started_programs.read, templates.read),
-    cuda_paths.read,
+    *(cuda_paths.read, container_scripts.read),
 )
 """What pages, code and files of a project tell by themselves."""
 OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read)
