@@ -17,7 +17,9 @@ def read(text: str) -> ProofLimits:
 def test_by_default_a_proof_is_fenced_in(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(containers, "machine_memory", lambda: 16_000_000_000)
     words = " ".join(containers.options(config.read("format: 3\nname: x\n").proof))
-    fences = "--network bridge --pids-limit 8192 --memory 14400000000 --security-opt no-new-privileges"
+    fences = (
+        "--network bridge --hostname roslab --pids-limit 8192 --memory 14400000000 --security-opt no-new-privileges"
+    )
     assert words.partition(" --env ")[0] == fences
 
 
@@ -33,7 +35,7 @@ def test_proofs_at_the_same_time_do_not_hear_each_other() -> None:
 def test_what_roslab_yaml_says() -> None:
     limits = read("{network: none, memory: 8g, pids: 500, new_privileges: true}")
     words = " ".join(containers.options(limits))
-    assert words.partition(" --env ")[0] == "--network none --pids-limit 500 --memory 8g"
+    assert words.partition(" --env ")[0] == "--network none --hostname roslab --pids-limit 500 --memory 8g"
 
 
 def test_a_machine_that_does_not_say_its_memory(monkeypatch: pytest.MonkeyPatch) -> None:

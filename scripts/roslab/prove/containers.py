@@ -32,6 +32,9 @@ KEPT_OUTPUT = 64 * 1024
 READ_OUTPUT = 64 * 1024 * 1024
 """Bytes of output that are searched for dead nodes of a launch: a program may print without end."""
 
+HOST_NAME = "roslab"
+"""As docker_run.sh names it. Docker would take hexadecimal digits, and ROS refuses a name that begins with one: launch
+files call namespaces after their host. https://design.ros2.org/articles/topic_and_service_names.html"""
 DOMAINS = range(1, 102)
 """Numbers of ROS 2 domains whose ports no system uses for anything else; 0 is everybody's.
 https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Domain-ID.html"""
@@ -112,7 +115,7 @@ def options(limits: ProofLimits) -> tuple[str, ...]:
     https://docs.docker.com/reference/cli/docker/container/run/
     """
     memory = limits.memory or (f"{total * 9 // 10}" if (total := machine_memory()) else "")
-    words = ["--network", limits.network, "--pids-limit", str(limits.pids)]
+    words = ["--network", limits.network, "--hostname", HOST_NAME, "--pids-limit", str(limits.pids)]
     words += ["--memory", memory] if memory else []
     words += [] if limits.new_privileges else ["--security-opt", "no-new-privileges"]
     return (*words, *_apart())

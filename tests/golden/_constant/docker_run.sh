@@ -170,6 +170,14 @@ add_cookie() {
   arguments+=(--volume "${private}/Xauthority:/run/roslab/Xauthority:ro" --env XAUTHORITY=/run/roslab/Xauthority)
 }
 
+# Docker would name it by hexadecimal digits: what calls a ROS namespace or a node after its host must begin with a letter.
+add_host_name() {
+  case " ${arguments[*]} ${options[*]+${options[*]}} " in
+    *' --hostname'* | *' -h '* | *' --uts'* | *[=\ ]container:*) return ;;
+  esac
+  if [[ "${network}" != host ]]; then arguments+=(--hostname roslab); fi
+}
+
 add_x11() {
   local number socket
   number="${DISPLAY##*:}"
@@ -353,6 +361,7 @@ fi
 if [[ "${gui}" == yes ]]; then add_screen; fi
 if [[ "${gpu}" != no ]]; then add_graphics_card; fi
 add_ports
+add_host_name
 case "${mode}" in
   notebook)
     if ((${#command[@]})); then fail 2 "--notebook takes no command"; fi

@@ -36,7 +36,7 @@ def volume(host: str, container: str = "/data", options: str = "") -> Volume:
 
 def test_without_arguments_the_image_runs_its_own_command(plan: Plans, call: Call) -> None:
     called = call(run_script(plan(), context="."))
-    assert called.arguments == ["run", "--rm", "--init", "--pull", "never", "filter"]
+    assert called.arguments == ["run", "--rm", "--init", "--pull", "never", "--hostname", "roslab", "filter"]
 
 
 def test_arguments_replace_the_command(plan: Plans, call: Call) -> None:
@@ -52,7 +52,7 @@ def test_arguments_replace_the_command(plan: Plans, call: Call) -> None:
         ("arguments", ("--shell",), ["--entrypoint", "bash", "filter"]),
         ("arguments", ("--", "--noise"), ["filter", "--noise"]),
         ("commands", ("--shell",), ["filter", "bash"]),
-        ("nothing", (), ["--pull", "never", "filter"]),
+        ("nothing", (), ["--hostname", "roslab", "filter"]),
     ],
 )
 def test_a_command_takes_the_place_of_an_entry_point_that_would_not_start_it(
@@ -99,7 +99,7 @@ def test_a_hostile_command_is_only_shown(plan: Plans, call: Call, command: str) 
 def test_another_reference_is_run(plan: Plans, call: Call) -> None:
     reference = "ghcr.io/org/filter@sha256:" + "a" * 64
     called = call(run_script(plan(), context="."), "ls", env={"ROSLAB_IMAGE": reference, "STAND_IN_NO_IMAGE": "1"})
-    assert called.arguments == ["run", "--rm", "--init", reference, "ls"]
+    assert called.arguments == ["run", "--rm", "--init", "--hostname", "roslab", reference, "ls"]
 
 
 def test_an_image_that_was_not_built_is_not_looked_for_on_docker_hub(plan: Plans, call: Call) -> None:
@@ -157,6 +157,22 @@ def test_options_for_docker(plan: Plans, call: Call) -> None:
 
 
 # ---- volumes ----
+
+
+@pytest.mark.parametrize(
+    ("options", "names"),
+    [
+        ([], ["roslab"]),
+        (["--option", "--network=none"], ["roslab"]),
+        (["--option", "--network=host"], []),
+        (["--option", "--network=container:other"], []),
+        (["--option", "--uts=host"], []),
+        (["--option", "--hostname=robot7"], []),
+        (["--option", "--hostname", "--option", "robot7"], ["robot7"]),
+    ],
+)
+def test_a_container_is_named_by_a_word(plan: Plans, call: Call, options: list[str], names: list[str]) -> None:
+    assert call(run_script(plan(), context="."), *options).values("--hostname") == names
 
 
 def test_volumes_of_the_home_and_of_the_repository(plan: Plans, call: Call, tmp_path: Path) -> None:
