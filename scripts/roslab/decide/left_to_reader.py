@@ -10,6 +10,7 @@ from roslab.decide.decision import Warning_
 from roslab.decide.demanded_arguments import filled_in
 from roslab.decide.filled_in import filled
 from roslab.decide.reasons import warn
+from roslab.decide.required_options import too_few
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.pattern import pattern
 
@@ -24,7 +25,15 @@ def left_to_reader(page: Candidate, evidence: Evidence) -> tuple[Warning_, ...]:
     said = next((m for m in evidence.mentions if _is(m, page)), None)
     told = _told(said, page, evidence) if said else _required(page, evidence)
     absent = (warn(f"{_NAMES} {path}, {_NOWHERE}", page) for path in _settings(page))
-    return (*told, *absent, *_weights(page, evidence), *prepared_before(page, evidence))
+    return (*told, *_counted(page, evidence), *absent, *_weights(page, evidence), *prepared_before(page, evidence))
+
+
+def _counted(page: Candidate, evidence: Evidence) -> Iterator[Warning_]:
+    """Yield a warning where a compiled program is not given the arguments without which it stops."""
+    if said := too_few(page.argv, evidence):
+        arguments = "an argument" if said.value == "1" else f"{said.value} arguments"
+        message = f"the default command stops without {arguments}, which its program reads ({said.text})"
+        yield warn(f"{message}: give them under `command` in roslab.yaml", said)
 
 
 def _required(guess: Candidate, evidence: Evidence) -> Iterator[Warning_]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Sequence
 
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.ros.workspace import packages_of
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.values.dataclass import replace
 
 
@@ -26,7 +27,12 @@ def behind_whole(candidates: Iterable[Candidate], evidence: Evidence) -> list[Ca
 
 
 def lacks(argv: Sequence[str], evidence: Evidence) -> tuple[str, ...]:
-    """Return what the program of a command requires and the command does not give, by argparse's or click's calls."""
+    """Return what the program of a command requires and the command does not give.
+
+    By the calls of argparse or click, or by ``main`` of C++.
+    """
+    if counted := too_few(argv, evidence):
+        return (counted.text,)
     file = _file(tuple(argv), evidence)
     words = argv[len(program_of(tuple(argv))) :]
     given = {word.partition("=")[0] for word in words}
@@ -34,6 +40,25 @@ def lacks(argv: Sequence[str], evidence: Evidence) -> tuple[str, ...]:
     options = [m.value for m in told if m.topic == "required" and given.isdisjoint(m.value.split())]
     positional = [m.value for m in told if m.topic == "positional"] if not words else []
     return tuple(dict.fromkeys((*positional, *options)))
+
+
+def too_few(argv: Sequence[str], evidence: Evidence) -> Mention | None:
+    """Return what tells that a compiled program needs more arguments than a command gives it, without those of ROS."""
+    words = program_of(tuple(argv))
+    if (
+        words[0] in {"bash", "sh", "make", "roslaunch"}
+        or words[0].startswith("python")
+        or words[:2] == ("ros2", "launch")
+    ):
+        return None
+    name = words[-1].rpartition("/")[2]
+    told = [m for m in evidence.mentions if m.topic == "argument_count" and _stem(m.file) == name]
+    given = sum(":=" not in word for word in itertools.takewhile("--ros-args".__ne__, argv[len(words) :]))
+    return told[0] if told and given < int(told[0].value) else None
+
+
+def _stem(path: str) -> str:
+    return path.rpartition("/")[2].rpartition(".")[0]
 
 
 def _file(argv: tuple[str, ...], evidence: Evidence) -> str:

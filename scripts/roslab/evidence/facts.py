@@ -147,6 +147,7 @@ class Mention:
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "typestore",
         "cuda_path", "lost_module",
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "screen", "mounted",
+        "on_gpu", "handed", "own_spelling", "optional_step", "started", "screen", "mounted", "argument_count",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -8,6 +8,7 @@ from roslab.evidence import git_folder, links, places, pointers, submodules
 from roslab.evidence.facts import Evidence
 from roslab.evidence.mentioned import MENTIONED, OF_ROS
 from roslab.evidence.native import (
+    argument_counts,
     asked_variables,
     authors_folders,
     by_variables,
@@ -247,6 +248,7 @@ def gather(repository: Repository) -> Evidence:
             *made_headers.read(own, python_projects),
             *stopped_setup.folders(stopped),
             *(() if manifests else opens_above.read(own, cmake_projects)),
+            *argument_counts.read(own, cmake_projects),
             *options.read(own, (*prose.mentions, *by_name)),
             *options.of_programs(own, started, (*prose.mentions, *by_name)),
             *(mention for reader in (script_parameters, launchers) for mention in reader.read(own, prose.mentions)),

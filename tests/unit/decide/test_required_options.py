@@ -72,3 +72,42 @@ def test_a_node_without_what_it_requires_is_behind_another(tmp_path: Path) -> No
         "README.md": "# demo\nROS noetic\n```\nrosrun demo plan.py\nrosrun demo show.py\n```\n",
     }
     assert _decided(tmp_path, files).command == ("rosrun", "demo", "show.py")
+
+
+MAIN = "int main(int argc, char **argv) {{ {} }}\n"
+UNTESTED = MAIN.format("run(argv[1]);")
+
+
+@pytest.mark.parametrize(
+    ("code", "page", "command"),
+    [
+        (UNTESTED, "rosrun demo slam\nroslaunch demo a.launch", "roslaunch demo a.launch"),
+        (UNTESTED, "rosrun demo slam _rate:=3\nroslaunch demo a.launch", "roslaunch demo a.launch"),
+        (UNTESTED, "rosrun demo slam map.yaml\nroslaunch demo a.launch", "rosrun demo slam map.yaml"),
+        (MAIN.format("run();"), "rosrun demo slam\nroslaunch demo a.launch", "rosrun demo slam"),
+        (UNTESTED, "rosrun demo slam", "roslaunch demo a.launch"),
+    ],
+)
+def test_a_compiled_program_that_is_given_too_few(tmp_path: Path, code: str, page: str, command: str) -> None:
+    files = {
+        "package.xml": MANIFEST.replace("rospy", "roscpp"),
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(slam slam.cpp)\n",
+        "slam.cpp": code,
+        "map.yaml": "rate: 1\n",
+        "launch/a.launch": "<launch><node pkg='demo' type='slam' name='slam' args='map.yaml'/></launch>",
+        "README.md": f"# Demo\n## Usage\n```\n{page}\n```\n",
+    }
+    assert " ".join(_decided(tmp_path, files).command) == command
+
+
+def test_what_a_lone_program_needs_is_told(tmp_path: Path) -> None:
+    files = {
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.10)\nproject(demo)\nadd_executable(slam slam.cpp)\n",
+        "slam.cpp": MAIN.format("if (argc < 3) { return 1; } run(argv[1]);"),
+        "README.md": "# Demo\n## Usage\n```\n./build/slam <map> <bag>\n```\n",
+    }
+    found = _decided(tmp_path, files)
+    assert found.command == ("slam",)
+    ((message, file, line),) = [(w.message, w.file, w.line) for w in found.warnings if "stops without" in w.message]
+    assert "2 arguments, which its program reads (argc < 3)" in message
+    assert (file, line) == ("slam.cpp", 1)
