@@ -45,6 +45,24 @@ def test_a_program_that_a_sentence_has_run(tree: Tree, page: str, command: str) 
 
 
 @pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("For how to use it see [our usage example](sub/plan.py).", "python3 sub/plan.py"),
+        ("See the [`minimal example`](./sub/plan.py) and\n[the same example](sub/plan.py).", "python3 sub/plan.py"),
+        ("See the [demo script](sub/plan.py).", "python3 sub/plan.py"),
+        ("See [an example](sub/plan.py) and [another example](sub/other.py).", "bash"),
+        ("See the [example of settings](sub/plan.py).", "bash"),
+        ("See the [planner](sub/plan.py).", "bash"),
+        ("See [our usage example](sub/library.py).", "bash"),
+        ("See [our usage example](sub/gone.py).", "bash"),
+    ],
+)
+def test_a_program_that_a_page_links_as_its_example(tree: Tree, page: str, command: str) -> None:
+    code = {f"sub/{name}.py": PLAN for name in ("plan", "other")} | {"sub/library.py": LIBRARY}
+    assert " ".join(tree({**NEEDS, **code, "README.md": f"# Planner\n{page}\n"}).command) == command
+
+
+@pytest.mark.parametrize(
     ("name", "code", "command"),
     [
         ("main_plan.py", PLAN, "python3 main_plan.py"),

@@ -43,6 +43,13 @@ _RUN = tuple(
 """A sentence that has one in backquotes run by other words than a command is read from, maybe on two lines."""
 _OFFERED = pattern(rf"{_SPAN}\s+(?:script\s+)?(?:can|may)\s+be\s+used\s+(?:to|for)\b", re.IGNORECASE)
 """A sentence that says what a program of Python is for."""
+_LINKED = pattern(
+    r"\[[^\]\n]{0,80}\b(?:example|demo)(?: (?:script|file|program))?[`*]{0,3}\]"
+    r"\((?:\./)?(?P<path>(?:[\w-]+/)*[\w-]+\.py)\)",
+    re.IGNORECASE,
+)
+"""A link whose text calls a program of Python an example: ``[our usage example](python/first.py)``. Of a page with
+several none is the one."""
 _RUNNING = pattern(
     r"(?:^|/ )\W*(?:\d[\d.]*\W*)?(?:how to (?:run|use|start|execute)|run(?:ning)?\b|usage|getting started|quick.?start|"
     r"execution)",
@@ -85,8 +92,9 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     found: dict[str, Mention] = {}
     for page in pages(repository):
         text = text_of(repository, page) if "/" not in page.path else ""
+        linked = (_LINKED,) if len({match["path"] for match in _LINKED.finditer(text)}) == 1 else ()
         for sentence in _sentences(text) if any(word in text for word in _WORDS) else ():
-            for line, written, at in _named(sentence, repository):
+            for line, written, at in _named(sentence, repository, linked):
                 path = None if _only_set(line, written, at) else _path(written, repository)
                 if path and len(found) < MOST:
                     said = Mention(
@@ -109,8 +117,13 @@ def offered(text: str, path: str) -> bool:
     return any(path.endswith(match["path"]) for match in _OFFERED.finditer(text))
 
 
-def _named(sentence: _Sentence, repository: Repository) -> Iterator[tuple[str, str, int]]:
-    """Yield each file that a sentence names so, with the words around it and its place in these."""
+def _named(
+    sentence: _Sentence, repository: Repository, linked: tuple[re.Pattern[str], ...] = ()
+) -> Iterator[tuple[str, str, int]]:
+    """Yield each file that a sentence names so, with the words around it and its place in these.
+
+    ``linked``: the form of a link to the example of a page, if it has one.
+    """
     line = sentence.text
     yield from ((line, match[0].removeprefix("./"), match.start()) for match in _FILE.finditer(line))
     if _SHOWS.search(line):
@@ -120,7 +133,7 @@ def _named(sentence: _Sentence, repository: Repository) -> Iterator[tuple[str, s
     for form in _MAIN:
         yield from ((line, match["path"], match.start("path")) for match in form.finditer(line))
     line = sentence.whole
-    for form in (*_RUN, _OFFERED):
+    for form in (*_RUN, _OFFERED, *linked):
         for match in form.finditer(line):
             if match.start() < len(sentence.text) and _is_program(match["path"], repository):
                 yield line, match["path"], match.start("path")
