@@ -242,8 +242,10 @@ def helps(candidate: Candidate) -> bool:
         return False
     if _INTERFACE.search(program_of(candidate.argv)[-1]):
         return True
-    python = is_python(candidate)
-    return found is not None or (python and (_named(candidate, _DATASET) or _named(candidate, _FORMAT)))
+    if found is not None or not is_python(candidate):
+        return found is not None
+    converts = any(of_purpose(candidate, word) for word in ("convert", "conversion"))
+    return _named(candidate, _DATASET) or (_named(candidate, _FORMAT) and not converts)
 
 
 def _after(candidate: Candidate) -> bool:

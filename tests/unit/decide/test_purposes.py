@@ -34,3 +34,22 @@ def test_a_helpers_name_counts_where_it_is_a_form_of_the_packages(
     nodes = {f"scripts/{name}.py": NODE for name in (first, second)}
     decision = tree({"package.xml": XML.format(package), "CMakeLists.txt": cmake, "README.md": page, **nodes})
     assert decision.command == ("rosrun", package, f"{chosen}.py")
+
+
+@pytest.mark.parametrize(
+    ("package", "command"),
+    [
+        ("torch_converter", "python3 scripts/slam_to_pcd.py --fast"),
+        ("scene_conversion", "python3 scripts/slam_to_pcd.py --fast"),
+        ("scene_grasp", "roslaunch scene_grasp a.launch"),
+    ],
+)
+def test_what_writes_another_format_is_meant_in_a_converter(tree: Tree, package: str, command: str) -> None:
+    files = {
+        "package.xml": XML.format(package),
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.0.2)\nproject(a)\nfind_package(catkin REQUIRED)\n",
+        "scripts/slam_to_pcd.py": "import numpy\nif __name__ == '__main__':\n    print(1)\n",
+        "launch/a.launch": "<launch/>",
+        "README.md": "ROS Noetic\n## Usage\n```\npython3 scripts/slam_to_pcd.py --fast\n```\n",
+    }
+    assert " ".join(tree(files).command) == command
