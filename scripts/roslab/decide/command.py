@@ -23,7 +23,7 @@ from roslab.decide.brought_launches import brought
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of, there
 from roslab.decide.candidates import candidates_of, once
 from roslab.decide.contained import only_contained
-from roslab.decide.container_scripts import of_image, shown
+from roslab.decide.container_scripts import known_folders, of_image, shown
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.demanded_arguments import told as lacking_arguments
 from roslab.decide.demanded_arguments import without_lacking
@@ -152,9 +152,10 @@ def decide_command(
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
     shell = command == ("bash",) and not dockerfile
     gone = (*gone_programs(evidence, kind), *lacking_arguments(found)) if shell else ()
+    known = known_folders(authored, evidence, (*volumes, *config.volume))
     said_of = of_image(authored, chosen.command, evidence, (*chosen.volumes, *config.volume))
     return Choice(
-        answer=chosen, reasons=reasons, warnings=(*said_of, *(left_to_reader(page, evidence) if page else gone))
+        answer=chosen, reasons=reasons, warnings=(*said_of, *(left_to_reader(page, evidence, known) if page else gone))
     )
 
 

@@ -29,6 +29,17 @@ def of_image(
     return (*told(authored, command), *_mounts(authored, evidence, volumes)) if authored else ()
 
 
+def known_folders(
+    authored: AuthorDockerfile | None, evidence: Evidence, volumes: Collection[Volume]
+) -> tuple[str, ...]:
+    """Return folders of a container that have, or may have, what the tree has not: all, where nobody knows them."""
+    mounted = tuple(volume.container_path for volume in volumes)
+    if authored is None:
+        return mounted
+    given = (m.value for m in _beside(authored, evidence) if m.topic == "mounted")
+    return (*mounted, *given, authored.source if (authored.source or "").startswith("/") else "/")
+
+
 def _mounts(authored: AuthorDockerfile, evidence: Evidence, volumes: Collection[Volume]) -> Iterator[Warning_]:
     """Yield a warning for each folder that a script is given and mounts, where nothing else mounts one there."""
     there = {volume.container_path.rstrip("/") for volume in volumes}

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import posixpath
+from collections.abc import Collection, Iterator
 
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import prepared_before
@@ -16,16 +17,34 @@ from roslab.values.pattern import pattern
 
 _NAMES = "the default command names"
 _NOWHERE = "which neither the tree nor a download of the page has: correct it under `command` in roslab.yaml"
+_OF_SYSTEM = pattern(r"/(?:bin|dev|etc|home|lib|opt|proc|root|run|sys|tmp|usr|var|Users|path|your|ws\b)|/[^/]*$")
+"""What an image may have, what is one person's, and what is at the root, whose folder nobody can mount."""
 _SETTINGS = pattern(r"(?!\.\.?/\.\.)[\w.][\w./-]*\.(?:ya?ml|json|xml)")
 """By its path from where the command starts."""
 
 
-def left_to_reader(page: Candidate, evidence: Evidence) -> tuple[Warning_, ...]:
-    """Return the warnings about the default command, which is a page's or a guess."""
+def left_to_reader(page: Candidate, evidence: Evidence, there: Collection[str] = ()) -> tuple[Warning_, ...]:
+    """Return the warnings about the default command, which is a page's or a guess.
+
+    ``there``: folders of the container that have what nobody reads: mounted ones, and an author's copy of the tree.
+    """
     said = next((m for m in evidence.mentions if _is(m, page)), None)
     told = _told(said, page, evidence) if said else _required(page, evidence)
     absent = (warn(f"{_NAMES} {path}, {_NOWHERE}", page) for path in _settings(page))
-    return (*told, *_counted(page, evidence), *absent, *_weights(page, evidence), *prepared_before(page, evidence))
+    counted, outside = _counted(page, evidence), _outside(page, there)
+    return (*told, *counted, *outside, *absent, *_weights(page, evidence), *prepared_before(page, evidence))
+
+
+def _outside(page: Candidate, there: Collection[str]) -> Iterator[Warning_]:
+    """Yield a warning for the folder of the first file that the command names by a path which no image has."""
+    for word in page.absent:
+        path = posixpath.normpath(word.rpartition("=")[2])
+        covered = any(f"{path}/".startswith(f"{folder.rstrip('/')}/") for folder in there)
+        if path.startswith("/") and not (covered or _OF_SYSTEM.match(path)):
+            folder = posixpath.dirname(path)
+            message = f"{_NAMES} {path}, which the image does not have: mount its folder with --volume FOLDER:{folder}"
+            yield warn(f"{message}, or give another under `command` in roslab.yaml", page)
+            return
 
 
 def _counted(page: Candidate, evidence: Evidence) -> Iterator[Warning_]:

@@ -122,3 +122,29 @@ def test_parameters_of_a_script_that_options_need(tree: Tree, script: str, page:
     assert found.command[:2] == ("bash", "train.sh")
     about = [each for each in told(found) if "gives options the values" in each]
     assert [f"values {said}, which" in each for each in about] == [True] * bool(said)
+
+
+OWN_IMAGE = 'FROM python:3.10\nRUN pip install numpy\nCOPY . /app\nWORKDIR /app\nCMD ["bash"]\n'
+
+
+@pytest.mark.parametrize(
+    ("given", "files", "folder"),
+    [
+        ("/datasets/a.bag", {}, "/datasets"),
+        ("--bag=/datasets/day/a.bag", {}, "/datasets/day"),
+        ("--bag /datasets/day/a.bag", {}, "/datasets/day"),
+        ("--bag /datasets/day/a.bag", {"Dockerfile": OWN_IMAGE}, ""),
+        ("/app/data/a.bag", {"Dockerfile": OWN_IMAGE}, ""),
+        ("/home/me/a.bag", {}, ""),
+        ("/tmp/a.bag", {}, ""),
+        ("/a.bag", {}, ""),
+        ("/camera/image_raw", {}, ""),
+        ("data/a.bag", {}, ""),
+        ("--output /datasets/a.bag", {}, ""),
+    ],
+)
+def test_the_folder_of_a_file_that_no_image_has(tree: Tree, given: str, files: dict[str, str], folder: str) -> None:
+    page = f"# Usage\n```\npython other.py {given}\n```\n"
+    found = tree({"other.py": OTHER, "requirements.txt": "numpy\n", "README.md": page, **files})
+    named = [each for each in told(found) if "--volume FOLDER" in each]
+    assert [f"--volume FOLDER:{folder}," in each for each in named] == ([True] if folder else [])
