@@ -158,8 +158,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     python, system, sources, layout = as_it_was(
         config, base_packages=base.answer.ros_packages, python=python, system=system, sources=sources, layout=layout
     )
-    if config.compatible:
-        everything = installed(evidence, python.answer)
+    everything = installed(evidence, python.answer) if config.compatible else everything
     libraries = decide_libraries(
         evidence,
         config,

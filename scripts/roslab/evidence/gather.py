@@ -6,7 +6,7 @@ import posixpath
 
 from roslab.evidence import git_folder, links, places, pointers, submodules
 from roslab.evidence.facts import Evidence
-from roslab.evidence.mentioned import MENTIONED, OF_ROS
+from roslab.evidence.mentioned import BESIDE_PROSE, MENTIONED, OF_ROS
 from roslab.evidence.native import (
     argument_counts,
     asked_variables,
@@ -80,8 +80,6 @@ from roslab.evidence.python import (
     clones,
     commented,
     conda,
-    from_above,
-    from_root,
     imports,
     limits,
     linked_files,
@@ -99,7 +97,6 @@ from roslab.evidence.python import (
     reached,
     removed,
     requirements,
-    sibling_folders,
     siblings,
     start_imports,
     stopped_setup,
@@ -236,9 +233,7 @@ def gather(repository: Repository) -> Evidence:
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
             *(mention for reader in (OF_ROS if manifests else ()) for mention in reader(own)),
             *(mention for reader in (only_in_manifest, lost_folders) for mention in reader.read(own, manifests)),
-            *from_root.read(own, prose.mentions),
-            *sibling_folders.read(own, prose.mentions),
-            *from_above.read(own, prose.mentions),
+            *(mention for reader in BESIDE_PROSE for mention in reader(own, prose.mentions)),
             *at_top.read(own, prose.mentions, launched, python_projects),
             *(() if manifests else reached.read(own, imported, started, prose.mentions)),
             *(() if manifests else start_imports.read(own, imported, started, prose.mentions)),

@@ -14,7 +14,15 @@ from roslab.evidence.prose import (
     of_other_indexes,
     optional_ros,
 )
-from roslab.evidence.python import opened, own_spelling, said_in_code, typestores
+from roslab.evidence.python import (
+    from_above,
+    from_root,
+    opened,
+    own_spelling,
+    said_in_code,
+    sibling_folders,
+    typestores,
+)
 from roslab.evidence.ros import handed_lists, on_machines, own_setup, started_by_scripts
 
 MENTIONED = (
@@ -24,5 +32,7 @@ MENTIONED = (
     *(cuda_paths.read, container_scripts.read),
 )
 """What pages, code and files of a project tell by themselves."""
+BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read)
+"""What code and files tell beside what pages say."""
 OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read)
 """What launch files, scripts and lists tell of a workspace of ROS."""

@@ -518,7 +518,7 @@ def test_the_python_that_has_pip_is_asked(tmp_path: Path) -> None:
 def test_an_authors_step_that_calls_pip_has_the_index_of_the_day(
     step: list[subprocess.Popen[str]], tmp_path: Path, index: str, run: str, got: str
 ) -> None:
-    said = ran(step, tmp_path, index, f"exec shell-as-of {DAY} {shlex.quote(run)}", start=":")
+    said = ran(step, tmp_path, index, f"cd {tmp_path}\nexec shell-as-of {DAY} {shlex.quote(run)}", start=":")
     assert said.strip().startswith(got.format(index=index))
 
 

@@ -255,7 +255,7 @@ def decide_python(
             *untold(chosen.guessed, by_conda | own_names(evidence)),
             *left_to_gpus(evidence, kind),
             *left_frameworks(evidence, kind, everything),
-            *lost(evidence, kind, chosen, ubuntu if manager == "system" else None, ros_distro, by_conda),
+            *lost(evidence, kind, chosen, ubuntu if manager == "system" else None, ros_distro, brought=by_conda),
             *unread(chosen.projects),
             *without_history(evidence),
             *consents(chosen.guessed, evidence),

@@ -51,13 +51,14 @@ def lost(
     chosen: Chosen,
     ubuntu: str | None,
     ros_distro: str | None,
+    *,
     brought: Collection[str] = (),
 ) -> Iterator[Warning_]:
     """Yield a warning for each imported module that pip's index is known to lack, and one for those of no table.
 
     Where a manifest declares packages, a submodule is missing, or a page has people install what it links to, the
     warning says that one of them may bring such a module, or the owner's repository in which the build looks for it.
-    ``ubuntu``: the one whose own Python it is, if it is one's. ``brought``: packages that come from elsewhere, as conda's.
+    ``ubuntu``: the one whose own Python it is, if it is one's. ``brought``: what conda brings.
     """
     for used in _refused(evidence, chosen):
         if canonicalize_name(used.name) in brought:

@@ -11,6 +11,7 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.distros import distros
 from roslab.knowledge.released import rosdep_keys
+from roslab.knowledge.ros_sources import RosSource
 from roslab.values.pattern import pattern
 
 SHORTEST = 4
@@ -127,3 +128,16 @@ def asked_for(git: GitSource, wanted: dict[str, Dependency], known: frozenset[st
     words = telling_words(name)
     related = (d for each, d in unknown if d.namespace == "rosdep" and each.partition("_")[0] in words)
     return next(family, None) or next((d for d in related if d.name not in rosdep_keys()), None)
+
+
+def tabled(found: RosSource, asked: Dependency) -> GitSource:
+    """Return the repository of a row of the table of unreleased packages, called as where a page clones it."""
+    return GitSource(
+        name=found.repo.rpartition("/")[2].removesuffix(".git"),
+        url=found.repo,
+        ref=found.ref,
+        strength=asked.strength,
+        file=asked.file,
+        line=asked.line,
+        kind="clone",
+    )

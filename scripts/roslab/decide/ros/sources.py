@@ -28,6 +28,7 @@ from roslab.decide.ros.source_names import (
     fixed,
     itself_in,
     plain,
+    tabled,
     wanted_names,
 )
 from roslab.decide.ros.source_warnings import doubted, loose, private
@@ -192,7 +193,7 @@ class _Chosen:
         new = self.add(git, f"{asked.file}:{asked.line} needs {asked.name}, and it is cloned here")
         if new:
             self._may_be_cmake(git, asked)
-        self.others |= {address(tabled.repo) for tabled in ros_sources(asked.name, self.ros)[-1:]} - {address(git.url)}
+        self.others |= {address(row.repo) for row in ros_sources(asked.name, self.ros)[-1:]} - {address(git.url)}
         if new and asked.namespace == "rosdep" and asked.name in elsewhere:
             message = f"{asked.name} is cloned from {git.url} ({git.file}:{git.line})"
             more = "rosdep has a package of the same name, which may be another one: the clone is used"
@@ -244,21 +245,12 @@ class _Chosen:
             for found in ros_sources(asked.name, ros, distro):
                 if address(found.repo) in self.others:
                     continue
-                name = found.repo.rpartition("/")[2].removesuffix(".git")  # as it is called where a page clones it
-                git = GitSource(
-                    name=name,
-                    url=found.repo,
-                    ref=found.ref,
-                    strength=asked.strength,
-                    file=asked.file,
-                    line=asked.line,
-                    kind="clone",
-                )
+                git = tabled(found, asked)
                 self.add(git, f"{asked.name} is needed, and no distribution released {found.package}", tabled=True)
-                if name in self.sources:
+                if git.name in self.sources:
                     self.packages.add(found.package)
-                    self.wanted.setdefault(name, []).append((found.package, asked))
-                    self._complete(name, found, asked, distro)
+                    self.wanted.setdefault(git.name, []).append((found.package, asked))
+                    self._complete(git.name, found, asked, distro)
 
     def _complete(self, name: str, found: RosSource, asked: Dependency, distro: str) -> None:
         source = self.sources[name]

@@ -106,14 +106,18 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
             found[url] = replace(found[url], told=True)
         if line in installing:
             found[url] = replace(found[url], to_install=True)
-        if _PRIVATE.search(_before(text, match.start())) or _CALLED_PRIVATE.match(text, match.end()):
-            found[url] = replace(found[url], private=True)
-        behind = _behind(text, match.end())
-        if doubted := doubt(behind):
-            found[url] = replace(found[url], doubt=doubted)
-        elif forked(_before(text, match.start()).rpartition("\n")[2], behind):
-            found[url] = replace(found[url], forked=True)
+        found[url] = _judged(found[url], _before(text, match.start()), text, match.end())
     return list(found.values())[:MAX_LINKS]
+
+
+def _judged(git: GitSource, before: str, text: str, end: int) -> GitSource:
+    """Return a repository with what the page says of it around the link: private, doubted, or forked."""
+    if _PRIVATE.search(before) or _CALLED_PRIVATE.match(text, end):
+        git = replace(git, private=True)
+    behind = _behind(text, end)
+    if doubted := doubt(behind):
+        return replace(git, doubt=doubted)
+    return replace(git, forked=True) if forked(before.rpartition("\n")[2], behind) else git
 
 
 def _pinned(text: str, end: int) -> str | None:
