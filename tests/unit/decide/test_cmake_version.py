@@ -243,3 +243,21 @@ def test_a_python_project_that_cmake_compiles_gets_the_newer_cmake_before_it(tmp
     found = decided(tmp_path, files)
     assert (found.kind, found.python.projects) == ("cuda", (".",))
     assert "cmake>=3.24,<4" in [each.text for each in found.python.pip_guessed]
+
+
+@pytest.mark.parametrize(
+    ("more", "asked"),
+    [("", ["3.20"]), ("cmake_minimum_required(VERSION 3.24)\n", ["3.24"]), ("project(altro)\n", [])],
+)
+def test_what_the_table_of_sources_clones_may_ask_for_it(tmp_path: Path, more: str, asked: list[str]) -> None:
+    package = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend>{}</package>"
+    files = {
+        "thing/package.xml": package.format("thing", "<depend>altro</depend>"),
+        "thing/CMakeLists.txt": f"{more}project(thing)\nfind_package(catkin REQUIRED COMPONENTS altro)\n",
+        "README.md": "ROS Noetic\n",
+    }
+    if "altro" in more:
+        files |= {"altro/package.xml": package.format("altro", ""), "altro/CMakeLists.txt": more}
+        files["thing/CMakeLists.txt"] = "project(thing)\nfind_package(catkin REQUIRED COMPONENTS altro)\n"
+    found = [each.text for each in decided(tmp_path, files).python.pip_guessed]
+    assert found == [f"cmake>={version},<4" for version in asked]

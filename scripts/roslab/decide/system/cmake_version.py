@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.ros.workspace import packages_of
@@ -12,7 +12,9 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.python_project import PythonProject
+from roslab.knowledge.cmake_of_sources import cmake_of_sources
 from roslab.knowledge.distros import cmake_of_ubuntu
+from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.version import Version
@@ -69,11 +71,21 @@ def from_pip(
     """
     tops = {project.file.rpartition("/")[0] for project in evidence.cmake if project.top_level}
     aside = kind == "cuda" and bool(own := {each.folder for each in projects}) and own.isdisjoint(tops)
-    demand = None if kind == "python" or aside else needed_cmake(evidence)
+    demands = () if kind == "python" or aside else (needed_cmake(evidence), *_of_sources(evidence, kind))
+    demand = max(filter(None, demands), key=lambda each: Version(each.version or "0"), default=None)
     if demand is None or ubuntu is None or has_it(ubuntu, demand):
         return None
     bound = f",<{Version(demand.version or '0').major + 1}"
     return stated(f"cmake>={demand.version}{bound}", "build", demand.file, demand.line)
+
+
+def _of_sources(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
+    """Yield the packages that are built from a source known to ask for a CMake, each with its version."""
+    packages, known = packages_of(evidence), cmake_of_sources()
+    for each in (each for manifest in packages.built for each in manifest.dependencies):
+        version = known.get((each.name, 1 if kind == "ros1" else 2)) if kind in {"ros1", "ros2"} else None
+        if version and each.name not in packages.names:
+            yield replace(each, version=version)
 
 
 def refused_by_new(evidence: Evidence, ubuntu: str | None, asked: Iterable[Requirement]) -> Dependency | None:
