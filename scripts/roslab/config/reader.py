@@ -146,7 +146,10 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
 
 
 def _advise(reading: Reading, root: Mapping, generation: Generation) -> None:
-    """Warn if a file uses today's keys without ``format: 3``: it is probably not meant to be in an old format."""
+    """Warn if a file without ``format: 3`` is probably not meant to be in an old format.
+
+    It uses today's keys, or does not say what the image starts from, as every file of the later format did.
+    """
     if generation == "today":
         return
     used = [name for name in root.names if name in generations.news()]
@@ -155,6 +158,12 @@ def _advise(reading: Reading, root: Mapping, generation: Generation) -> None:
             f"`{used[0]}` is a key of today's format, but without `format: 3` the file is read as "
             f"{generations.NAMES[generation]}: JupyterLab is installed, and `custom` keeps its old meaning",
             root.key(used[0]),
+        )
+    elif generation == "later" and "base" not in root.names:
+        reading.warn(
+            f"without `format: 3` as its first line the file is read as {generations.NAMES[generation]}: only what it "
+            "names is installed, beside JupyterLab, and `custom` runs as root in `/`",
+            root.key(root.names[0]) if root.names else None,
         )
 
 

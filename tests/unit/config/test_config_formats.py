@@ -117,6 +117,20 @@ def test_without_a_mark_the_later_meaning_holds(good: pathlib.Path) -> None:
     assert config.kind == "ros2"
 
 
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("custom: [make -C lib install]\n", True),
+        ("apt: [cmake]\n", True),
+        ("base: {ubuntu: bionic}\ncustom: [make -C lib install]\n", False),
+        ("format: 3\ncustom: [make -C lib install]\n", False),
+        ("distro: kinetic\npackages: [cmake]\n", False),
+    ],
+)
+def test_a_file_that_says_neither_its_format_nor_its_base_is_told(text: str, told: bool) -> None:
+    assert ("without `format: 3` as its first line" in warned(read(text))) is told
+
+
 def test_the_interim_format(good: pathlib.Path) -> None:
     config = load(good, "interim")
     base = config.base

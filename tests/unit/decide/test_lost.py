@@ -19,7 +19,8 @@ def test_a_package_behind_a_login_is_told_where_the_code_imports_it(tree: Tree) 
     found = tree({"play.py": code, "setup.py": "from setuptools import setup\nsetup(install_requires=['numpy'])\n"})
     assert [(w.file, w.line) for w in found.warnings if "isaacgym" in w.message] == [("play.py", 2)]
     (said,) = [each.message for each in found.warnings if "isaacgym" in each.message]
-    assert "pip install --editable isaacgym/python" in said
+    assert "unpack its archive in the source and run roslab again" in said
+    assert "`pip install --no-deps --editable isaacgym/python`" in said
     assert said.count("roslab.yaml") == 1
     assert "`pip`" not in said
     assert {"libvulkan1", "libegl1", "ninja-build"} <= {*found.apt_guessed}

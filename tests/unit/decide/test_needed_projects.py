@@ -44,3 +44,27 @@ def test_all_that_a_page_installs_is_installed(tree: Tree) -> None:
     page = "".join(f"pip install -e lib/{name}\n" for name in names)
     found = tree({**files, "run.py": "import numpy\n", "README.md": f"```\n{page}```\n"})
     assert found.python.projects == tuple(f"lib/{name}" for name in names)
+
+
+SIMULATOR = "from setuptools import setup\nsetup(name='isaacgym', packages=['isaacgym'], install_requires=['numpy'])\n"
+APP_ALONE = {"pyproject.toml": APP.format(needs="'scipy'"), "run.py": "from isaacgym import gymapi\n"}
+
+
+@pytest.mark.parametrize(
+    ("more", "projects", "told"),
+    [
+        ({}, (".",), True),
+        (
+            {"isaacgym/python/setup.py": SIMULATOR, "isaacgym/python/isaacgym/gymapi.py": ""},
+            (".", "isaacgym/python"),
+            False,
+        ),
+        ({"isaacgym/python/setup.py": SIMULATOR.replace("isaacgym", "other")}, (".",), False),
+    ],
+)
+def test_an_archive_that_was_unpacked_in_the_tree_is_installed(
+    tree: Tree, more: dict[str, str], projects: tuple[str, ...], *, told: bool
+) -> None:
+    decision = tree({**APP_ALONE, **more})
+    assert decision.python.projects == projects
+    assert any("run roslab again, which installs it" in each.message for each in decision.warnings) is told

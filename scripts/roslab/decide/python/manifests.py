@@ -20,6 +20,7 @@ from roslab.evidence import places
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence, Mention, RequirementFile
 from roslab.evidence.python_project import PythonProject
+from roslab.knowledge.unpacked_archives import unpacked_archives
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -207,8 +208,15 @@ def projects(
         near = [folder for folder in own if folder.count("/") == depth and depth <= 1]
         chosen |= {folder: usable[folder] for folder in near[:MAX_PROJECTS]}
     chosen |= {folder: usable[folder] for folder in imported(usable.values())}
+    chosen |= {} if ros else {project.folder: project for project in usable.values() if _unpacked(project)}
     siblings = [m for m in evidence.mentions if m.topic == "sibling" and m.value in usable.keys() - manifests]
     return tuple(_with_needed(list(chosen.values()), usable, manifests, siblings)[:MAX_NAMED])
+
+
+def _unpacked(project: PythonProject) -> bool:
+    """Tell whether a project is of an archive behind a login: who has unpacked it in the tree needs it."""
+    archive = unpacked_archives().get(canonicalize_name(project.name or ""))
+    return archive is not None and f"/{project.folder}".endswith(f"/{archive}")
 
 
 def _with_needed(
