@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -10,6 +9,7 @@ import pytest
 
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
+from trees import commit
 
 Tree = Callable[[dict[str, str]], Decision]
 CLONE = "git clone {} https://github.com/others/shapes.git"
@@ -24,10 +24,7 @@ IMAGE = "FROM ros:noetic\nRUN cd /ws/src && {}\nCOPY . /ws/src/demo\nRUN cd /ws 
 def committed(folder: Path, step: str, day: str) -> Decision:
     for name, text in (FILES | {"Dockerfile": IMAGE.format(step)}).items():
         (folder / name).write_text(text, encoding="utf-8")
-    at = {"GIT_AUTHOR_DATE": f"{day}T12:00:00Z", "GIT_COMMITTER_DATE": f"{day}T12:00:00Z", "PATH": "/usr/bin:/bin"}
-    who = ("-c", "user.name=a", "-c", "user.email=a@example.org")
-    for words in (("init", "-q"), ("add", "-A"), (*who, "commit", "-q", "-m", "all")):
-        subprocess.run(["git", *words], cwd=folder, check=True, env=at)
+    commit(folder, day)
     return plan_repository(folder).decision
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -12,9 +10,10 @@ from roslab.pipeline import plan_repository
 from roslab.plan.author_bases import Base
 from roslab.plan.plan import Plan
 from roslab.render import bases as rendered
+from trees import commit
 
 IMAGE = "python:3.9-slim-bookworm"
-OLD, YOUNG = "2021-06-01T12:00:00", "2026-11-01T12:00:00"
+OLD, YOUNG = "2021-06-01", "2026-11-01"
 FREE = "RUN pip install opencv-python"
 
 
@@ -27,10 +26,7 @@ def planned(folder: Path, steps: str, day: str = OLD, base: str = IMAGE, config:
     }
     for path, text in written.items():
         (folder / path).write_text(text, encoding="utf-8")
-    who = {f"GIT_{one}_{what}": "a@b" for one in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
-    environment = {**os.environ, **who, "GIT_AUTHOR_DATE": day, "GIT_COMMITTER_DATE": day}
-    for words in (("init", "-q"), ("add", "."), ("commit", "-qm", "all")):
-        subprocess.run(["git", *words], cwd=folder, env=environment, check=True)
+    commit(folder, day)
     return plan_repository(folder).plan
 
 

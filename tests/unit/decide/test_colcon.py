@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from trees import commit
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
@@ -33,15 +33,7 @@ def test_colcon_builds_ros_1_where_nothing_is_for_ros_2(tree: Tree, page: str, t
 def test_the_newest_branch_is_taken_as_of_the_last_commit(tmp_path: Path, tree: Tree) -> None:
     files = {"package.xml": PACKAGE, "CMakeLists.txt": MADE, "a.repos": LIST, "README.md": "ROS Melodic\n"}
     assert [(source.ref, source.before) for source in tree(files).source] == [("master", "")]
-    git = ("git", "-c", "user.name=a", "-c", "user.email=a@b", "-C", str(tmp_path))
-    subprocess.run((*git, "init", "-q"), check=True)
-    subprocess.run((*git, "add", "."), check=True)
-    day = {
-        "GIT_COMMITTER_DATE": "2020-06-24T12:00:00Z",
-        "GIT_AUTHOR_DATE": "2020-06-24T12:00:00Z",
-        "PATH": "/usr/bin:/bin",
-    }
-    subprocess.run((*git, "commit", "-qm", "a"), check=True, env=day)
+    commit(tmp_path, "2020-06-24")
     assert [(source.ref, source.before) for source in tree(files).source] == [("master", "2020-06-24")]
     branch = files | {"a.repos": LIST.replace("master", "noetic-devel")}
     assert [(source.ref, source.before) for source in tree(branch).source] == [("noetic-devel", "2020-06-24")]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -12,6 +11,7 @@ from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan, from_json, to_json
 from roslab.render.dockerfile import dockerfile
 from roslab.render.report import inspection_json, inspection_text
+from trees import commit
 
 PACKAGE = """\
 <package format="2">
@@ -90,19 +90,11 @@ def test_clones_are_of_the_day(tmp_path: Path) -> None:
     assert "--before=2022-06-01T23:59:59Z" in text
 
 
-def commit(folder: Path) -> None:
-    """Commit a folder on 2020-07-09."""
-    when = {"GIT_AUTHOR_DATE": "2020-07-09T12:00:00Z", "GIT_COMMITTER_DATE": "2020-07-09T12:00:00Z", "PATH": "/usr/bin"}
-    identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
-    for words in (["init", "--quiet"], ["add", "."], [*identity, "commit", "--quiet", "--message", "x"]):
-        subprocess.run(["git", "-C", folder, *words], check=True, env={**when, "HOME": str(folder)})
-
-
 def test_what_a_list_alone_imports_is_of_the_time_of_its_commit(tmp_path: Path) -> None:
     listed = "{type: git, url: 'https://github.com/lab/arm.git', version: master}"
     (tmp_path / "all.repos").write_text(f"repositories:\n  arm: {listed}\n")
     (tmp_path / "README.md").write_text("For ROS Melodic: `vcs import src < all.repos`\n")
-    commit(tmp_path)
+    commit(tmp_path, "2020-07-09")
     (source,) = plan(tmp_path, {}, "").workspace.sources
     assert (source.ref, source.before) == ("master", "2020-07-09")
 
@@ -122,7 +114,7 @@ def test_what_the_table_clones_is_not_newer_than_the_repository(
     (tmp_path / "package.xml").write_text(f"<package><name>demo</name>{needs}</package>")
     (tmp_path / "CMakeLists.txt").write_text(f"find_package(catkin REQUIRED COMPONENTS {needed})\n")
     (tmp_path / "README.md").write_text(f"For ROS {distro}.\n")
-    commit(tmp_path)
+    commit(tmp_path, "2020-07-09")
     found = plan(tmp_path, {}, "").workspace.sources
     assert found
     assert {source.before for source in found} == {before}
@@ -136,7 +128,7 @@ def test_the_day_of_the_paper(tmp_path: Path) -> None:
     found = plan(tmp_path, ROS1, "date: paper\n")
     assert found.as_of
     assert found.as_of.day == "2021-12-31"
-    commit(tmp_path)
+    commit(tmp_path, "2020-07-09")
     found = plan(tmp_path, ROS1, "date: paper\n")
     assert found.as_of
     assert found.as_of.day == "2020-07-09"

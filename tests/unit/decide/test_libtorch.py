@@ -13,6 +13,7 @@ from roslab.decide.platforms import AMD64, ARM64
 from roslab.knowledge.libtorch import libtorch_archive
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import commit
 
 Tree = Callable[[dict[str, str]], Decision]
 CMAKE = "project(demo CXX)\nfind_package(Torch REQUIRED)\nadd_executable(a a.cpp)\n"
@@ -39,15 +40,7 @@ def test_the_release_is_the_pages(tree: Tree, page: str, release: str) -> None:
 def test_without_a_name_it_is_of_the_last_commits_day(tmp_path: Path) -> None:
     for name, text in CODE.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
-    git = ["git", "-C", str(tmp_path), "-c", "user.name=a", "-c", "user.email=a@b"]
-    dated = {
-        "GIT_COMMITTER_DATE": "2021-05-01T00:00:00Z",
-        "GIT_AUTHOR_DATE": "2021-05-01T00:00:00Z",
-        "PATH": "/usr/bin:/bin",
-    }
-    subprocess.run([*git, "init", "-q"], check=True)
-    subprocess.run([*git, "add", "."], check=True)
-    subprocess.run([*git, "commit", "-qm", "a"], check=True, env=dated)
+    commit(tmp_path, "2021-05-01")
     text = dockerfile(plan_repository(tmp_path).plan)
     assert libtorch_archive("1.8.0", None) in text
     assert "curl" in text

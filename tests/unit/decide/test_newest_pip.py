@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -13,12 +11,13 @@ from roslab.pipeline import plan_repository
 from roslab.plan.author_bases import Base
 from roslab.plan.plan import Plan
 from roslab.render import bases as rendered
+from trees import commit
 
 IMAGE = "pytorch/pytorch:1.13.1-cuda11.6-cudnn8-devel"
 GIT = "git+https://github.com/facebookresearch/pytorch3d.git@v0.7.2"
 ARCHIVE = "https://github.com/facebookresearch/pytorch3d/archive/stable.zip"
 SETUP = "import torch\nfrom setuptools import setup\n\nsetup(name='ops')\n"
-BEFORE, AFTER = "2025-01-25T12:00:00", "2025-11-01T12:00:00"
+BEFORE, AFTER = "2025-01-25", "2025-11-01"
 
 
 def planned(folder: Path, steps: str, day: str | None = BEFORE, base: str = IMAGE, **files: str) -> Plan:
@@ -33,10 +32,7 @@ def planned(folder: Path, steps: str, day: str | None = BEFORE, base: str = IMAG
         (folder / path).parent.mkdir(exist_ok=True, parents=True)
         (folder / path).write_text(text, encoding="utf-8")
     if day:
-        who = {f"GIT_{one}_{what}": "a@b" for one in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
-        environment = {**os.environ, **who, "GIT_AUTHOR_DATE": day, "GIT_COMMITTER_DATE": day}
-        for words in (("init", "-q"), ("add", "."), ("commit", "-qm", "all")):
-            subprocess.run(["git", *words], cwd=folder, env=environment, check=True)
+        commit(folder, day)
     return plan_repository(folder).plan
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,6 +16,7 @@ from roslab.plan.lock import use
 from roslab.plan.locked import Lock
 from roslab.render.dockerfile import dockerfile
 from roslab.render.report import inspection_text
+from trees import commit
 
 PYTHON = {"main.py": "import numpy\n\nprint(numpy.zeros(3))\n", "requirements.txt": "numpy\nscipy\n"}
 TORCH = {"main.py": "import torch\n", "requirements.txt": "torch\n"}
@@ -28,10 +28,7 @@ def committed(folder: Path, files: dict[str, str], day: str, config: str = "") -
     for path, text in {**files, **said}.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(text)
-    when = {"GIT_AUTHOR_DATE": f"{day}T12:00:00Z", "GIT_COMMITTER_DATE": f"{day}T12:00:00Z", "HOME": str(folder)}
-    identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
-    for words in (["init", "--quiet"], ["add", "."], [*identity, "commit", "--quiet", "--message", "x"]):
-        subprocess.run(["git", "-C", folder, *words], check=True, env={**when, "PATH": "/usr/bin:/bin"})
+    commit(folder, day)
     return plan_repository(folder)
 
 

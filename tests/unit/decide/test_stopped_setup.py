@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,6 +12,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
+from trees import commit
 
 Tree = Callable[[dict[str, str]], Decision]
 START = "from setuptools import setup, find_packages\n"
@@ -93,10 +92,6 @@ def test_setuptools_of_the_day_of_an_old_commit_looks_for_no_packages(tmp_path: 
     for path, text in {"setup.py": BARE.format(more=""), "train.py": "import core\n", **FOLDERS}.items():
         (tmp_path / path).parent.mkdir(exist_ok=True)
         (tmp_path / path).write_text(text)
-    git = ["git", "-C", str(tmp_path), "-c", "user.name=a", "-c", "user.email=a@b"]
-    subprocess.run([*git, "init", "-q"], check=True)
-    subprocess.run([*git, "add", "."], check=True)
-    day = {"GIT_COMMITTER_DATE": "2020-06-01T00:00:00Z", "GIT_AUTHOR_DATE": "2020-06-01T00:00:00Z"}
-    subprocess.run([*git, "commit", "-q", "-m", "a"], check=True, env=os.environ | day)
+    commit(tmp_path, "2020-06-01")
     found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
     assert found.python.projects == (".",)
