@@ -7,12 +7,17 @@ from collections.abc import Iterable, Iterator
 from roslab.decide.decision import Reason
 from roslab.decide.python.imported_submodules import imported
 from roslab.decide.python.packages import Chosen
+from roslab.decide.python.unmade_environments import ORIGIN
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
 from roslab.values.origin import Place
 from roslab.values.requirement import Requirement
 
-_WHY = {"import": "imported, declared nowhere", "build": "the build asks for a newer one than the base has"}
+_WHY = {
+    "import": "imported, declared nowhere",
+    "build": "the build asks for a newer one than the base has",
+    ORIGIN: "the environment that is not made has it, and the project does not name it",
+}
 _BY_NAME = "imported by what a command starts, declared nowhere and in no table: the package of its name is tried"
 _ALONE = "conda alone has it: it comes from there, with the Python"
 

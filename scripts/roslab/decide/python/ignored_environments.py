@@ -10,6 +10,7 @@ from roslab.decide.python.conda_environments import OF_OTHER_SYSTEM
 from roslab.decide.python.manifests import for_reference, resolve
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.parts import of_parts
+from roslab.decide.python.unmade_environments import ORIGIN
 from roslab.decide.reasons import warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
@@ -36,4 +37,10 @@ def _why(path: str, evidence: Evidence, kind: Kind, chosen: Chosen) -> str:
         return f"an image has one environment, here that of {chosen.conda}"
     if kind in {"ros1", "ros2", "cpp"}:
         return "what is compiled here is for the Python of the Ubuntu"
-    return f"{chosen.files[0].file} is installed in its place" if chosen.files else "the project says what it needs"
+    if chosen.files:
+        return f"{chosen.files[0].file} is installed in its place"
+    also = [each.written for each in chosen.guessed if each.origin == ORIGIN and each.file == path]
+    listed = " and ".join(also)
+    return (
+        f"the project says what it needs, and pip installs {listed} of it" if also else "the project says what it needs"
+    )

@@ -16,6 +16,7 @@ from roslab.decide.python.guesses import guesses, known_names, known_requirement
 from roslab.decide.python.manifests import projects, requirement_files
 from roslab.decide.python.of_nodes import of_nodes
 from roslab.decide.python.pins import DEVELOPMENT, Pin
+from roslab.decide.python.unmade_environments import of_unmade
 from roslab.evidence.facts import Evidence, Mention, RequirementFile
 from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import dataclass, replace
@@ -66,6 +67,8 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     known |= {each.key for each in more}
     sure = (*known_requirements(evidence, files, folders, conda), *more)
     guessed = guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)
+    if not (files or conda):
+        guessed += tuple(of_unmade(evidence, kind, folders, known | {each.key for each in guessed}))
     guessed += tuple(of_nodes(evidence, kind, known | {each.key for each in guessed}))
     return Chosen(
         files=kept,
