@@ -41,7 +41,7 @@ def test_a_package_of_rosbuild_is_built_with_rosmake_under_its_own_name(tmp_path
     assert (found.kind, found.ros_distro, found.build_tool) == ("ros1", "indigo", "rosmake")
     assert (found.packages, found.package_names) == (("manifest.xml",), ("tracker",))
     assert {"roscpp", "eigen"} <= set(found.rosdep)
-    assert "libopencv-dev" in found.apt
+    assert "libopencv-dev" in found.apt_guessed
     assert found.ended == ("opencv2",)
     plan = planned(found)
     assert plan.workspace.folder == "ws/src/tracker"

@@ -87,7 +87,7 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
 
 def _of_release(found: Library, asked: Dependency, target: Target) -> Library:
     """Return where a library comes from: not from ROS where CMake asks for a release that Ubuntu alone has."""
-    if not (found.ros and asked.namespace == "cmake" and asked.version and target.ubuntu):
+    if not (found.ros and found.apt and asked.namespace == "cmake" and asked.version and target.ubuntu):
         return found
     of_ros, of_ubuntu = (satisfies(asked.name, target.ubuntu, asked.version, ros=ros) for ros in (True, False))
     return replace(found, ros="") if of_ubuntu and not of_ros else found
