@@ -141,13 +141,8 @@ class Mention:
         "torch_on_gpu", "index_link", "template", "patched", "single_header", "unpackaged", "said_run", "session",
         "required", "calls", "guide", "of_other_index", "matlab", "master", "git_folder", "installed_here", "make",
         "asked_option", "reached", "as_sources", "node_import", "only_in_manifest", "lost_folder", "sibling_folder",
-        "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import",
-        "from_above",        "on_gpu", "handed", "own_spelling", "optional_step", "started",
-        "on_gpu", "handed", "own_spelling", "optional_step", "started", "optional_ros",
-        "on_gpu", "handed", "own_spelling", "optional_step", "started", "typestore",
-        "cuda_path", "lost_module",
-        "on_gpu", "handed", "own_spelling", "optional_step", "started", "screen", "mounted",
-        "on_gpu", "handed", "own_spelling", "optional_step", "started", "screen", "mounted", "argument_count",
+        "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import", "from_above",
+        "optional_ros", "typestore", "cuda_path", "lost_module", "screen", "mounted", "argument_count",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -75,7 +75,7 @@ until "$@" 2>&1 | tee "${log}"; do
   fi
   if [ "${lost}" -gt 0 ] && [ $((lost * 10)) -gt $(($(packages_below "${own}") * 9)) ]; then
     rm -f "${log}"
-    echo "roslab: of the packages in ${own} hardly any builds without what could not be cloned; the last that failed: ${hidden[*]}"
+    echo "roslab: of the packages in ${own} hardly any builds; the last that failed: ${hidden[*]}"
     exit 1
   fi
   echo "roslab: the workspace does not build: once more without what failed"
