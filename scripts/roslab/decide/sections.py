@@ -46,8 +46,8 @@ _TRIED = pattern(
 """A section that has the reader run it once, to see whether it works."""
 _AND_TEST = pattern(r"\b(train\w*)\s*(?:and|&|/|,|\+)\s*(?:tests?|testing|evaluat\w*|validat\w*)\b", re.IGNORECASE)
 """A section that trains first, and then looks at what came of it."""
-_TESTED = pattern(r"^\W*(?:\d[\d.]*\W*)?test(?:ing)?\b(?! (?:cases?|suites?|data))", re.IGNORECASE)
-"""A section that tests what a program learned, as pages of Python call its use: ``Test SAM-DA``."""
+_TESTED = pattern(r"^\W*(?:\d[\d.]*\W*)?test(?:ing)?\s+(?!(?:cases?|suites?|data\w*|sets?|splits?)\b)\w", re.IGNORECASE)
+"""A section that tests something by its name, as pages of Python call the use of what was trained: ``Test SAM-DA``."""
 _TEST_SET = pattern(r"\btest[ -]?(?:set|split)s?\b", re.IGNORECASE)
 """The name of data: ``Inference on the test set``."""
 _TO_TEST = pattern(r"(?<!\w)(start|run|launch)\b(.{1,80}?)\bto test\b", re.IGNORECASE)

@@ -232,6 +232,7 @@ def test_what_a_page_leaves_open_comes_as_an_extra_asks_for_it(tree: Tree, extra
         ("casadi=['lierare']", {"examples/ik.py": "import lierare\n"}, []),
         ("casadi=['lierare @ git+https://github.com/them/lierare']", {"walk/ik.py": "import lierare\n"}, []),
         ("casadi=['other']", {"walk/ik.py": "import lierare\n"}, []),
+        ("casadi=['lierare']", {"ik.py": "import lierare\n"}, []),
     ],
 )
 def test_a_module_of_no_table_that_the_package_needs_is_the_extra_of_its_name(

@@ -41,6 +41,7 @@ def test_lines_for_another_ubuntu(tree: Tree, title: str, page: str, installed: 
             "test.py",
         ),
         ("## Usage\n### Training\npython train.py\n### Testing\npython test.py\n", "train.py"),
+        ("## Usage\n### Testing\npython test.py\n### Training\npython train.py\n", "train.py"),
         ("## Usage\n### Test cases\npython test.py\n### Training\npython train.py\n", "train.py"),
         ("## Data\n### Test\npython test.py\n## Usage\npython train.py\n", "train.py"),
     ],

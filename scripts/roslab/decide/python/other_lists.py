@@ -35,12 +35,13 @@ def named_in_list(evidence: Evidence, used: Dependency) -> str | None:
     """Return the package of a list of the tree that is called like a module which no table knows, ``None`` for none.
 
     Also of a list that is not installed as a whole: its author had that package. Of an extra of the project at the root
-    only where the code cannot do without. Not one that pip's index lacks.
+    only where its packages cannot do without: scripts beside them may be for who asks for more. Not one that pip's
+    index lacks.
     """
     name = canonicalize_name(used.name)
     if name in not_on_index() or name in tooling("ros"):
         return None
-    needed = used.strength == "used" and not places.aside(used.file)
+    needed = used.strength == "used" and "/" in used.file and not places.aside(used.file)
     return name if name in _by_key(evidence) or (needed and name in _in_extras(evidence)) else None
 
 
