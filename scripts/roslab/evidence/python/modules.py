@@ -8,6 +8,7 @@ from functools import cached_property
 from roslab.evidence import places
 from roslab.evidence.copied_libraries import folders_of_copies, in_copy
 from roslab.evidence.facts import Mention
+from roslab.evidence.python.unsuffixed import unsuffixed
 from roslab.knowledge.hints import words_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass
@@ -45,7 +46,10 @@ class Module:
 
 
 def modules(repository: Repository) -> tuple[Module, ...]:
-    """Return the modules worth reading, nearest to the root first; vendored code, documentation and CI are left out."""
+    """Return the modules worth reading, nearest to the root first; vendored code, documentation and CI are left out.
+
+    Programs whose first line names Python are among them, whatever ending their names lack; nothing imports these.
+    """
     return repository.once(_modules)
 
 
@@ -71,7 +75,7 @@ def _all(repository: Repository) -> tuple[Module, ...]:
     copies = folders_of_copies(repository)
     kept = [
         file
-        for file in repository.suffixed(".py")
+        for file in (*repository.suffixed(".py"), *unsuffixed(repository))
         if not places.vendored(file.path) and not places.documentation(file.path) and file.size < 16 * MAX_READ
         if not in_copy(file.path, copies)
     ]

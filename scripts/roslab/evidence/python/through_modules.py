@@ -15,6 +15,7 @@ from roslab.values.pattern import pattern
 _FROM = pattern(r"^from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+(\([^()]*\)|[^\n#;]*)", re.MULTILINE)
 _IMPORT = pattern(r"^import[ \t]+([A-Za-z_][^\n#;]*)", re.MULTILINE)
 _INIT = "__init__"
+_SUFFIX = ".py"
 _LISTS = ("listdir(", "scandir(", "iter_modules(", "walk_packages(", "glob(")
 _BY_NAME = ("__import__(", "import_module(")
 """Calls of a package that lists its folder and imports what lies there by its name."""
@@ -42,9 +43,10 @@ class Modules:
         self._by_name: dict[str, list[str]] = {}
         self._in_folder: dict[str, list[str]] = {}
         for path in self.by_file:
-            self._by_name.setdefault(_importable(path, packages), []).append(path)
+            if path.endswith(_SUFFIX):  # a program without it is started, and never imported
+                self._by_name.setdefault(_importable(path, packages), []).append(path)
             self._in_folder.setdefault(posixpath.dirname(path), []).append(path)
-        self._inside = names_inside(self.by_file)
+        self._inside = names_inside(path for path in self.by_file if path.endswith(_SUFFIX))
         self._written: dict[str, tuple[str, ...]] = {}
         self._imports: dict[str, tuple[str, ...]] = {}
         self.graph = ImportGraph(self.by_file, self._inside, self._tops, self._resolved)
