@@ -18,12 +18,17 @@ Sign = Literal["include", "name", "standard", "cpp11", "line", "python", "launch
 """A header, a name in C++, a C++ standard that CMake asks for, a header in what is compiled as C++11, what stands on
 one line of Python code, or on several, what a launch file in Python has, what pkg-config is asked for, a command of
 CMake."""
+OF_ROS2 = "ROS 2: "
+"""Before the name of a repository of ROS 2, in the place of a library: its versions are distributions."""
 _OWN = frozenset({"library", "same_major", "source", "date"})
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Limit:
-    """A sign in the code, and the versions of a library that it compiles with."""
+    """A sign in the code, and the versions of a library that it compiles with.
+
+    Where ``below`` is older than ``at_least``, what the sign names was away between the two.
+    """
 
     where: Sign
     pattern: re.Pattern[str]

@@ -13,7 +13,7 @@ from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.code_limits import bounds_of, fits, satisfies
+from roslab.knowledge.code_limits import OF_ROS2, bounds_of, fits, satisfies
 from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus
 from roslab.knowledge.recipes import has_release, stands_beside
@@ -24,9 +24,6 @@ WORKFLOWS = ".github/workflows/"
 TOO_OLD_FOR_PIP = frozenset({"trusty"})
 """Here pip cannot install a newer CMake: its own version does not know today's wheels.
 https://github.com/pypa/manylinux#readme (pip 8.1 is the first)"""
-
-_OF_ROS2 = "ROS 2: "
-"""Before the name of a repository of ROS 2, in the place of a library."""
 
 
 def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
@@ -126,12 +123,13 @@ def unlaunchable(evidence: Evidence) -> dict[str, frozenset[str]]:
 
 
 def unincluded(evidence: Evidence) -> dict[str, frozenset[str]]:
-    """Return, for each distribution of ROS 2, what the code includes or calls of ROS and that it does not have."""
-    of_ros2 = (limit for limit in evidence.limits if limit.library.startswith(_OF_ROS2))
+    """Return, for each distribution of ROS 2, what the code includes, imports or calls of ROS and that it lacks."""
+    of_ros2 = (limit for limit in evidence.limits if limit.library.startswith(OF_ROS2))
     return _unknown_to(limit for limit in of_ros2 if _of_apt(limit, evidence))
 
 
 def _unknown_to(limits: Iterable[CodeLimit]) -> dict[str, frozenset[str]]:
+    """Return, for each distribution of ROS 2, what it does not have; some names were away for a while."""
     found: dict[str, frozenset[str]] = {}
     for limit in limits:
         oldest, first_without = distro(limit.at_least or ""), distro(limit.below or "")
@@ -139,14 +137,15 @@ def _unknown_to(limits: Iterable[CodeLimit]) -> dict[str, frozenset[str]]:
             old = oldest is not None and not release.never_ends and release.released < oldest.released
             newer = first_without is not None and release.released >= first_without.released
             new = newer or (first_without is not None and release.never_ends)
-            if release.ros == 2 and (old or new):
+            away = oldest and first_without and first_without.released < oldest.released
+            if release.ros == 2 and ((old and new) if away else (old or new)):
                 found[name] = found.get(name, frozenset()) | {limit.what}
     return found
 
 
 def _of_apt(limit: CodeLimit, evidence: Evidence) -> bool:
     """Tell whether a header of ROS is the distribution's: no source brings its repository, and no ROS 1 includes it."""
-    repository = limit.library.removeprefix(_OF_ROS2)
+    repository = limit.library.removeprefix(OF_ROS2)
     cloned = {git.name.rpartition("/")[2] for git in evidence.sources if git.kind != "link"}
     return repository not in cloned and not _of_ros1(limit.file, evidence)
 

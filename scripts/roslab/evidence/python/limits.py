@@ -1,4 +1,4 @@
-"""Signs in Python code of the oldest Python that reads it, and in launch files of the ROS 2 that starts them."""
+"""Signs in Python code of the oldest Python that reads it and of the ROS 2 that it imports, and in launch files."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.python.modules import modules
-from roslab.knowledge.code_limits import Limit, limits
+from roslab.knowledge.code_limits import OF_ROS2, Limit, limits
 from roslab.knowledge.hints import Search
 from roslab.repository.checkout import Repository
 from roslab.values.version import Version
@@ -26,8 +26,8 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
     wanted = {
         "launch": Search((limit for limit in limits() if limit.where == "launch"), words=True),
         # A node of ROS has the Python of its distribution, whatever one of its modules needs
-        "node": Search((limit for limit in code if not limit.below), words=True),
-        "other": Search(code, words=True),
+        "node": Search((limit for limit in code if not limit.below or _of_ros2(limit)), words=True),
+        "other": Search((limit for limit in code if not _of_ros2(limit)), words=True),
     }
     found: dict[tuple[str, str], CodeLimit] = {}
     for module in modules(repository):
@@ -36,7 +36,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
             continue
         kind = "launch" if "LaunchDescription" in text else "node" if module.names_ros else "other"
         for sign in wanted[kind].possible(text, module.words):
-            library = NODES if kind == "node" else sign.library
+            library = NODES if kind == "node" and not _of_ros2(sign) else sign.library
             if place := _first(sign, text):
                 line = text.count("\n", 0, place) + 1
                 found[library, sign.what] = CodeLimit(
@@ -52,10 +52,18 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
     return tuple(limit for limit in all_found if not _contradicted(limit, all_found))
 
 
+def _of_ros2(sign: Limit) -> bool:
+    return sign.library.startswith(OF_ROS2)
+
+
 def _contradicted(limit: CodeLimit, others: tuple[CodeLimit, ...]) -> bool:
-    """Tell whether other code needs what this limit rules out: the tree is written for both."""
-    lowest = [other.at_least for other in others if other.library == limit.library and other.at_least]
-    highest = [other.below for other in others if other.library == limit.library and other.below]
+    """Tell whether other code needs what this limit rules out: the tree is written for both.
+
+    A name that was away for a while contradicts nothing by itself.
+    """
+    same = [other for other in others if other.library == limit.library]
+    lowest = [other.at_least for other in same if other.at_least and not other.below]
+    highest = [other.below for other in same if other.below and not other.at_least]
     if not (lowest and highest):
         return False
     return limit.library != "Python" or min(map(Version, highest)) <= max(map(Version, lowest))
