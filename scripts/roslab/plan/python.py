@@ -73,6 +73,8 @@ class PythonPlan:
     clones: bool = False
     """pip installs from repositories of git."""
     native_parts: tuple[NativePart, ...] = ()
+    isolated: tuple[str, ...] = ()
+    """Folders of projects that pip builds in isolation, though ``first`` is not empty."""
     compiled_modules: tuple[str, ...] = ()
 
 
@@ -132,6 +134,7 @@ def python_plan(python: Python, compiling: Compiling = NOTHING) -> PythonPlan:
         day=python.day,
         clones=compiling.git,
         native_parts=python.native_parts,
+        isolated=python.isolated,
         compiled_modules=python.compiled_modules,
     )
 

@@ -24,7 +24,7 @@ from roslab.decide.python.contradicting import contradicting
 from roslab.decide.python.extension_code import decide_defines
 from roslab.decide.python.extras import beside_lists
 from roslab.decide.python.fetched import cloned_files, unseen
-from roslab.decide.python.first import first_and_guesses
+from roslab.decide.python.first import first_and_guesses, isolated
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.gone_lists import gone_lists
 from roslab.decide.python.gpu_projects import asking, left_to_gpus
@@ -197,6 +197,7 @@ def decide_python(
         gpu_asked=asking(evidence, kind),
         imported=imported(chosen.projects),
         alone=repaired.alone,
+        isolated=isolated(chosen.projects, compiled_first),
         conda_file=conda,
         conda_specs=pixi.specs if pixi else alone.specs,
         conda_channels=(*(pixi or alone).channels, *further_channels(evidence, conda)),

@@ -14,6 +14,11 @@ from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 
+_NEVER_COMPILE = frozenset({"flit-core", "hatchling", "pdm-backend", "poetry-core", "uv-build"})
+"""Backends that compile nothing unless a script or a plugin of the project does."""
+_BACKENDS = frozenset({"hatchling", "meson-python", "scikit-build-core"})
+"""What asks pip for more while it builds another project; itself it is a wheel that needs nothing first."""
+
 
 def first(
     asked: Sequence[Requirement], projects: Sequence[PythonProject], *, cmake: bool = False
@@ -28,7 +33,7 @@ def first(
     limited_first = sorted((each for each in asked if each.name), key=lambda each: not each.limited)
     by_name = {each.key: each for each in reversed(limited_first)}
     extensions = {extension for project in projects for extension in project.extensions if not _isolated(project)}
-    needs = [stated(name) for each in asked for name in build_needs().get(each.key, ())]
+    needs = [stated(name) for each in asked if each.key not in _BACKENDS for name in build_needs().get(each.key, ())]
     if "cuda" in extensions or ("c" in extensions and "torch" in by_name):
         needs += [stated("numpy"), stated("torch")]
     elif "cython" in extensions or "c" in extensions:
@@ -60,6 +65,16 @@ def first_and_guesses(
     there = {each.key for each in (*required, *ahead)}
     optional = {each.key: each for each in first(guessed, ()) if each.key not in there}
     return ahead, (*optional.values(), *(each for each in guessed if each.key not in optional))
+
+
+def isolated(projects: Sequence[PythonProject], compiled_first: Sequence[Requirement]) -> tuple[str, ...]:
+    """Return the folders of the projects that pip can build in isolation all the same, though some package cannot be.
+
+    Their backend compiles nothing and nothing else builds with it, so that what must be there first is for others.
+    """
+    apart = (p for p in projects if compiled_first and not p.extensions and not p.setup_imports)
+    needs = ((p.folder or ".", {each.key for each in p.build_requires}) for p in apart)
+    return tuple(folder for folder, keys in needs if keys and keys.issubset(_NEVER_COMPILE))
 
 
 def _as_asked(need: Requirement, author: Requirement | None) -> Requirement:

@@ -53,6 +53,8 @@ class Python:
     """Those of ``projects`` whose extension lacks a library, each with what pip installs where it stops there."""
     alone: tuple[str, ...] = ()
     """Those of ``projects`` to install without their dependencies, because one of these cannot be had anywhere."""
+    isolated: tuple[str, ...] = ()
+    """Folders of projects that are built in isolation though something must be there first, for other packages."""
     conda_file: str | None = None
     conda_specs: tuple[str, ...] = ()
     """conda's packages where ``conda_file`` is pixi's, which micromamba does not read, or where there is none."""
