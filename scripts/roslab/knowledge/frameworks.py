@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from roslab.knowledge.never_released import never_released
 from roslab.knowledge.record import grouped, record
 from roslab.knowledge.table import cells, rows
 from roslab.values.dataclass import dataclass
@@ -101,8 +102,8 @@ def framework_on_cuda(package: str) -> str | None:
 
 
 def framework(package: str, release: str) -> Framework | None:
-    """Return the row for a release, ``None`` if the table has none."""
-    numbers = _numbers(release)
+    """Return the row for a release, ``None`` if the table has none, or there never was such a release."""
+    numbers = None if never_released(tabled(package), release) else _numbers(release)
     series = _series(tabled(package))
     return next((row for first, row in series if numbers and first <= numbers), None)
 

@@ -42,6 +42,13 @@ Tree = Callable[[dict[str, str]], Decision]
             "after a code update on 2/6/2020, it is now also compatible with Pytorch v1.2+" + " and more" * 20 + "\n",
             ["torch==1.1.*", "tensorflow==1.14.*"],
         ),
+        ("Tested with Python 3.8.3, Pytorch 0.7.0/1.6.0, CUDA 10.2.\n", ["torch==1.6.0"]),
+        ("Tested with Python 3.8, PyTorch 1.2/1.6, CUDA 10.2.\n", ["torch==1.6.*"]),
+        ("Tested with PyTorch 1.13 or 2.0 and CUDA 11.8.\n", ["torch==2.0.*"]),
+        ("Tested with PyTorch 1.4/1.6.\n", ["torch==1.4.*"]),
+        ("Tested with PyTorch 0.7.0.\n", ["torch"]),
+        ("Tested with PyTorch 0.4.1, TensorFlow 1.17 and CUDA 9.0.\n", ["torch==0.4.1", "tensorflow"]),
+        ("## Requirements\n- PyTorch 0.8\n- tensorflow>=1.15\n", ["torch", "tensorflow>=1.15"]),
         ("The code requires CARLA 0.9.12 and was tested with gym 0.21.\n", ["carla==0.9.12", "gym==0.21.*"]),
         ("## Requirements\n- numpy arrays are stored in `data`\n- OpenCV must be built with CUDA\n", []),
         ("## Features\n- PyTorch 1.8\n- numpy\n", []),
@@ -137,3 +144,21 @@ def test_a_list_of_a_compiled_program_installs_nothing(tree: Tree) -> None:
     page = "## Dependencies\n\n- OpenCV 3.4\n- protobuf\n"
     decision = tree({"CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", "README.md": page})
     assert decision.python.pip_guessed == ()
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["Tested with PyTorch 0.7.0.\n", "```\npip install torch==0.7.0\n```\n", "```\nconda install pytorch=0.7.0\n```\n"],
+)
+def test_a_release_that_never_was_is_neither_installed_nor_has_wheels(tree: Tree, said: str) -> None:
+    decision = tree({"main.py": "import torch\n", "README.md": f"# Walk\n{said}"})
+    asked = (*decision.python.pip, *decision.python.pip_guessed, *decision.python.bounds)
+    assert "torch" in {each.key for each in asked}
+    assert not [each.written for each in asked if "0.7" in each.written]
+    assert not [each.reason for each in decision.reasons if "0.7" in each.reason]
+
+
+def test_a_list_that_pins_a_release_that_never_was_says_nothing_of_python(tree: Tree) -> None:
+    decision = tree({"main.py": "import torch\n", "requirements.txt": "torch==0.7.0\n"})
+    assert not [each.reason for each in decision.reasons if "has wheels for" in each.reason]
+    assert decision.python.version != "3.6"

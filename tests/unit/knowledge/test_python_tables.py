@@ -6,6 +6,8 @@ import pytest
 
 from roslab.knowledge.frameworks import framework_on_cuda, tabled
 from roslab.knowledge.guesses import same_module, tooling
+from roslab.knowledge.never_released import never_released
+from roslab.knowledge.table import rows
 from roslab.knowledge.tools import for_old_packages, python2_installers, python_tools, tool_image, why_bounded
 
 
@@ -67,3 +69,19 @@ def test_why_an_installer_is_not_today_s(version: str, lines: dict[str, str]) ->
     beside = ('pip<21; python_version < "3"', 'pip<24.1; python_version < "3.8" and python_version >= "3"')
     assert all(words["python"] in why_bounded(line) for line in beside)
     assert "do not work with newer ones" in why_bounded("setuptools<70")
+
+
+def test_numbers_that_were_left_out_lie_between_two_releases_of_the_table() -> None:
+    for row in rows("frameworks"):
+        assert not never_released(row["package"], row["first"]), row
+    for row in rows("never_released"):
+        series = [each["first"] for each in rows("frameworks") if each["package"] == row["package"]]
+        assert row["before"] in {f"{each}.0" if each.isdigit() else each for each in series}, row
+        assert never_released(row["package"], row["first"])
+
+
+def test_a_candidate_of_a_release_is_of_that_release() -> None:
+    assert not never_released("torch", "1.0rc0")
+    assert never_released("torch", "0.7.0+cu92")
+    assert not never_released("torch", "latest")
+    assert not never_released("numpy", "0.7")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from roslab.evidence.prose.pages import pages, text_of
+from roslab.evidence.prose.said_releases import release_of
 from roslab.knowledge.prose_names import package_of, said_names
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -204,11 +205,12 @@ def _said() -> re.Pattern[str]:
 
 
 def _asked(name: str, match: re.Match[str], file: str, line: int) -> Iterator[Requirement]:
-    """Yield the requirement of a name with the version behind it: ``PyTorch 1.8`` is any 1.8."""
+    """Yield the requirement of a name with the version behind it, if there is such: ``PyTorch 1.8`` is any 1.8."""
     sign, number, more = match[2], match[3], match[4]
     package = package_of(name)
     if package is None or name.lower() == "python":
         return
+    number = number and release_of(package, number, match.string, match.end())
     specifier = ""
     if number and (sign in _AT_LEAST or (more and more != ".x")):
         specifier = f">={number}"
