@@ -59,6 +59,18 @@ BY_PAGE = "conda install torchvision cudatoolkit=10.2 -c pytorch\nconda install 
         ("pytorch=1.6.0=py3.7_cuda10.1.243_cudnn7.6.3_0\n", "", ("defaults", "pytorch")),
         ("pytorch=1.4.0=cuda101py37h02f0884_0\n", "", ("defaults",)),
         ("_libgcc_mutex=0.1=conda_forge\n", "", ("defaults", "conda-forge")),
+        ("tqdm=4.62.2=pyhd8ed1ab_0\n", "", ("defaults", "conda-forge")),
+        ("colorama=0.4.4=pyh9f0ad1d_0\n", "", ("defaults", "conda-forge")),
+        ("metar=1.8.0=pyhd3deb0d_0\n", "", ("defaults", "conda-forge")),
+        ("ca-certificates=2021.5.30=ha878542_0\n", "", ("defaults", "conda-forge")),
+        ("certifi=2021.5.30=py37h89c1867_0\n", "", ("defaults", "conda-forge")),
+        ("python_abi=3.7=2_cp37m\n", "", ("defaults", "conda-forge")),
+        ("six=1.16.0=pyh6c4a22f_0\npytorch=1.9.0=py3.7_cpu_0\n", "", ("defaults", "pytorch", "conda-forge")),
+        (
+            "six=1.16.0=pyhd3eb1b0_0\nca-certificates=2021.5.30=h06a4308_0\nwheel=0.37=py37h06a4308_0\n",
+            "",
+            ("defaults",),
+        ),
     ],
 )
 def test_a_list_without_channels_has_those_of_its_page_and_its_builds(

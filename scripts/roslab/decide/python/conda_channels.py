@@ -10,6 +10,7 @@ from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.reasons import warn
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.channel_builds import channel_builds
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -20,13 +21,6 @@ _NO_CHANNEL = pattern(
 """https://docs.conda.io/projects/conda/en/stable/user-guide/concepts/channels.html, read 2026-11-23."""
 
 _DEFAULTS = "defaults"
-_BUILT_BY = (
-    ("pytorch", pattern(r"magma-cuda\d+=.*|.*=py\d\.\d+_(?:cuda[\d.]+_cudnn[\d._]+|cpu_\d+)")),
-    ("conda-forge", pattern(r"python=[\d.]+=\w+_cpython|_libgcc_mutex=[\d.]+=conda_forge")),
-)
-"""How packages of a channel are called in a list, or their builds, and no other's are.
-https://anaconda.org/pytorch/magma-cuda101, https://anaconda.org/pytorch/pytorch/files and
-https://anaconda.org/conda-forge/python/files, 2026-11-27."""
 
 
 def further_channels(evidence: Evidence, conda: str | None) -> tuple[str, ...]:
@@ -41,7 +35,7 @@ def further_channels(evidence: Evidence, conda: str | None) -> tuple[str, ...]:
     said = (each for each in evidence.prose_pip if each.role == "channel" and not DEVELOPMENT.search(each.file))
     found = [each.written for each in said if each.file.rpartition("/")[0] in {"", folder}]
     listed = [package.written for package in environment.packages]
-    found += (name for name, builds in _BUILT_BY if any(builds.fullmatch(each) for each in listed))
+    found += (name for name, builds in channel_builds() if any(builds.fullmatch(each) for each in listed))
     return tuple(dict.fromkeys(each for each in found if each != _DEFAULTS))
 
 
