@@ -347,7 +347,7 @@ def test_a_submodule_inside_of_a_package_holds_no_other(tree: Tree, folder: str,
     assert bool(found) is told_of
 
 
-TABLED = "<depend>kr_mav_msgs</depend>"
+TABLED = "<depend>kr_mav_manager</depend>"
 GIT = {
     ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/demo\n',
     ".git/HEAD": "ref: refs/heads/a\n",
