@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.decide.newest_pip import files_of
 from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.knowledge.official_images import with_usual_shell
 from roslab.knowledge.os_releases import of_debian, release_of
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
@@ -22,16 +23,17 @@ class Dated:
 def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict[str, Dated]:
     """Return the external images in which pip is asked for something without a version.
 
-    The index of the day is given to the shell that runs the steps, so that a Dockerfile which names its own is left
-    as it is; and that of an image of which nothing tells that it is of Debian or Ubuntu may not be there.
+    The index of the day is given to the shell that runs the steps. A Dockerfile that names its own shell, or in which
+    that shell would start what runs in the container, is left as it is; so is an image that may have another shell, or
+    that may not be of Debian or Ubuntu.
     """
-    if authored.sets_shell:
+    if authored.own_shell:
         return {}
     begins = sorted((line, name) for name, line in authored.bases)
     found: dict[str, Dated] = {}
     for asked in _free(authored, evidence):
         name = next((name for line, name in reversed(begins) if line < asked.line), "")
-        if name in found or "$" in name or "alpine" in name or not (release_of(name) or of_debian(name)):
+        if name in found or "alpine" in name or not with_usual_shell(name) or not (release_of(name) or of_debian(name)):
             continue
         what = asked.name or asked.written
         found[name] = Dated(

@@ -103,7 +103,7 @@ class AuthorDockerfile:
     updates_rosdep: int | None = None
     """The line of a ``rosdep update`` that skips distributions that have ended."""
     newest_pips: tuple[tuple[str, int], ...] = ()  # images in which it upgrades pip without a bound, with the line
-    sets_shell: bool = False  # its steps are run by a shell that it names
+    own_shell: bool = False  # it names the shell of its steps, or has it start what runs in the container
     changes_setup: bool = False  # its steps change what a setup.py asks for, as by sed
     secrets: tuple[tuple[str, int], ...] = ()
     """The secrets that its steps mount, ``ssh`` for the agent, each with its line."""

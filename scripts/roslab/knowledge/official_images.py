@@ -1,4 +1,4 @@
-"""Images of Docker Hub that belong to no user: their names have no slash."""
+"""Images of Docker Hub that belong to no user: their names have no slash. And the shell of images."""
 
 from __future__ import annotations
 
@@ -10,6 +10,20 @@ from roslab.knowledge.table import rows
 @cache
 def _names() -> frozenset[str]:
     return frozenset(row["image"] for row in rows("official_images"))
+
+
+@cache
+def _of_publishers() -> frozenset[str]:
+    return frozenset(row["image"] for row in rows("usual_shells"))
+
+
+def with_usual_shell(reference: str) -> bool:
+    """Tell whether the steps of a Dockerfile on an image are run by ``/bin/sh``: it is known to name no other shell.
+
+    So it is with Docker's official images, and with those of the publishers in the table; others may have a SHELL.
+    """
+    name = reference.partition("@")[0].partition(":")[0].lower().removeprefix("docker.io/").removeprefix("library/")
+    return name in _names() | _of_publishers()
 
 
 def published(reference: str) -> bool:

@@ -94,11 +94,7 @@ def _of_day(day: str) -> str:
     why = f"# What pip installs without a version is of {day}: `pip_date` in roslab.yaml says which day\n"
     copied = "".join(map(shell.copy_script, ("index-as-of", "shell-as-of")))
     tables = shell.copy_data(("released-together.txt",))
-    return (
-        f"{why}{copied}{tables}"
-        "# An older wheel is taken before the source of a newer release\nENV PIP_PREFER_BINARY=1\n"
-        f'SHELL ["/usr/local/bin/shell-as-of", "{day}"]'
-    )
+    return f'{why}{copied}{tables}SHELL ["/usr/local/bin/shell-as-of", "{day}"]'
 
 
 def _pip(installers: Sequence[str]) -> str:

@@ -56,7 +56,6 @@ def test_it_is_of_the_last_commit(tmp_path: Path, steps: str, said: str) -> None
     assert 'SHELL ["/usr/local/bin/shell-as-of", "2021-06-01"]' in text
     assert "COPY --from=scripts /index-as-of /usr/local/bin/" in text
     assert text.index("FROM scratch AS scripts") < text.index(f"FROM {IMAGE} AS base-1")
-    assert "ENV PIP_PREFER_BINARY=1" in text
 
 
 @pytest.mark.parametrize(
@@ -67,15 +66,33 @@ def test_it_is_of_the_last_commit(tmp_path: Path, steps: str, said: str) -> None
         "RUN pip install git+https://github.com/psf/requests@v2.25.1",
         "RUN apt-get install -y python3-flask",
         f'SHELL ["/bin/bash", "-c"]\n{FREE}',  # it would not have the index
+        f"{FREE}\nCMD ./run.sh",  # which the shell would start
+        f"{FREE}\nHEALTHCHECK --interval=1m CMD python -m pip --version",
     ],
 )
 def test_a_dockerfile_that_says_all_versions_is_left_alone(tmp_path: Path, steps: str) -> None:
     assert bases(planned(tmp_path, steps, **{"requirements.txt": "flask==2.0.1\n"})) == ()
 
 
-@pytest.mark.parametrize("base", ["alpine:3.13", "python:3.9-alpine", "ghcr.io/somebody/something:1"])
-def test_an_image_that_may_have_no_bash_is_left_alone(tmp_path: Path, base: str) -> None:
+@pytest.mark.parametrize(
+    "base",
+    [
+        *("alpine:3.13", "python:3.9-alpine", "ghcr.io/somebody/something:1"),
+        *(
+            "mambaorg/micromamba:1.5-jammy",
+            "quay.io/jupyter/scipy-notebook:ubuntu-22.04",
+            "somebody/something:ubuntu22.04",
+        ),
+    ],
+)
+def test_an_image_that_may_have_no_bash_or_another_shell_is_left_alone(tmp_path: Path, base: str) -> None:
     assert bases(planned(tmp_path, FREE, base=base)) == ()
+
+
+@pytest.mark.parametrize("start", ["CMD python main.py", 'CMD ["./run.sh"]', 'ENTRYPOINT ["/app/run.sh"]'])
+def test_what_the_shell_does_not_start_or_starts_as_ever_is_no_reason(tmp_path: Path, start: str) -> None:
+    (base,) = bases(planned(tmp_path, f"{FREE}\n{start}"))
+    assert base.pip_day == "2021-06-01"
 
 
 def test_a_young_one_takes_what_there_is(tmp_path: Path) -> None:

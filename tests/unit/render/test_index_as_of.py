@@ -510,7 +510,8 @@ def test_the_python_that_has_pip_is_asked(tmp_path: Path) -> None:
     [
         ("pip download --quiet --no-deps --dest . plain && ls plain*", "plain-1.0"),
         ("PIP_NO_DEPS=1 python -m pip download --quiet --dest . 'plain>1' 2>/dev/null || echo none", "none"),
-        ('echo "${PIP_INDEX_URL}"', "{index}"),
+        ('echo "${PIP_INDEX_URL} ${PIP_PREFER_BINARY:-}"', "{index}"),
+        ('echo pip "${PIP_PREFER_BINARY:-}"', "pip 1"),
         ('echo pip "${PIP_INDEX_URL%:*}"', "pip http://127.0.0.1"),
         ("[ -n \"${BASH_VERSION:-}\" ] || echo 'the usual shell'", "the usual shell"),
     ],

@@ -213,7 +213,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.dockerfile_purpose import purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import entry_script, started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
-    from roslab.evidence.prose.python_steps import changes_setup, newest_pips, sets_shell  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.python_steps import changes_setup, newest_pips, own_shell  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
     from roslab.evidence.prose.speaks_of_ros import speaks_of_ros  # noqa: PLC0415 - as above
     from roslab.evidence.prose.stages import copied_from, entered, only_files, taken, unused  # noqa: PLC0415 - as above
@@ -280,7 +280,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         updates_rosdep=reading.updates_rosdep,
         newest_pips=tuple(newest_pips(written, reading.images)),
         changes_setup=changes_setup(written),
-        sets_shell=sets_shell(written),
+        own_shell=own_shell(written),
         copied=paths_of(context or "", reading.copied),
         taken=taken_there,
         enters=entered(written, repository.once(vcs.missing)),

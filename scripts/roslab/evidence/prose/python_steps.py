@@ -16,6 +16,8 @@ _PROGRAM = pattern(r"(?:.*/)?(?:pip|python|pypy)[\d.]*")
 _UPGRADE = pattern(r"--upgrade|-[a-zA-Z]*U[a-zA-Z]*")
 _OPTIONS = pattern(r"^(?:--\S+\s+)+")
 """Options of RUN."""
+_MAY_CALL_PIP = pattern(r"\bpip|\bconda\b|\bmamba\b|\bsetup\.py\b|\.sh\b")
+"""As ``shell-as-of`` knows a step that may call pip."""
 _CHANGES = pattern(r"\bsed\b[^\n]*\bsetup\.py\b|\bis_available\b|\bpatch\b|\bgit\s+(?:apply|am)\b")
 
 
@@ -35,9 +37,15 @@ def changes_setup(written: Sequence[Instruction]) -> bool:
     return any(step.name == "RUN" and _CHANGES.search(step.text) for step in written)
 
 
-def sets_shell(written: Sequence[Instruction]) -> bool:
-    """Tell whether its steps are run by a shell of its own choice."""
-    return any(step.name == "SHELL" for step in written)
+def own_shell(written: Sequence[Instruction]) -> bool:
+    """Tell whether it names the shell of its steps, or has that shell start a script or pip in the container.
+
+    The shell also starts a CMD, an ENTRYPOINT or a HEALTHCHECK that is no list of words
+    (https://docs.docker.com/reference/dockerfile/#shell-and-exec-form, 2026-11-27).
+    """
+    started = (step.text for step in written if step.name in {"CMD", "ENTRYPOINT", "HEALTHCHECK"})
+    shelled = (text for text in started if not text.lstrip().startswith("["))
+    return any(step.name == "SHELL" for step in written) or any(map(_MAY_CALL_PIP.search, shelled))
 
 
 def _upgrades(steps: str, first: int) -> Iterator[int]:
