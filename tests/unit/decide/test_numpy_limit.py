@@ -60,6 +60,13 @@ def robot(distro: str, code: str, lists: str) -> dict[str, str]:
         ("humble", "import cv_bridge\n", "opencv-python==4.11.0.86\n", {"numpy<2"}),
         ("humble", "import cv_bridge\n", "opencv-python\n", {"numpy<2"}),
         ("humble", "import cv_bridge\n", "opencv-python==4.12.0.88\n", set()),
+        ("humble", "import cv_bridge\n", "mediapipe\nnumpy>=1.24.0,<2.0.0\n", {"numpy<2"}),  # for later calls of pip
+        ("humble", "import cv_bridge\n", "mediapipe\nnumpy==1.21.5\n", {"numpy<2"}),
+        ("humble", "import cv_bridge\n", "mediapipe\nnumpy~=1.26\n", {"numpy<2"}),
+        ("humble", "import cv_bridge\n", "mediapipe\nnumpy==2.1.0\n", set()),
+        ("humble", "import cv_bridge\n", "mediapipe\nnumpy==2.*\n", set()),
+        ("humble", "import cv_bridge\n", "mediapipe\nnumpy>=2,<2.3\n", set()),
+        ("humble", "import cv_bridge\n", "mediapipe\nnumpy<2.3\n", set()),  # the author's own choice
         ("jazzy", "import cv_bridge\n", "jax>=0.7.2\n", set()),
         ("jazzy", "import cv_bridge\n", "setuptools<80\n", set()),
         ("jazzy", "import mediapipe\n", "mediapipe\n", set()),

@@ -26,6 +26,7 @@ from roslab.values.version import Version
 _OLDEST_PYTHON = Version("3.9")
 """The first Python that NumPy 2 has wheels for: https://numpy.org/doc/stable/release/2.0.0-notes.html."""
 _LAST_NUMPY_1 = "1.26.4"
+_UPPER = frozenset({"<", "<=", "==", "~="})
 _OF_BUILDS = frozenset({*INSTALLERS, "cmake", "ninja"})
 
 
@@ -84,13 +85,14 @@ def _brings(asked: Sequence[Requirement]) -> bool:
 def _beside_apt(evidence: Evidence, ubuntu: str | None, asked: Sequence[Requirement]) -> Choice[Constraints]:
     """Return the limit where a module of apt was built with NumPy 1, which no NumPy 2 loads, or breaks even earlier.
 
-    None where pip would find no answer: a release that needs a newer NumPy is asked for.
+    None where pip would find no answer: a release that needs a newer NumPy is asked for. Where the author's own limit
+    is as low, only one call of pip knows it: the constraint holds for the later ones.
     https://numpy.org/devdocs/dev/depending_on_numpy.html#numpy-2-0-specific-advice, read 2026-11-26.
     """
     names = {each.key for each in asked if each.name}
     numpy = [each for each in asked if each.key == "numpy"]
     found = limit_of(evidence, ubuntu or "", names) if names - _OF_BUILDS else None
-    if found is None or any(each.limited or not each.specifier.contains(found.last) for each in numpy):
+    if found is None or not all(_bears(each, found) for each in numpy):
         return Choice(answer=())
     used = found.used
     if newer := needing_numpy(asked, found.below):
@@ -109,6 +111,14 @@ class Limit:
     last: str
     why: str
     used: Dependency
+
+
+def _bears(numpy: Requirement, limit: Limit) -> bool:
+    """Tell whether pip can hold this NumPy below the limit: it is left open, or its own highest release is below."""
+    if not numpy.limited:
+        return numpy.specifier.contains(limit.last)
+    highest = [each.version.removesuffix(".*") for each in numpy.specifier if each.operator in _UPPER]
+    return any(Version(each) <= Version(limit.below) and not numpy.specifier.contains(limit.below) for each in highest)
 
 
 def limit_of(evidence: Evidence, ubuntu: str, by_pip: set[str]) -> Limit | None:

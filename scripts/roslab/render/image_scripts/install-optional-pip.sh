@@ -1,13 +1,14 @@
 #!/bin/bash
 # usage: install-optional-pip PYTHON [OPTION...] -- PACKAGE...
-# Installs each package that pip finds, with the given options: those of a version that a page names first. For the
-# others nothing is replaced that pip has installed by then. Of one that has not the exact version which a page names,
-# one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot be built by itself is built beside what
-# is there (torch); `--no-build-isolation=PACKAGE` is built so first. `--no-deps=PACKAGE` is installed without what it
-# asks for. `--editable=git+URL` is cloned and installed from its folder, which stays; where that fails, as any other.
-# The others are named and left out. A program that a build lacks, or an older release of what builds, comes first
-# (ask-pip-again). `--by-name=MODULE` is tried only because a module has that name: not where another package has brought
-# the module; where the newest release has no such module, the last one of the major version before is taken.
+# Installs each package that pip finds, with the given options: those of a version that a page names first. Nothing is
+# replaced that pip has installed by then, but for one of a version that cannot be had beside it. Of one that has not
+# the exact version which a page names, one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot
+# be built by itself is built beside what is there (torch); `--no-build-isolation=PACKAGE` is built so first.
+# `--no-deps=PACKAGE` is installed without what it asks for. `--editable=git+URL` is cloned and installed from its
+# folder, which stays; where that fails, as any other. The others are named and left out. A program that a build
+# lacks, or an older release of what builds, comes first (ask-pip-again). `--by-name=MODULE` is tried only because a
+# module has that name: not where another has brought the module; where the newest release has no such module, the
+# last one of the major version before is taken.
 set -euo pipefail
 
 source "$(command -v ask-pip-again)"
@@ -88,7 +89,13 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
   case "${package}" in
     --) keep && continue ;;
     --by-name=*) by_name "${package#--by-name=}" && continue ;;
-    *[\<=\>]* | *://*) limits=() ;;
+    *://*) limits=() ;;
+    *[\<=\>]*)
+      keep # what is there may have the release that a list limits it to, of which this call of pip knows nothing
+      beside=(${tries[0]:+"${tries[0]}"} ${alone[@]+"${alone[@]}"} --constraint "${kept}")
+      if [ -s "${kept}" ] && "${pip[@]}" "${beside[@]}" "${package}"; then continue; fi
+      limits=()
+      ;;
     *) limits=(--constraint "${kept}") ;;
   esac
   arguments=(${alone[@]+"${alone[@]}"} ${limits[@]+"${limits[@]}"} "${package}")
