@@ -66,6 +66,10 @@ class RequirementFile:
     raised: tuple[tuple[str, str, str], ...] = ()
     """Pins that a bot raised: the package, the release before and after, the last one first. They are read only where
     no Python has wheels for all pins."""
+    include_lines: tuple[int, ...] = ()
+    """The line of each of ``includes``."""
+    misplaced: tuple[tuple[str, str, int], ...] = ()
+    """What it includes by a path that the tree does not have: that path, the one taken in its place, and the line."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -12,6 +12,7 @@ from roslab.decide.python.authors_builds import built
 from roslab.decide.python.authors_builds import told as of_build
 from roslab.decide.python.bare import bare, without_list
 from roslab.decide.python.fetched import cloned_files, lacking
+from roslab.decide.python.included_lists import gone, misplaced
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.mistaken import mistaken
 from roslab.decide.python.nightlies import dropped
@@ -36,7 +37,6 @@ from roslab.values.requirement_line import stated
 from roslab.values.specifier import specifiers
 from roslab.values.version import Version
 
-_GONE = "{path} is included and is not in the tree: what it names is not installed, and the rest one by one"
 _SHORT = "pip has no {asked}, for its versions have more numbers: {taken} is installed"
 _FURTHER = pattern(r"--(?:extra-)?index-url|--find-links")
 _PLAIN = pattern(r"\d+(?:\.\d+)*")
@@ -203,23 +203,22 @@ def repair(
         if any(map(further_index, file.options)):  # one of ROS's packages for pip, perhaps
             missing = [asked for asked in missing if not of_ros(asked.key)]
         short = [asked for asked in found if in_full(asked) is not asked]
-        gone = [path for _, path in lacking(evidence, [file])]
+        absent, astray = lacking(evidence, [file]), misplaced(evidence, file)
         newer = [each for each in found if each in loose or unmet(each, python) or in_python(each, python)]
         wrong = mistaken(found)
         folders = any(asked.role == "project" for asked in found)
         pinned = [asked for asked in found if asked.url and bare(asked)]
-        if not any((spelled, short, taken, missing, gone, newer, wrong, folders, pinned)):
+        if not any((spelled, short, taken, missing, absent, astray, newer, wrong, folders, pinned)):
             continue
         found = [asked for asked in found if asked not in wrong]
         broken.add(file.file)
         named = _kept((each for each in loosened(found, python, loose) if each.role != "project"), names, pages)
         kept += named
-        tried += named if spelled or gone else []
+        tried += named if spelled or absent else []
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
         warnings += [warn(text, asked) for asked in spelled[:1]]
         warnings += map(_in_full, short)
-        cloned = cloned_files(evidence, [file])
-        warnings += [warn(_GONE.format(path=path), file) for path in gone if path not in cloned]
+        warnings += [*gone(absent, cloned_files(evidence, [file])), *astray]
         warnings += [unfit(asked) for asked in missing if asked.key not in names]
         warnings += [*(loose.get(asked) or told(asked, python) for asked in newer), *wrong.values()]
         warnings += map(without_list, pinned)

@@ -10,6 +10,7 @@ from typing import Literal
 from roslab.evidence import places
 from roslab.evidence.facts import RequirementFile
 from roslab.evidence.python import misspelt_lists
+from roslab.evidence.python.misplaced_lists import with_misplaced
 from roslab.evidence.python.raised import raised
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -65,7 +66,7 @@ def read(repository: Repository, asked: Iterable[Requirement] = ()) -> tuple[Req
         if path in found or not repository.has(path):
             continue
         text = repository.read(path, limit=MAX_SIZE)
-        file = parse(text, path, purpose_of(path))
+        file = with_misplaced(repository, parse(text, path, purpose_of(path)))
         if of_another_tool(text, file) or (
             path in misspelt and not misspelt_lists.only_packages(file, len(_lines(text)))
         ):
@@ -120,7 +121,7 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
     from roslab.evidence.python import conda_list  # noqa: PLC0415 - few trees have a list of requirements
 
     found: list[Requirement] = []
-    includes: list[str] = []
+    includes: list[tuple[str, int]] = []
     constraints: list[str] = []
     options: list[str] = []
     folder = path.rpartition("/")[0]
@@ -129,7 +130,8 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
         if of_conda:
             found += [replace(stated(each, "manifest", path, number), role="repaired") for each in _by_pip(line)]
         elif nested := _NESTED.match(line):
-            includes.append(_inside(folder, nested[1]))
+            if include := _inside(folder, nested[1]):
+                includes.append((include, number))
         elif constraint := _CONSTRAINT.match(line):
             constraints.append(_inside(folder, constraint[1]))
         elif option := _OPTION.match(line):
@@ -144,7 +146,8 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
         file=path,
         line=1,
         requirements=tuple(found),
-        includes=tuple(include for include in includes if include),
+        includes=tuple(include for include, _ in includes),
+        include_lines=tuple(line for _, line in includes),
         constraints=tuple(constraint for constraint in constraints if constraint),
         options=tuple(dict.fromkeys(options)),
         purpose=purpose,
