@@ -236,7 +236,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         itself=names_of_itself(evidence, folder_name, packages.names),
         added=repositories.answer,
         fetched=(each.url for each in downloads.answer),
-        apt=system.answer.installed,
+        system=system.answer,
     )
     processor = decide_processor(
         evidence,

@@ -16,6 +16,8 @@ from roslab.decide.ros.patched import told_by
 from roslab.decide.ros.source_names import address, akin, itself_in, plain
 from roslab.decide.ros.vcs_files import spelling
 from roslab.decide.system.by_everybody import PAGES
+from roslab.decide.system.in_place import in_place
+from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.stated_pythons import only_python
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -47,13 +49,13 @@ def decide_steps(
     itself: set[str],
     added: Iterable[str] = (),
     fetched: Iterable[str] = (),
-    apt: Collection[str] = (),
+    system: SystemPackages,
 ) -> Choice[None]:
     """Return warnings about what pages and scripts install by other means than apt, pip, conda and known sources.
 
     ``taken`` are names and ``addresses`` are addresses of what the image has, ``itself`` are names of the
     repository, ``added`` are the package sources that the image gets, ``fetched`` the addresses of files that it gets,
-    and ``apt`` its packages.
+    and ``system`` its packages.
     """
     if config.compatible or config.custom:
         return Choice(answer=None)
@@ -62,9 +64,9 @@ def decide_steps(
     there = {address(each) for each in addresses}
     done = told_by(evidence, addresses)
     lists = _lists(evidence) if config.vcs is None else ()
-    cloned = _cloned(evidence, kind, names, there, itself)
+    cloned = _cloned(evidence, kind, names, there, itself, system=system)
     data = _data(evidence, names, {*fetched})
-    there_anyway = libraries(evidence, apt)
+    there_anyway = libraries(evidence, system.installed)
     steps = _fetched(evidence, names, {*added}, done, there_anyway, kind=kind)
     others = (*guides.told(evidence), *matlab_code(evidence, config))
     return Choice(answer=None, warnings=(*others, *steps, *lists, *cloned, *data))
@@ -148,7 +150,9 @@ def _answered(step: str, names: set[str]) -> bool:
     return any(name in words for name in names if len(name) > 3)
 
 
-def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], itself: set[str]) -> Iterator[Warning_]:
+def _cloned(
+    evidence: Evidence, kind: Kind, names: set[str], there: set[str], itself: set[str], *, system: SystemPackages
+) -> Iterator[Warning_]:
     """Yield a warning for each repository that a page clones and that neither the build nor a table asks for.
 
     Also for one that the author's Dockerfile clones, which is not built here. Not where a folder of packages is called
@@ -171,6 +175,8 @@ def _cloned(evidence: Evidence, kind: Kind, names: set[str], there: set[str], it
         why = f"though {asked.file}:{asked.line} requires {asked.name}, which it may be" if asked else _UNASKED
         if not asked and (used := next((each for each in unknown if akin(each.name, git.name)), None)):
             why = f"though {used.file}:{used.line} imports {used.name}, which it may bring"
+        if not asked and (by := in_place(git.name, system)):
+            why = f"for apt brings what is needed of that name: {', '.join(by[:NAMED])}"
         message = f"not cloned: {git.url}, {why}; if it is needed, give it under `source` in roslab.yaml"
         told.setdefault(address(git.url), warn(message, git))
     yield from list(told.values())[:MOST]

@@ -70,6 +70,41 @@ def test_a_clone_that_nothing_asks_for_is_told_and_the_repository_itself_is_not(
 
 
 @pytest.mark.parametrize(
+    ("url", "needed", "page", "why"),
+    [
+        ("https://github.com/gazebosim/ros_gz", "ros_gz_sim", "", "apt brings what is needed of that name: ros_gz_sim"),
+        (
+            "https://github.com/gazebosim/ros_gz",
+            "ros_gz_sim",
+            "sudo apt install gz-garden",
+            "apt brings what is needed of that name: ros-humble-ros-gzgarden-sim",
+        ),
+        (
+            "https://github.com/them/gazebo_ros_pkgs",
+            "gazebo_ros",
+            "",
+            "apt brings what is needed of that name: gazebo_ros",
+        ),
+        ("https://github.com/gazebosim/ros_gz", "rclcpp", "", "nothing that is built asks for it by name"),
+        ("https://github.com/them/gazebo_r", "gazebo_ros", "", "nothing that is built asks for it by name"),
+    ],
+)
+def test_a_clone_whose_packages_apt_brings_is_told_with_them(
+    tree: Tree, url: str, needed: str, page: str, why: str
+) -> None:
+    package = (
+        '<package format="3"><name>robot</name><buildtool_depend>ament_cmake</buildtool_depend>'
+        f"<depend>{needed}</depend><export><build_type>ament_cmake</build_type></export></package>"
+    )
+    cmake = "project(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+    readme = f"# For ROS 2 Humble\n```\ngit clone {url}\n{page}\n```\n"
+    found = tree({"package.xml": package, "CMakeLists.txt": cmake, "README.md": readme}).warnings
+    assert [w.message.split(";")[0] for w in found if w.message.startswith("not cloned")] == [
+        f"not cloned: {url}, for {why}"
+    ]
+
+
+@pytest.mark.parametrize(
     ("line", "itself"),
     [
         ("vcs import . < robots/robots.repos", True),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
@@ -33,19 +33,19 @@ def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Tar
         return choice
     own, named = target.ros(_OWN), f"ros-{distro}-{family}"
 
-    def of_release(name: str) -> str:
+    def renamed(name: str) -> str:
         return named + name.removeprefix(own) if name == own or name.startswith(f"{own}-") else name
 
     keys = tuple(key for key in system.rosdep if key == _OWN or key.startswith(f"{_OWN}_"))
-    keyed = tuple(of_release(target.ros(key)) for key in keys)
+    keyed = tuple(renamed(target.ros(key)) for key in keys)
     sources = {git.name.rpartition("/")[2] for git in evidence.sources if git.kind != "link"}
     whole = (f"gz-{release}",) if _OWN in sources else ()
-    guessed = sorted({of_release(name) for name in system.apt_guessed} - {*keyed, *whole})
+    guessed = sorted({renamed(name) for name in system.apt_guessed} - {*keyed, *whole})
     answer = replace(
         system,
         rosdep=tuple(key for key in system.rosdep if key not in keys),
         skip_keys=tuple(dict.fromkeys((*system.skip_keys, *keys))),
-        apt=tuple(dict.fromkeys((*map(of_release, system.apt), *keyed, *whole))),
+        apt=tuple(dict.fromkeys((*map(renamed, system.apt), *keyed, *whole))),
         apt_guessed=tuple(guessed),
     )
     new = sorted({*answer.apt, *answer.apt_guessed} - {*system.apt, *system.apt_guessed})
@@ -62,3 +62,9 @@ def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Tar
 
 def _installed(names: tuple[str, ...]) -> Iterator[str]:
     yield from (release for release in gazebo_releases() if f"gz-{release}" in names)
+
+
+def of_release(repository: str, apt: Collection[str]) -> list[str]:
+    """Return the packages of apt that are ros_gz of another release of Gazebo, where that is the repository."""
+    families = tuple(f"ros-{distro}-{family}" for (distro, _), family in gazebo_pairs().items())
+    return sorted(name for name in apt if repository == _OWN and name.startswith(families))
