@@ -86,6 +86,8 @@ class GitSource:
     """The page has its name for a title, or it is the first below a sentence that says to clone this repository."""
     holds: bool = False
     """A link that a page gives for its dependencies: they can be found there, or it is listed among them."""
+    of_packages: bool = False
+    """A link in a section of the page at the root about other packages: ``Other relevant packages``."""
     told: bool = False
     """A link that a page has the reader install: ``Install [Name](https://github.com/owner/name)``."""
     to_install: bool = False

@@ -63,6 +63,14 @@ def _sought(decision: Decision) -> dict[str, tuple[str, ...]]:
             [f"{THIRD}/whole", f"{THIRD}/more"],
         ),
         (f"# Prerequisites\n* [whole]({THIRD}/whole)\n* [demo]({THIRD}/demo) (optional)\n", [f"{THIRD}/whole"]),
+        (
+            f"# References\n## Related packages\n* a\n{THIRD}/whole\n* b\n{THIRD}/more\n",
+            [f"{THIRD}/whole", f"{THIRD}/more"],
+        ),
+        (f"# Related packages\n* {THIRD}/more\n* {THIRD}/quad_y\n", [f"{THIRD}/quad_y", f"{THIRD}/more"]),
+        (f"# Related packages\n* {THIRD}/more\n* {LAB}/control\n", [f"{LAB}/control", f"{THIRD}/more"]),
+        (f"# Related packages\n* {THIRD}/more (private)\n* {THIRD}/opencv\n", []),
+        (f"# Related packages\n## Papers\n* {THIRD}/whole\n* {THIRD}/more\n", []),
         (f"# References\n* [whole]({THIRD}/whole)\n* [more]({THIRD}/more)\n", []),
         (f"[quad_x]({LAB}/drivers_to_real)\n", [f"{LAB}/drivers_to_real"]),
         ("", []),
@@ -546,3 +554,25 @@ def test_the_branch_that_a_script_clones_is_looked_in(tree: Tree, lines: tuple[s
     decision = tree(files | {"README.md": "ROS Noetic.\n"})
     (found,) = [source for source in decision.source if source.name == "arm_tools"]
     assert (found.holding, found.ref) == (("quad_x",), ref)
+
+
+def test_no_more_than_five_of_a_section_about_other_packages_are_tried(tree: Tree) -> None:
+    page = "ROS Noetic.\n# Other relevant packages\n" + "".join(f"* {THIRD}/part{n}\n" for n in range(9))
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", "quad_x") | {"README.md": page})
+    assert list(_sought(decision)) == [*(f"{THIRD}/part{n}" for n in range(5)), f"{LAB}/quad_x"]
+
+
+@pytest.mark.parametrize(
+    ("link", "ref"),
+    [
+        (f"{LAB}/control", None),
+        (f"{LAB}/control/tree/our-branch", "our-branch"),
+        (f"{LAB}/control/tree/main", None),
+        (f"{LAB}/control/tree/noetic-devel", "noetic-devel"),
+        (f"{LAB}/control/tree/melodic-devel", None),
+    ],
+)
+def test_the_branch_that_a_link_names_is_taken(tree: Tree, link: str, ref: str | None) -> None:
+    page = {"README.md": f"ROS Noetic.\nUsed with {link}\n"}
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", "quad_x") | page)
+    assert [each.ref for each in decision.source if each.name == "control"] == [ref]

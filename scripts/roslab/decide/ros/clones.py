@@ -31,7 +31,7 @@ def clones(evidence: Evidence, ros_distro: str | None) -> list[GitSource]:
 
 
 def refs_of(found: Iterable[GitSource], ros_distro: str | None) -> dict[str, str]:
-    """Return for each address the branch, tag or commit that pages and scripts clone of it.
+    """Return for each address the branch, tag or commit that pages and scripts clone of it, or link to.
 
     That for this distribution before others, and none that is for other distributions alone.
     """

@@ -18,6 +18,7 @@ from roslab.decide.ros.controllers import controllers
 from roslab.decide.ros.credited import credited
 from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
+from roslab.decide.ros.sought_links import linked_by_pages, of_ubuntu
 from roslab.decide.ros.source_names import address, akin, drifts, fixed, plain, stands_already
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
@@ -26,13 +27,10 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.compiled import public_hosts
-from roslab.knowledge.frameworks import imports
 from roslab.knowledge.holders import holders
-from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released
 from roslab.knowledge.vendor_packages import vendor_of
 from roslab.values.dataclass import replace
-from roslab.values.name import bare_name
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -47,8 +45,6 @@ _SHORTEST = 3
 """Fewest letters of such a name."""
 MOST = 12
 """Most repositories that a build tries."""
-_MOST_LISTED = 4
-"""Most of them that a page lists among what is needed."""
 
 
 def with_sought(
@@ -196,7 +192,7 @@ def _cloned(
     one; then those that no clone is called like, where the package that asks for them has the page. Not what Ubuntu
     has.
     """
-    cloned = [git for git in cloned if not _of_ubuntu(git)]
+    cloned = [git for git in cloned if not of_ubuntu(git)]
     names = tuple(lacking)
     owner = address(evidence.origin).rpartition("/")[0] if evidence.origin else ""
     found: dict[str, tuple[str, ...]] = {}
@@ -230,7 +226,7 @@ def _addresses(
     if not names:
         return []
     here = address(evidence.origin) if evidence.origin else ""
-    found = {https(git.url).removesuffix(".git"): names for git in _linked(evidence, here, known, names)}
+    found = {https(git.url).removesuffix(".git"): names for git in linked_by_pages(evidence, here, known, names)}
     for git in evidence.commented:
         held = tuple(name for name in names if f"{plain(name)}_".startswith(f"{plain(git.name)}_"))
         if held and address(git.url) != here and known.isdisjoint((git.name, plain(git.name))):
@@ -258,43 +254,3 @@ def _called(name: str) -> tuple[str, ...]:
     """Return the names that a repository with a package most likely has."""
     stem = next((name.removesuffix(part) for part in _PARTS if name.endswith(part)), "")
     return (name, stem) if len(stem) >= _SHORTEST else (name,)
-
-
-def _linked(evidence: Evidence, here: str, known: AbstractSet[str], names: Collection[str]) -> Iterator[GitSource]:
-    """Yield the repositories of the same owner that pages at the root link to; of others, the only one that they do.
-
-    Before all, the first of those of anybody that a page says to hold the dependencies, or lists among them.
-    Not one with the name of what is known, as of one of the repository's own packages, which is what it was made from;
-    nor one with the repository's own name, which is itself under another owner.
-    """
-    owner, _, itself = here.rpartition("/")
-    links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
-    others = {
-        address(git.url): git
-        for git in links
-        if known.isdisjoint((git.name, plain(git.name))) and address(git.url) != here
-        if not itself or plain(git.name) != plain(itself)
-    }
-    of_python = {bare_name(name) for name in _of_python(evidence)}
-    first = [git for git in others.values() if git.holds and bare_name(git.name) not in of_python]
-    first = [git for git in first if not _of_ubuntu(git) and not _of_import(git, names)][:_MOST_LISTED]
-    yield from first
-    for url, git in others.items():
-        if git not in first and (len(others) == 1 or (owner and url.rpartition("/")[0] == owner)):
-            yield git
-
-
-def _of_python(evidence: Evidence) -> Iterator[str]:
-    """Yield the names that projects and lists for pip declare."""
-    lists = (*(each.requirements for each in evidence.python), *(each.requirements for each in evidence.requirements))
-    yield from (asked.name for each in lists for asked in each if asked.name)
-
-
-def _of_import(git: GitSource, names: Iterable[str]) -> bool:
-    """Tell whether a repository is called like a module that pip brings, and like none of the packages."""
-    return plain(git.name) in imports() and not any(akin(name, git.name) for name in names)
-
-
-def _of_ubuntu(git: GitSource) -> bool:
-    """Tell whether Ubuntu has what a repository is called like."""
-    return bool((known := library("cmake", git.name, None)) and known.apt)

@@ -123,7 +123,7 @@ def decide_sources(
         needed=(*used, *launched),
         known=there,
         cloned=told_by_pages(found, evidence, itself, own),
-        refs=refs_of(found, ros_distro),
+        refs=refs_of((*found, *(git for git in evidence.sources if git.kind == "link")), ros_distro),
         before=chosen.before,
     )
 

@@ -64,6 +64,12 @@ _INSTALLS = pattern(
 """A sentence that has the reader install what it links to, or says that the code requires it, up to the link."""
 _INSTALLING = pattern(r"\binstall", re.IGNORECASE)
 """The title of a section whose links are to be installed, ``Installation`` or ``Install dependencies``."""
+_PACKAGES = pattern(
+    r"\b(?:other|related|relevant|additional|further|companion|associated|external)[ \t]+(?:[\w-]+[ \t]+){0,3}"
+    r"(?:packages|repositories|repos)\b",
+    re.IGNORECASE,
+)
+"""The title of a section about packages beside those of the tree."""
 _PRIVATE = pattern(
     r"(?<!not )(?<!not a )(?<!no )(?<!no longer )(?<!non-)\bprivate\b[^.\n]{0,40}"
     r"\b(?:repo(?:sitory|s|sitories)?|package|fork|submodule)s?\b[^.\n]{0,40}$",
@@ -85,6 +91,7 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
     thanked = _thanked(text)
     listed = _listed(text) if "/" not in file.path else frozenset()
     installing = _installing(text) if "/" not in file.path else frozenset()
+    beside = _of_packages(text) if "/" not in file.path else frozenset()
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
         url = match[0].partition("/tree/")[0].rstrip("/").removesuffix(".git")
         name = match[1].removesuffix(".git").rstrip(".")
@@ -106,6 +113,8 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
             found[url] = replace(found[url], told=True)
         if line in installing:
             found[url] = replace(found[url], to_install=True)
+        if line in beside:
+            found[url] = replace(found[url], of_packages=True)
         found[url] = _judged(found[url], _before(text, match.start()), text, match.end())
     return list(found.values())[:MAX_LINKS]
 
@@ -159,6 +168,14 @@ def _installing(text: str) -> frozenset[int]:
         return frozenset()
     found = (line for line in lines_of(text) if not (line.fenced or line.elsewhere))
     return frozenset(line.number for line in found if any(map(_INSTALLING.search, line.titles.values())))
+
+
+def _of_packages(text: str) -> frozenset[int]:
+    """Return the numbers of the lines in sections about other packages, by their own titles alone."""
+    if not _PACKAGES.search(text) or not _LINK.search(text):
+        return frozenset()
+    found = (line for line in lines_of(text) if line.titles and not (line.fenced or line.elsewhere))
+    return frozenset(line.number for line in found if _PACKAGES.search(line.titles[max(line.titles)]))
 
 
 def _thanked(text: str) -> frozenset[int]:
