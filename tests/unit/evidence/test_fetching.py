@@ -73,3 +73,21 @@ def test_nothing_is_cloned(tmp_path: Path) -> None:
     assert (
         _read(tmp_path, {"CMakeLists.txt": "project(a)\n# git clone x\n", "Makefile": CHECKOUT}) == fetching.Fetching()
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("FetchContent_Declare(\n  solvers\n  URL https://github.com/a/b/archive/v1.zip\n)\n", 1),
+        ("\nExternalProject_Add(solvers URL https://example.org/b.tar.gz)\n", 2),
+        ("file(DOWNLOAD https://example.org/b.cmake ${CMAKE_BINARY_DIR}/b.cmake)\n", 1),
+        ("set(AT https://example.org/b.zip)\nFetchContent_Declare(solvers URL ${AT})\n", 2),
+        ("FetchContent_Declare(solvers URL ${CMAKE_SOURCE_DIR}/b.zip)  # https://example.org/b.zip\n", 0),
+        ("if(WIN32)\n  file(DOWNLOAD https://example.org/b.dll b.dll)\nendif()\n", 0),
+        ("set_package_properties(Boost PROPERTIES URL https://boost.org)\n", 0),
+        ("project(solvers HOMEPAGE_URL https://example.org)\n", 0),
+    ],
+)
+def test_what_downloads_by_https_needs_certificates_alone(tmp_path: Path, text: str, line: int) -> None:
+    found = _read(tmp_path, {"CMakeLists.txt": text}).programs
+    assert [(each.name, each.line) for each in found] == ([("ca-certificates", line)] if line else [])

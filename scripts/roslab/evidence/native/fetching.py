@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.lines import first_line, matching_lines
 from roslab.evidence.native import called_programs
+from roslab.evidence.native.cmake_needs import of_no_build
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -18,6 +21,7 @@ MAX_FILES = 300
 _CLONES = pattern(r"[^#\n]*\b(?:GIT_REPOSITORY|GITHUB_REPOSITORY|CPMAddPackage|git\s+clone)\b")
 _TEMPLATE = pattern(r"(?:CMakeLists(?:\.\w+)*|\.cmake)\.in$")
 """A recipe that CMake fills in and another call of it builds: https://google.github.io/googletest/quickstart-cmake.html"""
+_DOWNLOADS = frozenset({"externalproject_add", "fetchcontent_declare", "fetchcontent_populate", "file"})
 _INCLUDED = pattern(r"include\s[^#\n]{0,80}\bmk\)?/(\w+)\.mk\b")
 _UNSAFE = pattern(r"[^#\n]*?\bgit://([\w.-]+)/")
 
@@ -42,6 +46,10 @@ def read(repository: Repository) -> Fetching:
             line = text.count("\n", 0, position) + 1
             asked = Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="fetch")
             found.setdefault(name, asked)
+        if not makefile and "ca-certificates" not in found and (line := _downloads(text)):
+            found["ca-certificates"] = Dependency(
+                namespace="apt", name="ca-certificates", strength="used", file=file.path, line=line, role="fetch"
+            )
         if not places.vendored(file.path):
             hosts |= dict.fromkeys(match[1] for match in matching_lines(_UNSAFE, text, "git://"))
     for asked in called_programs.read(repository, of_cmake):
@@ -78,3 +86,21 @@ def _called(text: str, *, makefile: bool) -> Iterator[tuple[str, int]]:
     elif cloned := first_line(_CLONES, text, "_REPOSITORY", "CPMAddPackage", "git"):
         yield "ca-certificates", cloned.start()
         yield "git", cloned.start()
+
+
+def _downloads(text: str) -> int:
+    """Return the line of the first call that downloads a file by ``https://``, 0 for none: CMake asks for certificates.
+
+    https://cmake.org/cmake/help/latest/command/file.html#download and
+    https://cmake.org/cmake/help/latest/module/ExternalProject.html, 2026-11-27.
+    """
+    if "https://" not in text or not any(key in text for key in ("URL", "DOWNLOAD")):
+        return 0
+    for call in calls(text, _DOWNLOADS):
+        if call.name == "file":
+            given = call.words[1:2] if call.words[:1] == ("DOWNLOAD",) else ()
+        else:
+            given = tuple(after for key, after in pairwise(call.words) if key == "URL")
+        if any(word.startswith("https://") for word in given) and not any(map(of_no_build, call.conditions)):
+            return call.line
+    return 0
