@@ -53,6 +53,9 @@ def test_a_docstring_uses_nothing(tmp_path: Path, code: str, found: dict[str, in
         ("from diffusers.optimization import (\n    SchedulerType, Union,\n    Optimizer)", "diffusers<0.37"),
         ("from diffusers.optimization import Optional, get_scheduler", "diffusers<0.37"),
         ("import drawSvg as draw", "drawSvg<2"),
+        ("from rsl_rl.utils import resolve_obs_groups, store_code_state", "rsl-rl-lib<3.2"),
+        ("from rsl_rl.modules import ActorCritic, ActorCriticRecurrent", "rsl-rl-lib<4"),
+        ("from rsl_rl.networks import EmpiricalNormalization", "rsl-rl-lib<4"),
     ],
 )
 def test_a_removed_name_gives_a_bound(tmp_path: Path, code: str, bound: str) -> None:
@@ -68,6 +71,7 @@ def test_a_removed_name_gives_a_bound(tmp_path: Path, code: str, bound: str) -> 
         "rows.append(row)",
         "limit = np.inf",
         "import drawsvg as draw",
+        "from rsl_rl.modules import EmpiricalNormalization\nfrom rsl_rl.utils import resolve_obs_groups",
         "from diffusers.optimization import (\n    get_scheduler)\nfrom typing import Union",
     ],
 )
