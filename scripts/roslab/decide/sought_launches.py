@@ -13,7 +13,8 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.slips import meant
-from roslab.decide.ros.sought import MOST, PACKAGE, folder_for, public_owner, tried
+from roslab.decide.ros.sought import MOST, PACKAGE, folder_for, tried
+from roslab.decide.ros.sought_addresses import public_owner
 from roslab.decide.ros.sought_by_pages import in_clones, run_by_page
 from roslab.decide.ros.sought_imports import modules_of_owner
 from roslab.decide.ros.source_names import address, plain

@@ -146,6 +146,44 @@ def test_nothing_is_looked_for_that_is_known_or_no_package_of_ros(tree: Tree, ke
     assert not _sought(decision)
 
 
+@pytest.mark.parametrize(
+    ("header", "looked"), [("libarm/Arm.hpp", True), ("libarm.h", False), ("arm/Arm.hpp", False), ("vector", False)]
+)
+def test_a_package_may_be_called_like_a_library_where_the_code_includes_its_headers(
+    tree: Tree, header: str, looked: bool
+) -> None:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "libarm") | {"README.md": "ROS Noetic.\n"}
+    decision = tree(files | {"mpc/src/a.cpp": f"#include <{header}>\nint main() {{}}\n"})
+    assert (_sought(decision) == {f"{LAB}/libarm": ("libarm",)}) is looked
+    assert bool(_sought(decision)) is looked
+
+
+@pytest.mark.parametrize(
+    ("code", "looked"),
+    [
+        ('auto uri = "package://mpc_description/urdf/a.urdf";\n', True),
+        ("// package://mpc_description/urdf/a.urdf\n", False),
+        ("", False),
+    ],
+)
+def test_a_declared_key_that_the_code_alone_names_is_looked_for_at_the_owner(
+    tree: Tree, code: str, looked: bool
+) -> None:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp") | {"README.md": "ROS Noetic.\n"}
+    manifest = files["mpc/package.xml"].replace("</package>", "<depend>mpc_description</depend></package>")
+    decision = tree(files | {"mpc/package.xml": manifest, "mpc/src/a.cpp": f"{code}int main() {{}}\n"})
+    assert (_sought(decision).get(f"{LAB}/mpc_description") == ("mpc_description",)) is looked
+
+
+def test_a_package_may_be_in_the_owners_repository_of_its_first_words_though_others_publish_that(tree: Tree) -> None:
+    files = _git(f"{LAB}/mpc") | _package("mpc", "grid_map_comp", "quad_x") | {"README.md": "ROS Noetic.\n"}
+    assert _sought(tree(files)) == {
+        f"{LAB}/grid_map_comp": ("grid_map_comp",),
+        f"{LAB}/quad_x": ("quad_x",),
+        f"{LAB}/grid_map": ("grid_map_comp",),
+    }
+
+
 def test_nothing_is_looked_for_where_a_clone_may_hold_it(tree: Tree) -> None:
     page = "ROS Noetic.\n\n    cd ~/catkin_ws/src\n    git clone https://github.com/lab/mpc\n"
     page += "    git clone https://github.com/other/drivers\n    catkin_make\n"

@@ -87,6 +87,16 @@ def test_a_part_is_in_the_repository_of_the_whole(image: Path) -> None:
     assert _run(image, "space_msgs") == (0, ["docs", "lib", "space_msgs"])
 
 
+@pytest.mark.parametrize(("repository", "found"), [("deep_space", True), ("deep", False)])
+def test_a_package_may_be_in_the_repository_whose_name_of_two_words_or_more_it_begins_with(
+    image: Path, repository: str, found: bool
+) -> None:
+    _manifest(image / f"lab/{repository}/deep_space_probe_arm", "deep_space_probe_arm")
+    _commit(image / f"lab/{repository}")
+    _manifest(image / "ws/src/lib", "lib", "deep_space_probe_arm")
+    assert _run(image, "deep_space_probe_arm")[0] == (0 if found else 1)
+
+
 def test_what_only_a_package_asks_for_that_is_not_needed_is_not_cloned(image: Path) -> None:
     assert _run(image, "doxygen_tool") == (1, ["docs", "lib"])
 
@@ -185,6 +195,24 @@ def test_what_is_no_name_of_a_package_of_ros_is_not_tried(image: Path) -> None:
     _commit(image / "lab/libboosted-dev")
     _manifest(image / "ws/src/lib", "lib", "libboosted-dev")
     assert _run(image, "libboosted-dev") == (1, ["docs", "lib"])
+
+
+@pytest.mark.parametrize(("header", "found"), [("libnumeric/a.hpp", True), ("libnumeric.h", False)])
+def test_a_package_may_be_called_like_a_library_where_the_clone_includes_its_headers(
+    image: Path, header: str, found: bool
+) -> None:
+    _manifest(image / "lab/libnumeric", "libnumeric")
+    _commit(image / "lab/libnumeric")
+    _manifest(image / "ws/src/lib", "lib", "libnumeric")
+    (image / "ws/src/lib/a.cpp").write_text(f"#include <{header}>\n")
+    assert _run(image, "libnumeric") == (0 if found else 1, ["docs", "lib", *(["libnumeric"] if found else [])])
+
+
+def test_a_list_may_name_a_package_that_is_called_like_a_library(image: Path) -> None:
+    _manifest(image / "manifests/mine", "mine", "lib", "libnumeric")
+    _manifest(image / "other/libnumeric", "libnumeric")
+    _list(image, "libnumeric", _commit(image / "other/libnumeric"))
+    assert _run(image, "libnumeric") == (0, ["docs", "lib", "libnumeric"])
 
 
 def test_nothing_is_tried_twice(image: Path) -> None:

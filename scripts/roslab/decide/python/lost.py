@@ -21,7 +21,7 @@ from roslab.decide.python.on_index import on_index
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.refused import refused
 from roslab.decide.reasons import warn
-from roslab.decide.ros.sought import public_owner
+from roslab.decide.ros.sought_addresses import public_owner
 from roslab.decide.ros.sought_imports import modules_of_owner
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource

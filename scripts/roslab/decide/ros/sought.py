@@ -14,11 +14,11 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.clones import taken_apart
-from roslab.decide.ros.controllers import controllers
 from roslab.decide.ros.credited import credited
 from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
-from roslab.decide.ros.sought_links import linked_by_pages, of_ubuntu
+from roslab.decide.ros.sought_addresses import addresses_of, called_by
+from roslab.decide.ros.sought_links import of_ubuntu
 from roslab.decide.ros.source_names import address, akin, drifts, fixed, plain, stands_already
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
@@ -26,23 +26,16 @@ from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
-from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.holders import holders
-from roslab.knowledge.released import ever_released
-from roslab.knowledge.vendor_packages import vendor_of
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
-_OWNER = pattern(r"(https://([\w.-]+)/[\w.-]+)/[\w.-]+?/?$")
 PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 """A name that a package of ROS may have (REP 144), and no package of a system is likely to."""
+_LIBRARY = pattern(r"lib[a-z0-9]+(?:_[a-z0-9]+)*")
 _OF_SYSTEM = pattern(r"[^a-z0-9-]|^(?:lib|python|ros-)|-(?:dev|pip)$")
 """In a name with a dash that is none of a package of ROS."""
-_PARTS = ("_msgs", "_srvs", "_interfaces", "_lib", "_ros", "_py", "py")
-"""Ends of the names of packages that often lie beside others, in a repository called without them."""
-_SHORTEST = 3
-"""Fewest letters of such a name."""
 MOST = 12
 """Most repositories that a build tries."""
 
@@ -61,11 +54,12 @@ def with_sought(
 ) -> Choice[Sources]:
     """Return the sources with the repositories in which the build looks for what nothing brings.
 
-    ``needed``: names that the build uses, ``known``: what the repository, rosdep and the distribution
-    have, ``cloned``: what pages clone, ``refs``: the branch of a clone by its address; ``before``: the day of what has
-    none. None for the old formats, whose images never had them; where a source whose packages are not known may hold
-    them, only what pages clone, and the owner's repository of exactly a package's name where that source is most likely
-    another package alone. Nor what a submodule that is not checked out most likely has, or what is one slip
+    ``needed``: names that the build uses or the code may name, ``known``: what the repository, rosdep and the
+    distribution have, ``cloned``: what pages clone, ``refs``: the branch of a clone by its address; ``before``: the day
+    of what has none. None for the old formats, whose images never had them; where a source whose packages are not known
+    of what has none. None for the old formats, whose images never had them; where a source whose packages are not known
+    may hold them, only what pages clone, and the owner's repository of exactly a package's name where that source is
+    most likely another package alone. Nor what a submodule that is not checked out most likely has, or what is one slip
     away from a known name that the repository has elsewhere.
     """
     sources = choice.answer
@@ -73,7 +67,10 @@ def with_sought(
     if build is None or config.compatible:
         return choice
     own = {manifest.name for manifest in evidence.manifests if manifest.name}
-    lacking = _lacking(needed, known | sources.names, own)
+    folders = {
+        each.name.partition("/")[0] for each in evidence.code if each.namespace == "include" and "/" in each.name
+    }
+    lacking = _lacking(needed, known | sources.names, own, folders)
     named = known & {each.name for m in evidence.manifests for each in m.dependencies}
     named |= known & {each.name for project in evidence.cmake for each in project.dependencies}
     lacking = {n: asked for n, asked in lacking.items() if not (meant(n, named) or credited(n, evidence))}
@@ -85,10 +82,10 @@ def with_sought(
     clones = _cloned(cloned, lacking, evidence)
     tabled = holders(lacking) if build.startswith("catkin") else {}
     guessed = {name: asked for name, asked in nowhere.items() if not any(name in held for held in tabled.values())}
-    likely = {**tabled, **dict(_addresses(guessed, evidence, known))}
+    likely = {**tabled, **dict(addresses_of(guessed, evidence, known))}
     addresses = clones | {url: names for url, names in likely.items() if url not in clones}
     alike = {name: asked for name, asked in lacking.items() if sources.hardly_holds(name)}
-    for url, names in _addresses(alike, evidence, known):
+    for url, names in addresses_of(alike, evidence, known):
         if called := tuple(name for name in names if url.endswith(f"/{name}")):
             addresses.setdefault(url, called)
     for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:MOST]:
@@ -141,7 +138,7 @@ def tried(sought: Iterable[Source]) -> dict[str, str]:
 
 def linked(sought: Iterable[Source]) -> frozenset[str]:
     """Return the packages that are looked for in a repository which a page names, and not only in one of their name."""
-    return frozenset(name for source in sought for name in source.holding if source.name not in _called(name))
+    return frozenset(name for source in sought for name in source.holding if source.name not in called_by(name))
 
 
 def without(
@@ -165,10 +162,14 @@ def _without(sought: tuple[Source, ...], packages: Packages, left_out: Collectio
     return tuple(source for source in sought if not lost.issuperset(source.holding))
 
 
-def _lacking(needed: Iterable[Dependency], known: AbstractSet[str], own: set[str]) -> Mapping[str, Dependency]:
+def _lacking(
+    needed: Iterable[Dependency], known: AbstractSet[str], own: set[str], folders: AbstractSet[str]
+) -> Mapping[str, Dependency]:
     """Return the declared packages of ROS that are not known, by their names.
 
-    One with a dash in its name only where one of the tree begins with the same word: ``hpp-core`` and ``hpp-util``.
+    One with a dash in its name only where one of the tree begins with the same word: ``hpp-core`` and ``hpp-util``; one
+    that is called like a library of the system only where the code includes headers of a folder of its name.
+    ``folders``: those of which the code includes headers.
     """
     found: dict[str, Dependency] = {}
     families = {name.partition("-")[0] for name in own if "-" in name}
@@ -178,7 +179,8 @@ def _lacking(needed: Iterable[Dependency], known: AbstractSet[str], own: set[str
             continue
         sibling = asked.name.partition("-")[0] in families and not _OF_SYSTEM.search(asked.name)
         named = asked.name in BUILD_TYPES or of_pip(asked.name) or library_called(asked.name, None)
-        if (PACKAGE.fullmatch(asked.name) or sibling) and not named:
+        library = asked.name in folders and _LIBRARY.fullmatch(asked.name)
+        if (PACKAGE.fullmatch(asked.name) or library or sibling) and not named:
             found.setdefault(asked.name, asked)
     return found
 
@@ -211,46 +213,3 @@ def _of_page(asked: Dependency, git: GitSource) -> bool:
     """Tell whether the page in the folder of the package that asks clones a repository; of the first page all are."""
     folder = git.file.rpartition("/")[0]
     return bool(folder) and git.file.endswith(PAGES) and folder == asked.file.rpartition("/")[0]
-
-
-def _addresses(
-    asked: Mapping[str, Dependency], evidence: Evidence, known: AbstractSet[str]
-) -> list[tuple[str, tuple[str, ...]]]:
-    """Return the addresses of repositories that may hold packages, most likely first, each with those packages.
-
-    First those that pages at the root link to; then those that the code names which are called like the package, or
-    with whose name it begins; then those of the same owner with the name of the package, or with that of what it is a
-    part of, unless others are known to publish it or it is the name of a controller. Not what is ``known``.
-    """
-    names = tuple(asked)
-    if not names:
-        return []
-    here = address(evidence.origin) if evidence.origin else ""
-    found = {https(git.url).removesuffix(".git"): names for git in linked_by_pages(evidence, here, known, names)}
-    for git in evidence.commented:
-        held = tuple(name for name in names if f"{plain(name)}_".startswith(f"{plain(git.name)}_"))
-        if held and address(git.url) != here and known.isdisjoint((git.name, plain(git.name))):
-            found.setdefault(git.url, held)
-    owner = public_owner(evidence)
-    owned: dict[str, tuple[str, ...]] = {}
-    ours = controllers((each for each in asked.values() if each.namespace == "rosdep"), evidence)
-    for name in (name for name in names if owner and name not in ours):
-        for called in () if ever_released(name) or vendor_of(name)[0] else _called(name):
-            url = f"{owner}/{called}"
-            if called == name or not (called in known or ever_released(called)):
-                owned[url] = (*owned.get(url, ()), name)
-    there = {here, *map(address, found)}
-    found |= {url: held for url, held in owned.items() if address(url) not in there}
-    return list(found.items())
-
-
-def public_owner(evidence: Evidence) -> str:
-    """Return the address of the repository's owner where it lies on a host that anybody reads, else ``""``."""
-    match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
-    return match[1] if match and match[2] in public_hosts() else ""
-
-
-def _called(name: str) -> tuple[str, ...]:
-    """Return the names that a repository with a package most likely has."""
-    stem = next((name.removesuffix(part) for part in _PARTS if name.endswith(part)), "")
-    return (name, stem) if len(stem) >= _SHORTEST else (name,)

@@ -33,7 +33,7 @@ from roslab.decide.ros.source_names import (
 )
 from roslab.decide.ros.source_warnings import doubted, loose, private
 from roslab.decide.ros.twice import folder_of, listed_twice, twice
-from roslab.decide.ros.used import used_by_build
+from roslab.decide.ros.used import spoken_of, used_by_build
 from roslab.decide.ros.vcs_files import vcs_files
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.lies_beside import lies_beside
@@ -120,7 +120,7 @@ def decide_sources(
         evidence,
         config,
         build_tool=build_tool,
-        needed=(*used, *launched),
+        needed=(*used, *launched, *spoken_of(evidence, needed)),
         known=there,
         cloned=told_by_pages(found, evidence, itself, own),
         refs=refs_of((*found, *(git for git in evidence.sources if git.kind == "link")), ros_distro),

@@ -65,3 +65,15 @@ def used_by_build(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[
         said = dependency.name in named or plain(dependency.name) in links
         if said or dependency.file.rpartition("/")[0] not in listing:
             yield dependency
+
+
+def spoken_of(evidence: Evidence, needed: Iterable[Dependency]) -> Iterator[Dependency]:
+    """Yield the keys of package.xml files that the code may name where CMake does not: ``package://arm_description/…``.
+
+    Not one that nothing else of its package names, nor one that waits for an option that is off.
+    """
+    left_over = {said.value for said in evidence.mentions if said.topic == "only_in_manifest"}
+    options = given(evidence)
+    for key in needed:
+        if key.namespace == "rosdep" and key.name not in left_over and not waits(key, options):
+            yield key

@@ -12,7 +12,8 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.sought import MOST, public_owner
+from roslab.decide.ros.sought import MOST
+from roslab.decide.ros.sought_addresses import public_owner
 from roslab.decide.ros.source_names import address, plain, wraps
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.with_recipes import with_recipes

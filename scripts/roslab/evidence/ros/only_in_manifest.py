@@ -24,7 +24,8 @@ _NAME = pattern(r"(?!lib|python)[a-z](?:[a-z0-9]*(?:_[a-z0-9]+)+|[a-z0-9]{3,})")
 """One word alone has to be of four letters."""
 _OF_BUILD = frozenset({"build", "buildtool"})
 _HASH = pattern(r"#[^\n]*")
-_OPENS = pattern(r"/[/*]")
+_OPENS = pattern(r"(?<!:)//|/\*")
+"""What begins a comment: no address does, as ``package://arm_description/urdf/arm.urdf``."""
 _TAKES_ALL = pattern(r"\bcatkin_simple\b|\bament_auto_find_build_dependencies\b|\bament_cmake_auto\b")
 """What has CMake look for all that the package.xml names."""
 

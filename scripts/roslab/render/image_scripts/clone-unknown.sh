@@ -3,7 +3,7 @@
 # Clones to the workspace the packages of these keys that the repository, whose package.xml files lie below MANIFESTS, and
 # the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos), by the name there, else
 # by what the listed repositories hold. What a clone asks for is then looked for with its owner, by the name of the package,
-# or of what it is a part of (X for X_msgs). Each key is tried once. Ends with 1 where nothing was found.
+# or of what it is a part of (X for X_msgs, X_Y for X_Y_Z). Each key is tried once. Ends with 1 where nothing was found.
 #   --before DAY  the newest commit not after this day (YYYY-MM-DD), unless a list names a tag or commit; of today if empty
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
@@ -87,7 +87,7 @@ try() { # PACKAGE URL [REF]
 new=''
 for key in "$@"; do
   # What is named so is a package of the system or of pip, and none of ROS
-  if [[ ! "${key}" =~ ^[a-z][a-z0-9_-]*$ || "${key}" =~ ^(lib|python|ros-)|-(dev|pip)$ ]]; then continue; fi
+  if [[ ! "${key}" =~ ^[a-z][a-z0-9_-]*$ || "${key}" =~ ^(python|ros-)|-(dev|pip)$ ]]; then continue; fi
   manifest="${asked["${key}"]:-}"
   if [ -z "${manifest}${wanted["${key}"]:-}" ] || grep --quiet --line-regexp --fixed-strings "${key}" "${tried}"; then continue; fi
   echo "${key}" >>"${tried}"
@@ -104,9 +104,12 @@ for key in "$@"; do
       fi
     done < <("${tell}")
   done
-  if [ -z "${manifest}" ]; then continue; fi # the build has looked with the owner of the repository
+  if [ -z "${manifest}" ]; then continue; fi # the plan has it looked for with the owner of the repository
+  # What is called like a library of the system is a package where the code includes headers of a folder of its name
+  if [[ "${key}" = lib* ]] && ! grep --quiet --recursive --exclude-dir=.git "^ *# *include *[<\"]${key}/" "$(dirname "${manifest}")"; then continue; fi
   origin="$(git -c safe.directory='*' -C "$(dirname "${manifest}")" config --get remote.origin.url)" || continue
-  for name in $(sed --regexp-extended 'p; s/_(msgs|srvs|interfaces|lib)$//' <<<"${key}" | uniq); do # a part is with the whole
+  # A part is with the whole: in X for X_msgs, and in X_Y for X_Y_Z
+  for name in $(sed --regexp-extended 'p; s/_(msgs|srvs|interfaces|lib)$//; p; :a; s/^([^_]+_.+)_[^_]*$/\1/; p; ta; d' <<<"${key}" | uniq); do
     if try "${key}" "${origin%/*}/${name}"; then
       new=yes
       break
