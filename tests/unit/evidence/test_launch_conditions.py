@@ -57,6 +57,39 @@ def test_by_defaults(text: str, expected: bool | None) -> None:
     assert started(text, begin, begin + 4) is expected
 
 
+SIM = '<arg name="sim" default="False"/><arg name="real" default="true"/><arg name="arm" default="ur5"/><arg name="x"/>'
+
+
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("arg('sim')", False),
+        ("not arg('sim')", True),
+        ("not sim", True),
+        ("not not sim", False),
+        ("not arm == 'ur5'", False),
+        ("not arm != 'ur5'", True),
+        ("arg('real') and not sim", True),
+        ("real and sim", False),
+        ("x and sim", False),
+        ("x and real", None),
+        ("x or real", True),
+        ("sim or x", None),
+        ("sim or arm == 'ur3'", False),
+        ("sim and x or arm == 'ur5'", True),
+        ("not (sim or real)", None),
+        ("x", None),
+        ("nowhere", None),
+    ],
+)
+def test_what_is_evaluated(condition: str, expected: bool | None) -> None:
+    for word, turned in (("if", False), ("unless", True)):
+        text = SIM + NODE.format(f'{word}="$(eval {condition})"')
+        begin = text.index("rviz")
+        wanted = expected if expected is None or not turned else not expected
+        assert started(text, begin, begin + 4) is wanted
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -40,11 +40,13 @@ _CALLED = pattern(
     r"(?:LaunchConfiguration\(\s{0,99}[\"'](\w+)[\"']\s{0,99}\)|(\w+)|[\"'](\w+)[\"'])\s{0,99},?\s{0,99}\)"
 )
 _VARIABLE = pattern(r"\b(\w+)\s?=\s?LaunchConfiguration\(\s{0,99}[\"'](\w+)[\"']")
-_COMPARED = pattern(
-    r"\$\(\s?eval\s+(?:arg\(\s?[\"'](\w+)[\"']\s?\)|(\w+)|[\"']\$\(\s?(?:arg|var)\s+(\w+)\s?\)[\"'])"
-    r"\s?(==|!=)\s?[\"']([\w.-]*)[\"']\s?\)"
+_EVAL = pattern(r"\$\(\s?eval\s+([^\n]{1,400})\)")
+_TERM = pattern(
+    r"((?:not\s+)*)(?:arg\(\s?[\"'](\w+)[\"']\s?\)|(\w+)|[\"']\$\(\s?(?:arg|var)\s+(\w+)\s?\)[\"'])"
+    r"(?:\s?(==|!=)\s?[\"']([\w.-]+)[\"'])?"
 )
-"""A condition that compares an argument: ``$(eval arg('robot') == 'ur5')``."""
+"""A term of it that asks for an argument, or compares one: ``not arg('sim')``, ``arg('robot') == 'ur5'``."""
+_ARGUMENT_CALL = pattern(r"\barg\([^()]*\)|\$\([^()]*\)")
 _TRUTH = {"true": True, "1": True, "false": False, "0": False}
 _MOST = 4
 """Most arguments that are followed, one of which gives the value of the next."""
@@ -103,13 +105,38 @@ def _holds(condition: _Condition) -> bool | None:
 
 
 def _when(condition: _Condition) -> When:
-    compared = _COMPARED.fullmatch(condition.written.strip())
-    if compared is None:
+    said = _EVAL.fullmatch(condition.written.strip())
+    term = _TERM.fullmatch(said[1].strip()) if said else None
+    if term is None:
         *names, value = _followed(condition.written, condition.defaults)
         return When((*names,), value, "", condition.holds_if)
-    name = compared[1] or compared[2] or compared[3]
-    *names, value = _followed(f"$(arg {name})", condition.defaults)
-    return When((*names,), value, compared[5].lower(), condition.holds_if == (compared[4] == "=="))
+    holds_if = condition.holds_if ^ (term[1].count("not") % 2 == 1) ^ (term[5] == "!=")
+    *names, value = _followed(f"$(arg {term[2] or term[3] or term[4]})", condition.defaults)
+    return When((*names,), value, (term[6] or "").lower(), holds_if)
+
+
+def _terms(condition: _Condition) -> Iterator[_Condition]:
+    """Yield the conditions that have to hold, all of them, where one is put together by ``and`` and ``or``.
+
+    Of those of which one is enough, the one that decides by the defaults. With brackets it stays whole.
+    """
+    said = _EVAL.fullmatch(condition.written.strip())
+    if said is None or "(" in _ARGUMENT_CALL.sub("", said[1]):
+        yield condition
+        return
+    for word, every in ((" or ", not condition.holds_if), (" and ", condition.holds_if)):
+        parts = said[1].split(word)
+        if len(parts) > 1:
+            found = [[*_terms(condition._replace(written=f"$(eval {part.strip()})"))] for part in parts]
+            yield from (each for terms in found for each in terms) if every else max(found, key=_likely)
+            return
+    yield condition
+
+
+def _likely(terms: Iterable[_Condition]) -> int:
+    """Return 2 for conditions that all hold by the defaults, 0 for some of which one does not, else 1."""
+    found = {_holds(each) for each in terms}
+    return 0 if False in found else 1 if None in found else 2
 
 
 def _around(text: str, begin: int, end: int) -> Iterator[_Condition]:
@@ -135,7 +162,7 @@ def _of_tag(text: str, begin: int, end: int) -> Iterator[_Condition]:
 
 def _ifs(tag: str, text: str) -> Iterator[_Condition]:
     for said in matches_at(_IF, tag, *_IFS):
-        yield _Condition(said[1] == "if", said[2] or said[3] or "", _defaults(text))
+        yield from _terms(_Condition(said[1] == "if", said[2] or said[3] or "", _defaults(text)))
 
 
 def _at(places: _Places, begin: int) -> _Around:
