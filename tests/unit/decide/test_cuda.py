@@ -373,5 +373,41 @@ def test_a_build_of_torch_for_the_cpu_asks_for_no_cuda(
     assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")
 
 
+@pytest.mark.parametrize(
+    ("packages", "more", "kind"),
+    [
+        (("pytorch=1.9.0=py3.7_cpu_0", "torchvision=0.10.0=py37_cpu"), {}, "python"),
+        (("pytorch=1.13.1=cpu_py310hd11e9c7_0",), {}, "python"),
+        (("pytorch=1.9.0", "torchvision", "cpuonly=1.0=0"), {}, "python"),
+        (("pytorch", "cpuonly"), {}, "python"),
+        (("pytorch=2.0", "pytorch-mutex=1.0=cpu"), {}, "python"),
+        (("pytorch=2.0", "pytorch-mutex=*=cpu"), {}, "python"),
+        (("pytorch=2.0=cpu*",), {}, "python"),
+        (("pytorch-cpu=1.13",), {}, "python"),
+        (("pytorch=2.0", "pytorch-mutex=1.0=cuda"), {}, "cuda"),
+        (("pytorch=1.9.0", "cpuonly", "cudatoolkit=11.1"), {}, "cuda"),
+        (("pytorch=1.9.0=py3.7_cuda11.1_cudnn8.0.5_0",), {}, "cuda"),
+        (("pytorch=1.9.0", "torchvision=0.10.0=py37_cpu"), {}, "cuda"),
+        (("pytorch", "cpuonly"), {"requirements.txt": "torch\n"}, "cuda"),
+        (("pytorch", "cpuonly"), {"README.md": "# Install\nIt needs CUDA 11.7.\n"}, "cuda"),
+    ],
+)
+def test_an_environment_whose_torch_is_for_the_cpu_asks_for_no_cuda(
+    tree: Callable[[dict[str, str]], Decision], packages: tuple[str, ...], more: dict[str, str], kind: str
+) -> None:
+    lines = "".join(f"  - {package}\n" for package in ("python=3.8", *packages))
+    environment = f"channels: [pytorch, defaults]\ndependencies:\n{lines}"
+    decision = tree({"environment.yml": environment, "train.py": "import torch\nimport torchvision\n", **more})
+    assert decision.kind == kind
+    assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")
+
+
+def test_conda_has_torch_for_the_cpu_beside_what_computes_on_cuda(tree: Callable[[dict[str, str]], Decision]) -> None:
+    lines = "dependencies:\n  - python=3.8\n  - pytorch=1.9.0=py3.8_cpu_0\n"
+    decision = tree({"environment.yml": lines, "a.cu": "__global__ void a() {}\n", "train.py": "import torch\n"})
+    assert decision.kind == "cuda"
+    assert not [each.reason for each in decision.reasons if each.question == "cuda" and "torch" in each.reason]
+
+
 def test_a_build_of_torch_for_the_cpu_names_no_cuda() -> None:
     assert decide_cuda(Evidence(requirements=(asked("torch==1.13.1+cpu"),)), Config()).answer.version is None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from roslab.decide.cuda.conda_builds import built_for
 from roslab.decide.cuda.local import of_the_cpu
 from roslab.decide.decision import Warning_
 from roslab.decide.python.pythons import ANY
@@ -15,9 +16,10 @@ from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 
 
-def built_for_cpu(asked: Iterable[Requirement]) -> frozenset[str]:
-    """Return the frameworks that pip is asked for in a build for the CPU (``1.13.1+cpu``), in no other."""
-    return _always((each.key, of_the_cpu(each.release or "")) for each in asked if ANY.may(each))
+def built_for_cpu(evidence: Evidence, asked: Iterable[Requirement]) -> frozenset[str]:
+    """Return the frameworks that pip or conda is asked for in a build for the CPU (``1.13.1+cpu``), in no other."""
+    found = [(each.key, of_the_cpu(each.release or "")) for each in asked if ANY.may(each)]
+    return _always([*found, *(each for environment in evidence.conda for each in built_for(environment))])
 
 
 def without_gpus(evidence: Evidence, asked: Iterable[Requirement]) -> frozenset[str]:

@@ -60,7 +60,7 @@ def _named(evidence: Evidence) -> Iterator[Sign]:
     everywhere = [*_pip(evidence, listed=False)]
     names = accelerated() - without_gpus(evidence, everywhere)
     if not _by_extra(evidence):
-        names -= by_extra() | built_for_cpu(everywhere)
+        names -= by_extra() | built_for_cpu(evidence, everywhere)
     declares = any(p.installable and not p.folder and _declared(p) for p in evidence.python)
     listed = declares or any(file.requirements and "/" not in file.file for file in _to_run(evidence))
     for asked in _pip(evidence, listed=listed):

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from roslab.config.model import Config
 from roslab.decide.cuda.above_lock import above, cuda_of_lock
 from roslab.decide.cuda.beside_torch import conda_torch
+from roslab.decide.cuda.conda_builds import BUILT_FOR, OF_CONDA, built_for, names_cuda
 from roslab.decide.cuda.for_libtorch import CUDNN, for_libtorch
 from roslab.decide.cuda.imported import imported
 from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
@@ -22,7 +23,6 @@ from roslab.knowledge.accelerated import without_gpu
 from roslab.knowledge.frameworks import (
     CudaImage,
     build_needs,
-    conda_names,
     cuda_image,
     framework,
     framework_on_cuda,
@@ -30,7 +30,6 @@ from roslab.knowledge.frameworks import (
     newest_framework,
     tabled,
 )  # fmt: skip
-from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -41,9 +40,6 @@ DEFAULT = "11.8"
 _OLDEST = Version("8")
 _WHY = {"tensorflow": "loads it", "torch": "has it in its wheel", "jax": "is built for it"}
 _CONDA_HAS = "the conda environment has"
-_BUILT_FOR = frozenset({"torch", "torchvision", "torchaudio", "torch-scatter", "mmcv-full", "jaxlib", "cupy"})
-OF_CONDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda-toolkit", "cuda-version", "cuda"})
-"""Packages of conda whose version is that of CUDA."""
 _OF_JAX = {"cuda11": "11.8", "cuda12": "12.3"}
 """CUDA by the first letters of a JAX extra. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22."""
 _IMAGE = pattern(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
@@ -126,10 +122,12 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
     compiles = bool(evidence.cuda_files) or any("cuda" in project.extensions for project in evidence.python)
     compiles = compiles or any("torch" in build_needs().get(pin.name, ()) for pin in pins)
     lowest = {use.bound.key: use.bound.below for use in evidence.bounds}
-    of_conda = {each.file for each in evidence.conda if any(map(_names_cuda, each.packages))}
+    of_conda = {each.file for each in evidence.conda if any(map(names_cuda, each.packages))}
+    of_cpu = {(each.file, name) for each in evidence.conda for name, cpu in built_for(each) if cpu}
     for pin in (*pins, *imported(evidence, pins)):
-        if pin.requirement.role == "conda" and pin.requirement.file in of_conda:
-            continue  # conda has it for the CUDA that the same file names
+        file = pin.requirement.file
+        if pin.requirement.role == "conda" and (file in of_conda or (file, pin.name) in of_cpu):
+            continue  # conda has it for the CUDA that the same file names, or for none
         yield from _of_pin(pin, day, python, lowest.get(tabled(pin.name)), compiles=compiles)
     locked = None if compiles else cuda_of_lock(evidence)
     yield from (each for each in _of_indexes(evidence) if not above(each[0].answer, locked))
@@ -149,7 +147,7 @@ def _of_conda(evidence: Evidence) -> Iterator[Candidate]:
     """Yield the CUDA that an environment names, as a package or in the build string of a framework."""
     for environment in (each for each in evidence.conda if not places.vendored(each.file)):
         for package in environment.packages:
-            if not _names_cuda(package):
+            if not names_cuda(package):
                 continue
             below, cuda = "/" in environment.file, minor_of(package.version)
             weight = Weight.CONDA_BELOW if below else Weight.CONDA
@@ -158,13 +156,6 @@ def _of_conda(evidence: Evidence) -> Iterator[Candidate]:
                 weight = weight if environment.file.count("/") > 1 else Weight.LOCAL_VERSION
             if cuda:
                 yield because("cuda", cuda, f"{_CONDA_HAS} {package.written}", environment, weight=weight), ()
-
-
-def _names_cuda(package: CondaPackage) -> bool:
-    if package.name in OF_CONDA:
-        return bool(minor_of(package.version))
-    known = conda_names().get(package.name, package.name)
-    return known in _BUILT_FOR and bool(cuda_of_build(package.build))
 
 
 def _of_indexes(evidence: Evidence) -> Iterator[Candidate]:
@@ -186,7 +177,7 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None, *,
     torch brings its CUDA: nothing but what ``compiles`` needs the same one in the image.
     """
     asked, table = pin.requirement, framework_on_cuda(pin.name)
-    local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in _BUILT_FOR else None
+    local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in BUILT_FOR else None
     release = pin.release or ""
     cpu = of_the_cpu(release) or without_gpu(pin.name, release)
     row = framework(table, release) if table and release and not cpu else None

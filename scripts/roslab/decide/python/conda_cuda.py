@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.config.model import Kind
-from roslab.decide.cuda.version import OF_CONDA
+from roslab.decide.cuda.conda_builds import OF_CONDA
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import framework, newest_on_cuda
