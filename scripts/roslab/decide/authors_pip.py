@@ -29,10 +29,9 @@ def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict
     """
     if authored.own_shell:
         return {}
-    begins = sorted((line, name) for name, line in authored.bases)
     found: dict[str, Dated] = {}
     for asked in _free(authored, evidence):
-        name = next((name for line, name in reversed(begins) if line < asked.line), "")
+        name = next((name for line, name in reversed(authored.stages) if line < asked.line), "")
         if name in found or "alpine" in name or not with_usual_shell(name) or not (release_of(name) or of_debian(name)):
             continue
         what = asked.name or asked.written

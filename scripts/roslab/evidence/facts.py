@@ -113,6 +113,7 @@ class AuthorDockerfile:
     """The secrets that its steps mount, ``ssh`` for the agent, each with its line."""
     bases: tuple[tuple[str, int], ...] = ()
     """The external images of all its stages, with the line of each FROM."""
+    stages: tuple[tuple[int, str], ...] = ()  # the line of each FROM, and the external image that its stage starts from
     clones_itself: bool = False
     """It clones this repository instead of building the checkout."""
     recipe: str | None = None

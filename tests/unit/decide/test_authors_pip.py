@@ -120,3 +120,9 @@ def test_it_comes_to_what_else_an_image_lacks(tmp_path: Path) -> None:
 def test_only_the_image_in_which_it_is_installed_gets_it(tmp_path: Path) -> None:
     steps = f"{FREE}\nFROM debian:12\nCOPY --from=0 /usr/local /usr/local\nCOPY . /app"
     assert [base.name for base in bases(planned(tmp_path, steps)) if base.pip_day] == [IMAGE]
+
+
+def test_a_stage_on_another_stage_installs_in_the_image_of_that(tmp_path: Path) -> None:
+    steps = f"FROM debian:12 AS two\nFROM one\n{FREE}\nCOPY . /app"
+    plan = planned(tmp_path, steps, base=f"{IMAGE} AS one")
+    assert [base.name for base in bases(plan) if base.pip_day] == [IMAGE]

@@ -256,6 +256,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         base=reading.base,
         base_line=reading.base_line,
         bases=tuple(reading.bases),
+        stages=tuple(reading.images),
         copies_repository=copies or itself,
         clones=tuple(each for each in collector.sources if of_image(each.line)),
         patches=tuple(each for each in collector.mentions if each.topic == "patched"),
