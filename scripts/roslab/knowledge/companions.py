@@ -17,10 +17,11 @@ class Companion:
     """What the use of one function of a package needs."""
 
     package: str
+    """A package, or a module of which the distribution's package has no such part yet."""
     hints: Hints
     pattern: re.Pattern[str]
     needs: str
-    """As a line of requirements without a version."""
+    """As a line of requirements; with the first version that has it only for such a module."""
 
 
 @cache

@@ -14,6 +14,7 @@ from roslab.decide.python.extras import extras, of_pages
 from roslab.decide.python.gpu_projects import by_scripts
 from roslab.decide.python.guesses import guesses, known_names, known_requirements, loose_names, to_show
 from roslab.decide.python.manifests import projects, requirement_files
+from roslab.decide.python.newer_parts import newer_parts
 from roslab.decide.python.of_nodes import of_nodes
 from roslab.decide.python.pins import DEVELOPMENT, Pin
 from roslab.decide.python.unmade_environments import of_unmade
@@ -69,6 +70,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     guessed = guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)
     if not (files or conda):
         guessed += tuple(of_unmade(evidence, kind, folders, known | {each.key for each in guessed}))
+    guessed += tuple(newer_parts(evidence, kind, known | {each.key for each in guessed}))
     guessed += tuple(of_nodes(evidence, kind, known | {each.key for each in guessed}))
     return Chosen(
         files=kept,

@@ -1,0 +1,49 @@
+"""Parts of modules that the distribution's package does not have yet come from pip, in an image of ROS."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+FILES = {
+    "package.xml": "<package format='3'><name>eyes</name><exec_depend>rclpy</exec_depend>"
+    "<export><build_type>ament_python</build_type></export></package>",
+    "setup.py": "from setuptools import setup\nsetup(name='eyes', packages=['eyes'])\n",
+    "README.md": "    source /opt/ros/humble/setup.bash\n",
+}
+CODE = "import cv2\nimport rclpy\n"
+
+
+@pytest.mark.parametrize(
+    ("code", "there"),
+    [
+        ("from cv2.typing import MatLike\n", True),
+        ("import cv2.typing\n", True),
+        ("from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from cv2.typing import MatLike\n", False),
+        ("import typing\n", False),
+    ],
+)
+def test_cv2_typing_needs_a_newer_opencv_than_the_distributions(tree: Tree, code: str, *, there: bool) -> None:
+    found = tree({**FILES, "eyes/look.py": f"{CODE}{code}"})
+    assert ("opencv-python>=4.8.0.76" in {each.written for each in found.python.pip_guessed}) is there
+    assert "python3-opencv" in found.apt_guessed  # where pip fails, all but that part is there
+
+
+def test_beside_cv_bridge_numpy_stays_its_own(tree: Tree) -> None:
+    found = tree({**FILES, "eyes/look.py": f"{CODE}import cv_bridge\nfrom cv2.typing import MatLike\n"})
+    assert "numpy<2" in {each.written for each in found.python.bounds}
+
+
+def test_an_opencv_that_is_listed_is_the_only_one(tree: Tree) -> None:
+    lists = {"README.md": "    pip install -r requirements.txt\n", "requirements.txt": "opencv-python-headless\n"}
+    found = tree({**FILES, **lists, "eyes/look.py": f"{CODE}from cv2.typing import MatLike\n"})
+    assert [each.key for each in found.pip if "opencv" in each.key] == ["opencv-python-headless"]
+
+
+def test_without_ros_the_newest_is_taken_anyway(tree: Tree) -> None:
+    found = tree({"run.py": "import cv2\nfrom cv2.typing import MatLike\n"})
+    assert [each.written for each in found.pip if "opencv" in each.key] == ["opencv-python"]
