@@ -235,6 +235,8 @@ def test_a_key_of_python_2_is_that_of_python_3_where_there_is_no_other(
         ("rosbags", {"net.py": "import rclpy\nimport rosbags\n"}, "pip installs rosbags"),
         ("acme_arm", {"requirements.txt": "acme-arm\n"}, "pip installs acme-arm"),
         ("skimage", {"requirements.txt": "scikit-image\n"}, "pip installs scikit-image"),  # its module
+        ("python3-multipart", {"requirements.txt": "python-multipart\n"}, "pip installs python-multipart"),
+        ("python3-multipart", {"requirements.txt": "acme-multipart\n"}, "nothing here says where it comes from"),
         ("acme_arm", {"requirements.txt": "acme-leg\n"}, "the build looks for it"),
         (
             "acme_arm",

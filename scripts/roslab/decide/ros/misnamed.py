@@ -54,12 +54,14 @@ def library_called(name: str, ubuntu: str | None) -> Library | None:
 def of_installed(name: str, installed: Collection[str]) -> str:
     """Return what pip installs that a key is called like, or a module of which is, ``""`` where it is none of it.
 
-    Also behind ``python3-``, as rosdep's keys of Python are called. ``installed``: names in pip's plain spelling.
+    Also behind ``python3-``, as rosdep's keys of Python are called, where pip's own name may begin with ``python-``:
+    ``python3-multipart`` is python-multipart. ``installed``: names in pip's plain spelling.
     """
     of_python = _OF_PYTHON.fullmatch(name)
     called = of_python[1] if of_python else name
     brings = imports().get(called, (None, None))[0]
-    return next((key for key in map(canonicalize_name, (called, brings or called)) if key in installed), "")
+    names = (called, brings or called, *((f"python-{called}",) if of_python else ()))
+    return next((key for key in map(canonicalize_name, names) if key in installed), "")
 
 
 def packaged(name: str, target: Target) -> tuple[str, ...]:
