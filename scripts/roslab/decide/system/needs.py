@@ -27,7 +27,7 @@ from roslab.knowledge.compiled import programs as packaged
 from roslab.knowledge.cuda_toolkits import host_compilers
 from roslab.knowledge.distros import ubuntus_with_python2
 from roslab.knowledge.frameworks import imports
-from roslab.knowledge.libraries import qt_modules
+from roslab.knowledge.libraries import library, qt_modules
 from roslab.knowledge.released import ever_released, released
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
@@ -217,12 +217,12 @@ def _of_ros(module: str) -> bool:
     """Tell whether a ROS package of a module's name may bring it: none does where Ubuntu has it by another name.
 
     ``serial`` is pyserial's, which apt has too, and ROS's serial is a library of C++. Of a name that PyPI has, like
-    ``numpy``, only one that was released is a package of ROS.
+    ``numpy``, and of one that CMake knows a library of C by, only one that was released is a package of ROS.
     """
     package, apt = imports().get(module, (None, None))
     if package and apt and canonicalize_name(package) != canonicalize_name(module):
         return False
-    return not package or ever_released(module)
+    return not (package or library("cmake", module, None)) or ever_released(module)
 
 
 def _lacking(asked: Dependency, ros_distro: str | None) -> bool:

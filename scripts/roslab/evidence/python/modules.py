@@ -19,6 +19,7 @@ MAX_READ = 128 * 1024
 MAX_MODULES = 6_000
 """Most modules opened, those nearest to the root first."""
 _SETUP = "setup.py"
+_SPHINX = ("html_theme", "master_doc", "root_doc", "sphinx.ext")
 _ROS = pattern(r"py(?<=r(?:os|cl)py)")
 
 
@@ -64,7 +65,15 @@ def setup_scripts(repository: Repository) -> tuple[Module, ...]:
 
 
 def _modules(repository: Repository) -> tuple[Module, ...]:
-    return tuple(module for module in repository.once(_all) if module.file.name != _SETUP)
+    return tuple(module for module in repository.once(_all) if module.file.name != _SETUP and not _of_sphinx(module))
+
+
+def _of_sphinx(module: Module) -> bool:
+    """Tell whether a module configures Sphinx, whatever its folder is called: no program needs what that calls.
+
+    https://www.sphinx-doc.org/en/master/usage/configuration.html, 2026-11-27.
+    """
+    return module.file.name == "conf.py" and any(name in module.text for name in _SPHINX)
 
 
 def _setup_scripts(repository: Repository) -> tuple[Module, ...]:
