@@ -237,7 +237,7 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
     imported = {(m.file, m.value) for m in evidence.mentions if m.topic == "from_root"}
     tests = {program.file for program in evidence.programs if _TESTS.fullmatch(program.file)}
     whole = any(program.kind == "main" and "/" not in program.file for program in evidence.programs)
-    shown = []
+    shown, behind = [], []
     for program in sorted(evidence.programs, key=lambda program: program.imported):
         path = program.file
         if path in tests and len(tests) < len(evidence.programs):
@@ -247,7 +247,9 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
         if program.kind == "main" and words and not aside:
             argv, why = ("python3", *words), _why(program)
             each = Candidate(argv=argv, why=why, file=path, line=program.line, strong=False, inside=program.inside)
-            if places.example(path):
+            if program.relative and not program.module:
+                behind.append(each)
+            elif places.example(path):
                 shown.append(replace(each, cut=True))
             elif (
                 (scripts and program.module) or (whole and _TRIALS.match(path)) or (not program.guarded and helps(each))
@@ -257,6 +259,7 @@ def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:
                 found = True
                 yield each
     yield from shown if examples and not found else ()
+    yield from (replace(each, cut=True) if found or shown else each for each in behind)
 
 
 def _why(program: Program) -> str:
@@ -268,13 +271,17 @@ def _why(program: Program) -> str:
 def _words(program: Program, imported: Collection[tuple[str, str]], *, installed: bool) -> tuple[str, ...]:
     """Return what Python is given to start a program at the root or in a folder there, ``()`` for one further down.
 
-    A package is started by its name, one of ``src`` where pip installs the whole (``installed``).
+    A package is started by its name, one of ``src`` where pip installs the whole (``installed``), and so is a module
+    with relative imports.
     """
     path = program.file
     if program.module and "." not in program.module and (installed or path.count("/") == 1):
         return ("-m", program.module)
     if path.count("/") > 1:
         return ()
+    if program.relative:
+        words = _as_module(path)
+        return words if "/" in path and words[0] == "-m" else ()
     return _as_module(path) if (path, path.partition("/")[0]) in imported else (path,)
 
 

@@ -22,3 +22,5 @@ class Program:
     """Another module of the tree imports it."""
     module: str = ""
     """The package that ``python -m`` starts by it, of a ``__main__.py``: from above its folder, or of ``src``."""
+    relative: bool = False
+    """It imports what lies beside it by a dot, which Python refuses to a file that is started by its path."""

@@ -20,6 +20,9 @@ from roslab.values.pattern import pattern
 _MAIN = pattern(r"^if[ \t]+__name__[ \t]*==[ \t]*[\"']__main__[\"']", re.MULTILINE)
 _NODE = pattern(r"^[ \t]*(?:import rospy|from rospy|import rclpy|from rclpy)", re.MULTILINE)
 
+_RELATIVE = pattern(r"^from[ \t]+\.", re.MULTILINE)
+"""Not in a ``try``, where the other import may follow: https://docs.python.org/3/reference/import.html, 2026-11-27."""
+
 
 def read(repository: Repository) -> tuple[Program, ...]:
     """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node.
@@ -47,6 +50,7 @@ def _programs(repository: Repository) -> tuple[Program, ...]:
                     line=text.count("\n", 0, match.start()) + 1,
                     kind="node" if node else "main",
                     inside=own_folder(repository, module),
+                    relative=bool(_RELATIVE.search(text)) and "__package__" not in text,
                 )
             )
         elif not file.folder and called_like_one(file.name) and (line := first_statement(text)):
