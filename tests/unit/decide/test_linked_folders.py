@@ -34,3 +34,22 @@ def test_the_linker_is_told_the_folder_of_ros(tree: Tree, lines: str, value: str
         }
     )
     assert dict(decision.variables).get("LIBRARY_PATH") == value
+
+
+@pytest.mark.parametrize(
+    ("find", "page", "value"),
+    [
+        ("find_package(OpenRAVE REQUIRED)", "ROS Kinetic", "/opt/ros/kinetic/lib"),
+        ("find_package(OpenRAVE REQUIRED)", "ROS Noetic", None),  # which has no OpenRAVE
+        ("find_package(OMPL REQUIRED)", "ROS Kinetic", None),
+    ],
+)
+def test_names_that_a_configuration_file_gives(tree: Tree, find: str, page: str, value: str | None) -> None:
+    files = {
+        "package.xml": "<package><name>plan</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": f"project(plan)\nfind_package(catkin REQUIRED)\n{find}\nadd_executable(a a.cpp)\n"
+        "target_link_libraries(a ${OpenRAVE_LIBRARIES})\n",
+        "a.cpp": "int main() {}\n",
+        "README.md": f"{page}\n",
+    }
+    assert dict(tree(files).variables).get("LIBRARY_PATH") == value

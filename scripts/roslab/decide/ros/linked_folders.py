@@ -10,6 +10,7 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import distro
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import released
+from roslab.knowledge.table import rows
 
 _NAME = "LIBRARY_PATH"
 """Searched by the linker last; ROS sets what is searched at run time alone.
@@ -19,7 +20,8 @@ https://gcc.gnu.org/onlinedocs/gcc/Environment-Variables.html, read 2026-11-27."
 def linked_folders(evidence: Evidence, ros: str | None) -> Iterator[tuple[str, str, str, Dependency]]:
     """Yield the variable that tells the linker the folder of ROS's libraries, why it is set, and what needs it.
 
-    A library is one of such a package if it begins with the name by which its CMake requires that: ``g2o_core``.
+    A library is one of such a package if it begins with the name by which its CMake requires that: ``g2o_core``. The
+    configuration files of some packages give such names themselves.
     """
     known = distro(ros)
     if known is None:
@@ -35,6 +37,17 @@ def linked_folders(evidence: Evidence, ros: str | None) -> Iterator[tuple[str, s
             if package and each.namespace == "link" and not library("link", each.name, None):
                 why = f"CMake links {each.name} by its name, which only ROS's {package} has"
                 yield _NAME, f"/opt/ros/{known.name}/lib", why, each
+                return
+        for asked in project.dependencies:
+            row = next((row for row in rows("linked_by_bare_names") if row["name"] == asked.name), None)
+            if (
+                row
+                and asked.namespace == "cmake"
+                and row["package"] in released(known.name)
+                and not places.aside(asked.file)
+            ):
+                why = f"the libraries of {asked.name}, which only ROS's {row['package']} has, are linked by bare names"
+                yield _NAME, f"/opt/ros/{known.name}/lib", why, asked
                 return
 
 
