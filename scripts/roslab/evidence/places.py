@@ -20,7 +20,7 @@ _DOCUMENTATION = frozenset(
     (
         *("doc", "docs", *(f"{name}{number}" for name in ("doc", "docs") for number in range(10)), ".doc", ".docs"),
         *(f".{name}{number}" for name in ("doc", "docs") for number in range(10)),
-        *("documentation", "site", "website", "sphinx", "tutorial", "tutorials", "doxygen"),
+        *("documentation", "readthedocs", "site", "website", "sphinx", "tutorial", "tutorials", "doxygen"),
     )
 )
 _TEST = frozenset(

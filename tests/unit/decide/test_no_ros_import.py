@@ -28,8 +28,13 @@ def test_an_import_asks_for_no_library_of_c(tree: Tree, module: str, library: st
 @pytest.mark.parametrize(
     ("sphinx", "called"), [("html_theme = 'alabaster'", False), ("master_doc = 'index'", False), ("", True)]
 )
-@pytest.mark.parametrize("folder", ["readthedocs", "manual"])
+@pytest.mark.parametrize("folder", ["guide", "manual"])
 def test_what_sphinx_alone_reads_needs_nothing(tree: Tree, folder: str, sphinx: str, called: bool) -> None:
     decision = tree({f"{folder}/conf.py": CONF.format(sphinx), "run.py": "import six\nprint(six)\n"})
     assert ("doxygen" in {*decision.apt, *decision.apt_guessed}) == called
     assert ("pycairo" in {each.key for each in decision.python.pip_guessed}) == called
+
+
+def test_a_folder_of_read_the_docs_is_documentation(tree: Tree) -> None:
+    decision = tree({"readthedocs/conf.py": CONF.format(""), "run.py": "import six\nprint(six)\n"})
+    assert "doxygen" not in {*decision.apt, *decision.apt_guessed}
