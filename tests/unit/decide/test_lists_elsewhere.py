@@ -76,6 +76,12 @@ def test_all_lists_of_one_repository_are_kept(tree: Tree) -> None:
     assert [each[::2] for each in found] == [("lists", "! -path ./a.rosinstall ! -path ./b.rosinstall")]
 
 
+def test_brackets_in_a_name_stand_for_two_lists(tree: Tree) -> None:
+    lines = ["git clone https://github.com/lab/lists ~/x", "wstool merge ~/x/robot[-sim].rosinstall"]
+    kept = "! -path ./robot.rosinstall ! -path ./robot-sim.rosinstall"
+    assert _named(tree, *lines) == [("lists", LISTS.removesuffix(".git"), kept)]
+
+
 def test_two_owners_of_one_name_have_folders_of_their_own(tree: Tree) -> None:
     found = _named(tree, *(f"wstool merge {RAW.format(owned, 'a')}" for owned in ("foo/ws", "baz/ws")))
     assert [each[:2] for each in found] == [

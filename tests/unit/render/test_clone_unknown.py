@@ -165,6 +165,16 @@ def test_what_the_repository_itself_asks_for_is_looked_for_in_the_lists_of_its_c
     assert _run(image, "counting", "unlisted") == (0, ["counting", "docs", "lib"])
 
 
+def test_what_a_repository_of_lists_alone_does_not_name_is_looked_for_with_its_owner(image: Path) -> None:
+    _manifest(image / "manifests/mine", "mine", "lib", "unlisted")
+    _manifest(image / "lab/unlisted", "unlisted")
+    _commit(image / "lab/unlisted")
+    (image / "lab/lists").mkdir()
+    (image / "lab/lists/all.rosinstall").write_text("[]\n")
+    _git(image / "ws/src", "clone", "--quiet", _commit(image / "lab/lists").as_uri())
+    assert _run(image, "unlisted") == (0, ["docs", "lib", "unlisted"])
+
+
 @pytest.mark.parametrize(("version", "newest"), [("main", False), ("v2", True)])
 def test_a_branch_of_a_list_is_that_of_the_day_and_a_tag_stays(image: Path, version: str, newest: bool) -> None:
     _manifest(image / "other/numeric", "numeric")

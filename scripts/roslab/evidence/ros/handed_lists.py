@@ -36,6 +36,8 @@ _SET = pattern(
     r"(?:^|[ \t])(?:ARG[ \t]+|ENV[ \t]+|export[ \t]+)?([A-Za-z_]\w*)=[\"']?([\w./-]+)[\"']?[ \t]*$", re.MULTILINE
 )
 """What a script or a Dockerfile sets."""
+_EITHER = pattern(r"([^\s\[\]]*)\[([\w.-]{1,40})\]([^\s\[\]]*)")
+"""What stands for two names: ``robot[-sim].rosinstall``."""
 _VARIABLE = pattern(r"\$\{?([A-Za-z_]\w*)(?:\}|(?![\w}]))")
 _USUAL = (".repos", ".rosinstall")
 """Lists of these names are known without a command."""
@@ -71,7 +73,8 @@ def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
         if "#" in match["before"] and source != "readme":
             continue
         values = dict(reversed(_SET.findall(text))) if values is None else values
-        for word in (each.strip("\"'") for each in _filled(match["rest"], values).split()):
+        words = _EITHER.sub(r"\1\3 \1\2\3", _filled(match["rest"], values)).split()
+        for word in (each.strip("\"'") for each in words):
             if word.endswith(_USUAL) and "/" in word and not repository.named(posixpath.basename(word)):
                 line = text.count("\n", 0, match.start("rest")) + 1
                 yield Mention(

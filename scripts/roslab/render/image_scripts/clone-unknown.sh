@@ -3,7 +3,8 @@
 # Clones to the workspace the packages of these keys that the repository, whose package.xml files lie below MANIFESTS, and
 # the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos), by the name there, else
 # by what the listed repositories hold. What a clone asks for is then looked for with its owner, by the name of the package,
-# or of what it is a part of (X for X_msgs, X_Y for X_Y_Z). Each key is tried once. Ends with 1 where nothing was found.
+# or of what it is a part of (X for X_msgs, X_Y for X_Y_Z); and what the repository asks for and a repository of lists alone
+# does not name, with the owner of that. Each key is tried once. Ends with 1 where nothing was found.
 #   --before DAY  the newest commit not after this day (YYYY-MM-DD), unless a list names a tag or commit; of today if empty
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
@@ -71,6 +72,17 @@ held() {
   cat "${tried}.held"
 }
 
+# Prints a list of a repository that holds lists and no packages, which somebody cloned for them
+lists_alone() {
+  local list
+  while read -r list; do
+    if [ -z "$(find "$(dirname "${list}")" -name package.xml -print -quit)" ]; then
+      echo "${list}"
+      return
+    fi
+  done < <(find "${workspace}" -mindepth 2 -maxdepth 2 \( -name '*.rosinstall' -o -name '*.repos' \) | sort)
+}
+
 folder=''
 try() { # PACKAGE URL [REF]
   local url="$2" at=("${day[@]}") # git in the image takes the public hosts by https
@@ -104,9 +116,13 @@ for key in "$@"; do
       fi
     done < <("${tell}")
   done
-  if [ -z "${manifest}" ]; then continue; fi # the plan has it looked for with the owner of the repository
+  if [ -z "${manifest}" ]; then # the plan has it looked for with the owner of the repository, unless lists stand for that
+    manifest="$(lists_alone)"
+    if [ -z "${manifest}" ]; then continue; fi
+  fi
   # What is called like a library of the system is a package where the code includes headers of a folder of its name
-  if [[ "${key}" = lib* ]] && ! grep --quiet --recursive --exclude-dir=.git "^ *# *include *[<\"]${key}/" "$(dirname "${manifest}")"; then continue; fi
+  headers="^ *# *include *[<\"]${key}/"
+  if [[ "${key}" = lib* ]] && ! grep --quiet --recursive --exclude-dir=.git "${headers}" "$(dirname "${manifest}")"; then continue; fi
   origin="$(git -c safe.directory='*' -C "$(dirname "${manifest}")" config --get remote.origin.url)" || continue
   # A part is with the whole: in X for X_msgs, and in X_Y for X_Y_Z
   for name in $(sed --regexp-extended 'p; s/_(msgs|srvs|interfaces|lib)$//; p; :a; s/^([^_]+_.+)_[^_]*$/\1/; p; ta; d' <<<"${key}" | uniq); do
