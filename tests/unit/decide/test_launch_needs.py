@@ -106,6 +106,10 @@ GAZEBO = '<param name="robot_description" command="xacro $(find demo)/urdf/a.xac
 INCLUDE = '<include file="$(find demo)/launch/b.launch"/>\n'
 WORLD = '<node pkg="demo" type="world.py" name="w"/>\n'
 FOUND = '<xacro:include filename="$(find demo_arms)/a.xacro"/>'
+MACRO = f'<xacro:macro params="x" name="b">{FOUND}</xacro:macro>'
+CALLED = '<xacro:b x="1"><origin/></xacro:b>'
+INDIRECT = f'<xacro:macro name="c" params="x">{CALLED}</xacro:macro>'
+LOADED = '<xacro:include filename="$(find demo)/urdf/b.xacro"/>'
 ASKS = "import rospkg\ndef main():\n    {before}rospkg.RosPack().get_path('demo_arms')\n"
 
 
@@ -125,6 +129,13 @@ ASKS = "import rospkg\ndef main():\n    {before}rospkg.RosPack().get_path('demo_
         (GAZEBO, {"urdf/a.xacro": f"<robot>{FOUND}</robot>"}, "urdf/a.xacro"),
         (GAZEBO, {"urdf/a.xacro": f'<robot><xacro:if value="$(arg b)">{FOUND}</xacro:if></robot>'}, ""),
         (GAZEBO, {"urdf/a.xacro": f'<robot><xacro:macro name="b">{FOUND}</xacro:macro></robot>'}, ""),
+        (GAZEBO, {"urdf/a.xacro": MACRO + CALLED}, "urdf/a.xacro"),
+        (GAZEBO, {"urdf/a.xacro": MACRO + INDIRECT + '<xacro:c x="1"/>'}, "urdf/a.xacro"),
+        (GAZEBO, {"urdf/a.xacro": MACRO + INDIRECT}, ""),
+        (GAZEBO, {"urdf/a.xacro": f'{MACRO}<xacro:if value="$(arg b)">{CALLED}</xacro:if>'}, ""),
+        (GAZEBO, {"urdf/a.xacro": LOADED + CALLED, "urdf/b.xacro": MACRO}, "urdf/b.xacro"),
+        (GAZEBO, {"urdf/a.xacro": LOADED, "urdf/b.xacro": MACRO}, ""),
+        (GAZEBO, {"urdf/a.xacro": LOADED + MACRO, "urdf/b.xacro": CALLED}, "urdf/a.xacro"),
         (GAZEBO, {"urdf/a.xacro": f"<robot><!-- {FOUND} --></robot>"}, ""),
         (GAZEBO, {"urdf/a.xacro": FOUND.replace("demo_arms", "rviz")}, ""),
         (GAZEBO, {"urdf/a.xacro": FOUND.replace("demo_arms", "sns_ik_lib")}, "urdf/a.xacro"),

@@ -15,6 +15,7 @@ from roslab.evidence.lex.always_run import always_run
 from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.evidence.ros.given_arguments import Given, filled, given_to
 from roslab.evidence.ros.gone import included_elsewhere
+from roslab.evidence.ros.read_descriptions import always_read
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -34,8 +35,6 @@ _LOOKED_UP = pattern(
     re.MULTILINE,
 )
 """A package that a program of Python looks for, from the beginning of its line."""
-_ASIDE = pattern(r"<(/?)xacro:(?:if|unless|macro)\b")
-"""Where a part of a robot description that is not always read begins or ends."""
 _ELSEWHERE = pattern(
     r"#![ \t]{0,9}(/(?:home|Users|root|mnt|media|data)/\S{1,200}|/(?!opt/conda/)\S{0,99}conda\d?/\S{1,200})"
 )
@@ -161,14 +160,19 @@ class _Follow:
             named = self.launch[path].dependencies
             return tuple(loads), tuple(d for d in named if d.namespace == "ros" and d.strength != "optional")
         if path.endswith(_DESCRIPTIONS):
-            text = _always(without_xml_comments(text))
-            return tuple((each, ()) for each, _ in self._files(text)), tuple(
-                _asked(m[1], m, text, file) for m in _FOUND.finditer(text)
+            parts = tuple(always_read(path, self._description, lambda part: (each for each, _ in self._files(part))))
+            return tuple((each, ()) for _, part in parts for each, _ in self._files(part)), tuple(
+                _asked(match[1], match, part, name) for name, part in parts for match in _FOUND.finditer(part)
             )
         if path.endswith(".py"):
             found = _LOOKED_UP.finditer(text) if any(call in text for call in _LOOK_UP) else ()
-            return (), tuple(_asked(m[1], m, text, file) for m in found if always_run(text, m.start()))
+            return (), tuple(_asked(m[1], m, text, path) for m in found if always_run(text, m.start()))
         return (), ()
+
+    def _description(self, path: str) -> str | None:
+        """Return the text of a robot description without its comments, ``None`` for another file."""
+        file = self._file(path) if path.endswith(_DESCRIPTIONS) else None
+        return without_xml_comments(self.repository.read(file)) if file else None
 
     def _started(self, text: str) -> Iterator[tuple[str, Given]]:
         """Yield the files that a launch file in XML includes or loads, and the programs of Python that it starts."""
@@ -202,17 +206,6 @@ class _Follow:
                 yield there[0].path
 
 
-def _always(text: str) -> str:
-    """Return the text of a robot description without what a condition or a macro holds; its lines stay."""
-    kept, begin, depth = [], 0, 0
-    for match in _ASIDE.finditer(text):
-        part = text[begin : match.start()]
-        kept.append("\n" * part.count("\n") if depth else part)
-        begin, depth = match.start(), max(0, depth - 1) if match[1] else depth + 1
-    rest = text[begin:]
-    return "".join((*kept, "\n" * rest.count("\n") if depth else rest))
-
-
-def _asked(name: str, match: re.Match[str], text: str, file: File) -> Dependency:
+def _asked(name: str, match: re.Match[str], text: str, path: str) -> Dependency:
     line = text.count("\n", 0, match.start()) + 1
-    return Dependency(namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec")
+    return Dependency(namespace="ros", name=name, strength="used", file=path, line=line, role="exec")
