@@ -897,6 +897,46 @@ def test_a_program_is_started_in_the_folder_that_its_paths_begin_in(
     assert (found if isinstance(found, str) else " ".join(found)) == command
 
 
+_JOINED = "here = os.path.dirname(os.path.realpath(__file__))\nopen(os.path.join(here, '../data/a.dat'))"
+_DIRECT = "open(os.path.join(os.path.dirname(__file__),\n    '../data/a.dat'))"
+
+
+@pytest.mark.parametrize(
+    ("program", "beside", "page", "command"),
+    [
+        ("open('./data/a.dat')", "open('../data/a.dat')", "python3 main.py", "python3 src/main.py"),
+        ("open('./data/a.dat')", "open('../data/a.dat')", "cd src\npython3 main.py", "cd src && exec python3 main.py"),
+        ("open('./data/a.dat')\nopen('a.yaml')", "", "python3 main.py", "cd src && exec python3 main.py"),
+        ("print(1)", "open('../data/a.dat')", "python3 main.py", "cd src && exec python3 main.py"),
+        (_JOINED, "", "python3 main.py", "python3 src/main.py"),
+        (_DIRECT, "", "python3 main.py", "python3 src/main.py"),
+        ("open(Path(__file__).parent / '../data/a.dat')", "", "python3 main.py", "python3 src/main.py"),
+        ("open(os.path.join(root, '../data/a.dat'))", "", "python3 main.py", "cd src && exec python3 main.py"),
+        (f"{_JOINED}\nopen('../data/b.dat')", "", "python3 main.py", "cd src && exec python3 main.py"),
+        ("open('a.yaml')", "", "python3 main.py\npython3 ./src/main.py -v", "python3 src/main.py"),
+        ("open('a.yaml')", "", "cd src\npython3 main.py\ncd ..\npython3 src/main.py", "cd src && exec python3 main.py"),
+        ("open('a.yaml')", "", "python3 main.py\npython3 src/tools.py", "cd src && exec python3 main.py"),
+    ],
+)
+def test_a_program_is_started_where_its_page_and_its_own_paths_say_before_those_beside_it(
+    tree: Tree, program: str, beside: str, page: str, command: str
+) -> None:
+    files = {
+        "src/main.py": f"import tools\n{program}\n",
+        "src/tools.py": f"{beside}\n",
+        "src/a.yaml": "",
+        "data/a.dat": "",
+    }
+    found = tree({**files, "requirements.txt": "numpy\n", "README.md": f"# Usage\n```\n{page}\n```\n"}).command
+    assert (found if isinstance(found, str) else " ".join(found)) == command
+
+
+def test_a_sentence_before_a_command_with_a_path_starts_nothing_elsewhere(tree: Tree) -> None:
+    page = "# Usage\n\nTo train it, run `train.py` as you like:\n\n```\npython ./tools/train.py\n```\n"
+    files = {"tools/train.py": "open('a.yaml')\n", "tools/a.yaml": "", "requirements.txt": "numpy\n", "README.md": page}
+    assert tree(files).command == ("python", "tools/train.py")
+
+
 @pytest.mark.parametrize(
     ("page", "command"),
     [

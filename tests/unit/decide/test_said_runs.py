@@ -85,3 +85,11 @@ def test_a_path_that_is_added_before_the_import_is_enough(tree: Tree) -> None:
     files = {"planner/core.py": "", "test/test_plan.py": script, "requirements.txt": "numpy\n"}
     page = "# Demo\n\nThe script you need to run is `./test/test_plan.py`.\n"
     assert tree({**files, "README.md": page}).python_path == ()
+
+
+def test_what_the_script_has_from_the_root_comes_before_what_lies_beside_it(tree: Tree) -> None:
+    script = f"open('conf/a.yaml')\n{PLAN}"
+    files = {"test/test_plan.py": script, "test/other.py": "open('../conf/b.yaml')\n", "conf/a.yaml": "a: 1\n"}
+    page = "# Demo\n\nThe script you need to run is `./test/test_plan.py`.\n"
+    decision = tree({**files, "requirements.txt": "numpy\n", "README.md": page})
+    assert decision.command == ("python", "test/test_plan.py")

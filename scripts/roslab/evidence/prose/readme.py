@@ -34,6 +34,7 @@ from roslab.evidence.prose import (
 )
 from roslab.evidence.prose.absent_launches import absent_launch
 from roslab.evidence.prose.blanks import BLANK, distros_of, with_arguments, with_examples
+from roslab.evidence.prose.by_paths import started_by_paths
 from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.failing import of_failure
@@ -150,7 +151,8 @@ def _with_own_file(mention: Mention, programs: Mapping[str, str]) -> Mention:
 def of_page(repository: Repository, file: File) -> Prose:
     """Return what a page says; in its commands, files of the tree are relative to the root: ``../map.yaml``."""
     prose = _read(text_of(repository, file), file)
-    told = tuple(each for m in prose.mentions for each in _checked(m, repository))
+    found = (each for m in prose.mentions for each in _checked(m, repository))
+    told = tuple(started_by_paths(found, prose.mentions))
     named = said_runs.read(repository, file, text_of(repository, file), told)
     told += tuple(each for m in named for each in (_done_by(m, repository) if m.topic == "command" else (m,)))
     asked = (each for mention in told for each in (*called(mention, repository), *octave.asked(mention, repository)))

@@ -133,7 +133,7 @@ def _mention(written: str, rest: str, line: Line, page: File, repository: Reposi
     if said.inside or not folder or program != "python":
         return said
     there = replace(said, value=joined((program, name, *rest.split())), inside=folder)
-    return replace(said, inside=started_in(there, said.value.split(), repository))
+    return replace(said, inside=started_in(there, said.value.split(), repository, went=False))
 
 
 def _path(written: str, page: File, repository: Repository) -> str | None:

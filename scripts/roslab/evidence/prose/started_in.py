@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.prose.paths_in_code import paths_in
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -15,10 +16,6 @@ INSTALLED = "install"
 """Where a page has CMake install to, and a workspace of ROS."""
 MAX_FILES = 30
 MAX_SIZE = 128 * 1024
-_PATH = pattern(
-    r"[\"\']((?:\.{1,2}/)*(?:[\w-]+/)+[\w.-]*|(?:\.{1,2}/)*[\w-]+\.(?:ya?ml|json|csv|txt|np[yz]|xml|urdf|pth?|pkl|png|jpe?g|dat|mat))"
-)
-"""A file or a folder in a string, or what such a string begins with."""
 _ABOVE = pattern(r"(?:^|[\s=:,;(\"'])\.\./([\w-][\w./-]*)", re.MULTILINE)
 """A path from the folder above, in a file of settings."""
 _RELATIVE = pattern(r"(?:\.{1,2}/)*(?:(?:[\w-]+/)+[\w.-]*|[\w-]+\.[\w.-]+)")
@@ -27,13 +24,14 @@ _PLACES = {"bash": 1, "sh": 1, "roslaunch": 1, "ros2": 2}
 """Where the words of a command name a script or a launch file, if not in the first."""
 
 
-def started_in(mention: Mention, words: Sequence[str], repository: Repository) -> str:
+def started_in(mention: Mention, words: Sequence[str], repository: Repository, *, went: bool = True) -> str:
     """Return the folder that a page's command has to be run in, ``""`` if any folder will do.
 
     ``words``: the command with the paths of the tree from its root; ``mention.inside`` is the folder as written, which
     may begin with the repository's own name. Where a page goes nowhere, or to a folder that has no such program, its
     command can only be meant where the program lies by the path that it gives. An argument, or the code beside it,
-    names what is there from that folder only.
+    names what is there from that folder only. Where the page does not go there itself (``went``), what the program has
+    from the root alone comes before what the code beside it has.
     """
     said = mention.value.split()
     for word, path in zip(said, words, strict=True):
@@ -44,7 +42,10 @@ def started_in(mention: Mention, words: Sequence[str], repository: Repository) -
         there = bool(folder) and posixpath.join(folder, name) == path
         gone = any(repository.has(posixpath.join(end, name)) for end in ends(mention.inside) if end)
         goes = f"/{mention.inside}".endswith(f"/{folder}") if gone else not repository.has(name)
-        if there and goes and (_given(said, folder, repository) or _needs(mention, path, folder, repository)):
+        if not (there and goes):
+            break
+        rooted = not (went and mention.inside) and _of_root(path, folder, repository)
+        if _given(said, folder, repository) or (not rooted and _needs(mention, path, folder, repository)):
             return folder
         break
     return ""
@@ -141,12 +142,25 @@ def _needs(mention: Mention, program: str, folder: str, repository: Repository) 
         below = [file for file in below if file.size <= MAX_SIZE and not _of_others(file.path)]
         files += sorted(below, key=lambda file: file.path.count("/"))
     for file in files[:MAX_FILES]:
-        for written in {match[1] for match in _PATH.finditer(repository.read(file))}:
-            here, root = (posixpath.normpath(posixpath.join(base, written)) for base in (folder, ""))
-            above = written.startswith("../") and posixpath.dirname(here) in repository.folders
-            if (_has(here, repository) or above) and not _has(root, repository):
-                return True
+        if any(_only_here(written, folder, repository) for written in paths_in(repository.read(file))):
+            return True
     return False
+
+
+def _of_root(program: str, folder: str, repository: Repository) -> bool:
+    """Tell whether a program names a path that is in the tree from the root alone, and none from its folder alone."""
+    paths = paths_in(repository.read(program, limit=MAX_SIZE))
+    if any(_only_here(written, folder, repository) for written in paths):
+        return False
+    there = (path for path in map(posixpath.normpath, paths) if not _has(posixpath.join(folder, path), repository))
+    return any(_has(path, repository) for path in there)
+
+
+def _only_here(written: str, folder: str, repository: Repository) -> bool:
+    """Tell whether a path is in the tree from a folder and not from the root, or leads above that into the tree."""
+    here, root = (posixpath.normpath(posixpath.join(base, written)) for base in (folder, ""))
+    above = written.startswith("../") and posixpath.dirname(here) in repository.folders
+    return (_has(here, repository) or above) and not _has(root, repository)
 
 
 def _of_others(path: str) -> bool:
