@@ -58,13 +58,13 @@ def image(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def _run(image: Path, *keys: str, day: str = "") -> tuple[int, list[str]]:
+def _run(image: Path, *keys: str, day: str = "", manifests: str = "manifests") -> tuple[int, list[str]]:
     """Return the exit code and the packages that the workspace then has."""
     script = image / "clone-unknown"
     text = (FOLDER / "clone-unknown.sh").read_text()
     script.write_text(text.replace("tried=/tmp/clone-unknown", f"tried={image}/tried"))
     ran = subprocess.run(
-        ["bash", script, "--before", day, image / "manifests", image / "ws/src", *keys],
+        ["bash", script, "--before", day, image / manifests, image / "ws/src", *keys],
         env=os.environ | {"PATH": f"{image / 'bin'}:{os.environ['PATH']}"},
         capture_output=True,
         text=True,
@@ -78,6 +78,19 @@ def _run(image: Path, *keys: str, day: str = "") -> tuple[int, list[str]]:
 def test_the_owner_of_the_clone_that_asks_has_it(image: Path) -> None:
     assert _run(image, "numeric") == (0, ["docs", "lib", "numeric"])
     assert _run(image, "boosted") == (1, ["docs", "lib", "numeric"])
+
+
+def test_a_new_clone_is_not_its_own_double_where_the_workspace_holds_all_manifests(image: Path) -> None:
+    _manifest(image / "lab/numeric/lib", "lib")
+    _manifest(image / "lab/numeric/tools", "tools")
+    (image / "lab/numeric/package.xml").unlink()
+    _manifest(image / "lab/numeric/numeric", "numeric")
+    _git(image / "lab/numeric", "add", "--all")
+    _git(image / "lab/numeric", "commit", "--quiet", "--message", "apart")
+    _list(image, "numeric", image / "lab/numeric")
+    assert _run(image, "numeric", manifests="ws/src") == (0, ["docs", "lib", "numeric", "tools"])
+    hidden = {file.parent.relative_to(image).as_posix() for file in image.rglob("COLCON_IGNORE")}
+    assert hidden == {"ws/src/numeric/lib", "ws/src/numeric/tools"}  # what nothing needs is hidden, too
 
 
 def test_a_part_is_in_the_repository_of_the_whole(image: Path) -> None:

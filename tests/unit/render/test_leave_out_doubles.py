@@ -54,6 +54,14 @@ def test_what_is_hidden(tmp_path: Path, packages: dict[str, str], markers: tuple
     assert hidden(tmp_path, packages, *markers)[0] == found
 
 
+def test_a_clone_is_not_its_own_double_by_another_spelling_of_its_path(tmp_path: Path) -> None:
+    (tmp_path / "ws/src/new/mine").mkdir(parents=True)
+    (tmp_path / "ws/src/new/mine/package.xml").write_text("<package><name>mine</name></package>")
+    words = ["leave-out-doubles", "--beside", f"{tmp_path}/ws/../ws/src", "src/new"]
+    subprocess.run(words, cwd=tmp_path / "ws", capture_output=True, check=True)
+    assert not list(tmp_path.rglob("CATKIN_IGNORE"))
+
+
 def test_what_will_lie_in_the_workspace_counts(tmp_path: Path) -> None:
     for folder in ("ws/src/new/mine", "ws/src/new/other", "manifests/mine"):
         (tmp_path / folder).mkdir(parents=True)

@@ -15,6 +15,8 @@ if [ "$1" = --before ]; then
 fi
 manifests="$1" workspace="$2" tried=/tmp/clone-unknown
 shift 2
+beside=() # a repository that only lists clones has its manifests in the workspace alone
+if [ ! "${manifests}" -ef "${workspace}" ]; then beside=(--beside "${manifests}"); fi
 touch "${tried}" "${tried}.looked" "${tried}.held"
 export GIT_TERMINAL_PROMPT=0 # where a host has no such repository it asks for a password, which nobody is there to give
 
@@ -92,7 +94,7 @@ try() { # PACKAGE URL [REF]
   clone-holding "${at[@]}" "${url}" "${folder}" "$1"
   if [ ! -e "${folder}" ]; then return 1; fi
   # What it needs in turn may be there already: rosdep finds nothing where two packages have one name
-  (cd "$(dirname "${workspace}")" && leave-out-doubles --beside "${manifests}" "${folder#"$(dirname "${workspace}")/"}")
+  (cd "$(dirname "${workspace}")" && leave-out-doubles "${beside[@]}" "${folder#"$(dirname "${workspace}")/"}")
   chown --recursive --reference="${workspace}" "${folder}"
 }
 

@@ -7,7 +7,8 @@ set -euo pipefail
 
 beside=''
 if [ "${1:-}" = --beside ]; then
-  beside="$2"
+  beside="$(realpath --canonicalize-missing "$2")"
+  beside="${beside#"$(pwd -P)/"}" # spelled as the folders of the workspace are
   shift 2
 fi
 
