@@ -133,3 +133,17 @@ def test_one_package_of_many_is_hardly_any(workspace: Path) -> None:
     log = "".join(f"Failed   <<< part{number} [1s]\n" for number in range(11))
     found, _, said = _run(workspace, log, "--own", "src/mine", "src/mine", failing="mine/part0")
     assert (found, "hardly any builds" in said) == (1, True)
+
+
+@pytest.mark.parametrize("inside", ["mine/good/templates/new{}", "mine/old{}"])
+def test_what_no_build_tool_finds_is_not_left(workspace: Path, inside: str) -> None:
+    _package(workspace, "mine/good", "good")
+    _package(workspace, "mine/camera", "mine_camera")
+    (workspace / "src/mine/package.xml").unlink()
+    for number in range(9):
+        _package(workspace, inside.format(number), f"other{number}")
+        if "old" in inside:
+            (workspace / "src" / inside.format(number) / "COLCON_IGNORE").touch()
+    log = COLCON.replace("camera", "mine_camera") + COLCON.replace("camera", "good")
+    found, _, said = _run(workspace, log, "--own", "src/mine", "src/mine", failing="mine/camera")
+    assert (found, "hardly any builds" in said) == (1, True)
