@@ -39,7 +39,7 @@ def best_of(
     """
     if len(believed) == 1:
         return believed[0]
-    named = _named(evidence)
+    named = built_by_pages(evidence)
     lacking = {} if kind in {"ros1", "ros2"} else misfits(evidence)
     run = _run_by_ci(evidence) if kind == "cpp" else frozenset()
 
@@ -56,7 +56,7 @@ def _run_by_ci(evidence: Evidence) -> frozenset[str]:
     return frozenset(ubuntus().get(mention.value, mention.value) for mention in said)
 
 
-def _named(evidence: Evidence) -> frozenset[str]:
+def built_by_pages(evidence: Evidence) -> frozenset[str]:
     """Return the Dockerfiles that the pages at the root have built: ``docker build -f docker/gpu.Dockerfile .``.
 
     Or by Docker Compose.

@@ -7,10 +7,11 @@ from collections.abc import Iterable
 from typing import Protocol, TypeVar
 
 from roslab.config.model import Config
+from roslab.decide.best_dockerfile import built_by_pages
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.without_manifest import CLIENTS
-from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.values.dataclass import replace
 
 
@@ -23,10 +24,21 @@ _Found = TypeVar("_Found", bound=_Placed)
 
 
 def called_optional(evidence: Evidence) -> Mention | None:
-    """Return where the page says so, ``None`` where it does not, where a package is there, or pip installs nothing."""
+    """Return where the page says so, ``None`` where it does not, where a package is there, or pip installs nothing.
+
+    ``None``, too, where every image that pages build has ROS.
+    """
     if evidence.manifests or not any(each.installable and not each.folder for each in evidence.python):
         return None
-    return next((mention for mention in evidence.mentions if mention.topic == "optional_ros"), None)
+    said = next((mention for mention in evidence.mentions if mention.topic == "optional_ros"), None)
+    shown = _shown(evidence) if said else ()
+    return None if shown and all(each.speaks_of_ros for each in shown) else said
+
+
+def _shown(evidence: Evidence) -> tuple[AuthorDockerfile, ...]:
+    """Return the Dockerfiles that pages build."""
+    named = built_by_pages(evidence)
+    return tuple(each for each in evidence.dockerfiles if each.file in named)
 
 
 def without_optional_ros(evidence: Evidence, config: Config) -> Evidence:
@@ -38,7 +50,8 @@ def without_optional_ros(evidence: Evidence, config: Config) -> Evidence:
     chosen = config.kind in {"ros1", "ros2"} or config.base.ros or config.base.image or config.dockerfile
     if chosen or called_optional(evidence) is None:
         return evidence
-    folders = {posixpath.dirname(each.file) for each in evidence.dockerfiles if each.speaks_of_ros} - {""}
+    shown = {posixpath.dirname(each.file) for each in _shown(evidence)}
+    folders = {posixpath.dirname(each.file) for each in evidence.dockerfiles if each.speaks_of_ros} - {"", *shown}
     if not folders:
         return evidence
 

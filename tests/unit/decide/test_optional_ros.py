@@ -29,6 +29,14 @@ PACKAGE = {
     "ws/arm/package.xml": "<package><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>",
     "ws/arm/CMakeLists.txt": "project(arm)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
 }
+FOR_ALL = (
+    "You do not need to install ROS if you use our Docker image.",
+    "You do not need to install ROS if you\nuse our Docker image.",
+    "ROS is not required when you use the Docker image.",
+    "ROS is only needed for building.",
+    "ROS is only required to run the code.",
+    "ROS is not required to be built from source, install the packages.",
+)
 
 
 def decided(folder: Path, page: str, more: dict[str, str] | None = None, config: Config | None = None) -> Decision:
@@ -44,6 +52,7 @@ def decided(folder: Path, page: str, more: dict[str, str] | None = None, config:
         "# Arm\n\nROS 1 is not required if you simulate. It was tested with ROS Kinetic.\n",
         "# Arm\n\n- **ROS** (optional): Kinetic\n",
         "# Arm\n\n- *(Optional)* **ROS 2:** Humble\n",
+        "# Arm\n\nROS is only needed to build the ROS wrapper. Use our Docker image or install ROS Kinetic.\n",
         "# Arm\n\nYou don't need ROS for the simulation. It was tested with ROS Kinetic.\n",
     ],
 )
@@ -62,6 +71,7 @@ def test_plain_python(tmp_path: Path, page: str) -> None:
         ("# Arm\n\nInstall ROS Kinetic.\n", {}),
         ("# Arm\n\nROS packages are only read if asked for. Install ROS Kinetic.\n", {}),
         ("# Arm\n\nThe option `--ros-args` is optional. Install ROS Kinetic.\n", {}),
+        *((f"# Arm\n\n{said} It was tested with ROS Kinetic.\n", {}) for said in FOR_ALL),
         (HEADING, {"setup.py": ""}),
         (HEADING, PACKAGE),
     ],
@@ -76,3 +86,10 @@ def test_who_chooses_ros_has_it(tmp_path: Path) -> None:
     found = decided(tmp_path, HEADING, config=Config(base=Base(ros="kinetic")))
     assert (found.kind, found.ros_distro) == ("ros1", "kinetic")
     assert "gazebo7" in found.apt_guessed
+
+
+def test_a_dockerfile_that_the_page_builds_is_kept(tmp_path: Path) -> None:
+    page = f"{HEADING}\n## Docker\n```\ndocker build -f docker/Dockerfile -t arm .\n```\n"
+    copies = 'FROM ros:noetic\nCOPY . /arm\nRUN pip3 install /arm\nCMD ["python3", "/arm/arm/real.py"]\n'
+    found = decided(tmp_path, page, {"docker/Dockerfile": copies})
+    assert (found.kind, found.dockerfile) == ("ros1", "docker/Dockerfile")

@@ -22,6 +22,15 @@ _OPTIONAL = pattern(
     re.IGNORECASE,
 )
 """``ROS (only required if you want to use the real robot)``, ``ROS is optional``."""
+_OTHERWISE = pattern(
+    r"\b(?:docker|podman|singularity|apptainer|containers?|(?:our|this|the|provided|prebuilt|ready)\s(?:\w+\s)?image)\b|"
+    r"\bsources?\b|\b(?:for|to|when|while|be)\s(?:build|built|compil)\w*(?!\W+(?:\w+\W+){0,2}(?:ros|wrappers?|bridge)\b)|"
+    r"\bto\s(?:run|use|start|execute|launch)\s(?:(?:the|this|our|any)\s)?"
+    r"(?:code|demos?|examples?|library|nodes?|package|programs?|project|repo(?:sitory)?|scripts?|software)\b",
+    re.IGNORECASE,
+)
+"""It is in an image that the reader takes instead, its packages are, or it is needed by all: to run the code."""
+_END = pattern(r"[.!?](?:\s|$)")
 
 
 def read(repository: Repository) -> Iterator[Mention]:
@@ -30,7 +39,22 @@ def read(repository: Repository) -> Iterator[Mention]:
         text = text_of(repository, page) if "/" not in page.path else ""
         if not _OPTIONAL.search(text):
             continue
-        said = (line for line in lines_of(text) if not line.fenced and _OPTIONAL.search(line.text[:MAX_LINE]))
-        for line in [*said][:1]:
-            what = line.text.strip()[:160]
-            yield Mention(topic="optional_ros", value="", source="readme", file=page.path, line=line.number, text=what)
+        lines = [*lines_of(text)]
+        after = [*(line.text[:MAX_LINE] for line in lines[1:]), ""]
+        for line, following in zip(lines, after, strict=True):
+            if not line.fenced and _says(line.text[:MAX_LINE], following):
+                what = line.text.strip()[:160]
+                at = line.number
+                yield Mention(topic="optional_ros", value="", source="readme", file=page.path, line=at, text=what)
+                break
+
+
+def _says(line: str, following: str) -> bool:
+    """Tell whether a sentence that begins in a line says so; it may end in the line after it."""
+    whole = f"{line} {following}"
+    for match in _OPTIONAL.finditer(line):
+        begin = max((each.end() for each in _END.finditer(line, 0, match.start())), default=0)
+        end = _END.search(whole, match.end())
+        if not _OTHERWISE.search(whole[begin : end.start() if end else len(whole)]):
+            return True
+    return False
