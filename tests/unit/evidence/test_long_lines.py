@@ -10,9 +10,12 @@ import pytest
 from hanging import ends
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.yaml import Scalar
-from roslab.evidence.prose import ci_variables
+from roslab.evidence.lex.dockerfile import instructions
+from roslab.evidence.prose import ci_variables, container_scripts
+from roslab.evidence.prose.speaks_of_ros import speaks_of_ros
 from roslab.evidence.python import conda, on_gpu
 from roslab.evidence.ros import handed_lists, only_in_manifest, own_setup, package_xml
+from roslab.evidence.ros.only_programs import only_programs
 from trees import tree_of
 
 LONG = 20_000
@@ -131,3 +134,30 @@ def test_a_setting_for_the_gpu(tmp_path: Path, setting: str, *, told: bool) -> N
     with ends():
         found = [posixpath.basename(each.value) for each in on_gpu.read(repository, [launch])]
     assert found == (["a.launch"] if told else [])
+
+
+def test_a_word_of_many_installs_in_a_build(tmp_path: Path) -> None:
+    build = f"set(x {'install' * LONG})\nament_package()\n"
+    with ends():
+        assert not only_programs("go/a.py", "", tree_of(tmp_path / "large", {"CMakeLists.txt": build, "go/a.py": ""}))
+    build = f"set(x {'install' * (LONG // 3)})\nament_package()\n"
+    with ends():
+        assert only_programs("go/a.py", "", tree_of(tmp_path / "small", {"CMakeLists.txt": build, "go/a.py": ""}))
+
+
+@pytest.mark.parametrize("calls", ["my_install(a)", "x_install_all (a)", "installs(a)", "install(FILES a.b)"])
+def test_what_may_install_a_launch_file(tmp_path: Path, calls: str) -> None:
+    build = f"{calls}\nament_python_install_package(x)\nament_package()\n"
+    assert not only_programs("go/a.py", "", tree_of(tmp_path, {"CMakeLists.txt": build, "go/a.py": ""}))
+
+
+def test_a_container_with_many_mounts(tmp_path: Path) -> None:
+    script = f"docker run {'--mount=source=$1' * (LONG // 16)} a\n"
+    with ends():
+        assert not [*container_scripts.read(tree_of(tmp_path, {"a.sh": script}))]
+
+
+def test_a_step_of_many_settings() -> None:
+    written = [*instructions(f"FROM ubuntu:20.04\n{'RUN ' + '=a' * LONG + chr(10)}" + f"RUN {'=a' * LONG}\n" * 8)]
+    with ends():
+        assert not speaks_of_ros(written, "ubuntu:20.04")

@@ -19,7 +19,8 @@ _SCREEN = pattern(r"(?:^|[\s\"'(=])(?:(?:-e|--env)[ =]?[\"']?DISPLAY\b|(?:-v|--v
 """https://docs.docker.com/reference/cli/docker/container/run/ (``--env``, ``--volume``), read 2026-11-27."""
 _GIVEN = pattern(
     r"(?:^|[\s\"'(=])(?:-v|--volume)[ =]?[\"']?\$(?:\d|\{\d\})/?[\"']?:(/[\w.-][\w./-]*)"
-    r"|--mount[ =][^\s]*\b(?:source|src)=[\"']?\$(?:\d|\{\d\})[^\s]*\b(?:target|destination|dst)=(/[\w.-][\w./-]*)"
+    r"|--mount[ =][\"']?(?:[^\s,]{0,200},){0,8}(?:source|src)=[\"']?\$(?:\d|\{\d\})[^\s,]{0,200},"
+    r"(?:[^\s,]{0,200},){0,8}(?:target|destination|dst)=(/[\w.-][\w./-]*)"
 )
 """A folder of the host that is the script's first argument or a later one, and where it lies in the container."""
 

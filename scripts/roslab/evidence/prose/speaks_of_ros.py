@@ -10,7 +10,9 @@ from roslab.values.pattern import pattern
 
 _OF_ROS = pattern(r"(?<![a-z])(?:ros(?!pkg)|catkin(?!_pkg|-pkg)|colcon|ament)", re.IGNORECASE)
 """A word of it; rospkg and catkin_pkg are packages of pip, which bring no distribution."""
-_SCRIPT = pattern(r"(?<![\w./-])(?!\S*(?:conda|forge|mamba))\S+\.(?:sh|bash)(?!\w)|\bansible", re.IGNORECASE)
+_SCRIPT = pattern(
+    r"(?<![\w./-])(?!\S{0,200}(?:conda|forge|mamba))\S{1,200}\.(?:sh|bash)(?!\w)|\bansible", re.IGNORECASE
+)
 """A step that may install anything, in a file that is not read here; conda's installers bring nothing of ROS."""
 _PLAIN = pattern(r"(?:[\w.-]+/)*(?:cuda|cudagl|opengl|ubuntu|debian|python|pytorch|tensorflow)(?:[:@].*)?")
 """An image that has nothing of ROS; one that the author built may have it."""

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import re
+
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
+MAX_SIZE = 64 * 1024
 _COMMENT = pattern(r"#[^\n]*")
 _WHOLE = pattern(r"(?<!\w)ament_package\s*\(")
 _OF_CMAKE = r"(?:GNUInstallDirs|CTest|FetchContent|ExternalProject|Check\w+|CMake\w+|Find\w+)\s*\)"
 _MORE = pattern(
     rf"\binstall\s*\((?!\s*(?:TARGETS|EXPORT)\b)|\binclude\s*\((?!\s*{_OF_CMAKE})|\badd_subdirectory\s*\(|"
-    r"\b(?!ament_python_install_\w+)(?:\w+install\w*|install\w+)\s*\(|\bINSTALL_TO_SHARE\b"
+    r"\b(?!ament_python_install_\w+)(?!install\s{0,40}\()(?=\w{0,80}install)\w{1,160}\s{0,40}\(|\bINSTALL_TO_SHARE\b"
 )
 """What installs other files than programs and libraries, or may do so in a file or a macro of its own."""
-_SHARES = pattern(r"share|prefix", 2)
+_SHARES = pattern(r"share|prefix", re.IGNORECASE)
 """What a launch file calls the folder that its package installs its files into."""
 
 
@@ -26,7 +29,8 @@ def only_programs(path: str, folder: str, repository: Repository) -> bool:
     """
     inside = f"{folder}/" if folder else ""
     place = path[len(inside) :].rpartition("/")[0]
-    text = _COMMENT.sub("", repository.read(f"{inside}CMakeLists.txt")) if place else ""
+    text = repository.read(f"{inside}CMakeLists.txt") if place else ""
+    text = _COMMENT.sub("", text) if len(text) < MAX_SIZE else ""
     if not _WHOLE.search(text) or _MORE.search(text) or place.partition("/")[0] in text:
         return False
     return not _SHARES.search(repository.read(path))
