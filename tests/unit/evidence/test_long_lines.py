@@ -9,8 +9,8 @@ import pytest
 
 from hanging import ends
 from roslab.evidence.launch_file import LaunchFile
-from roslab.evidence.lex.yaml import Scalar
 from roslab.evidence.lex.dockerfile import instructions
+from roslab.evidence.lex.yaml import Scalar
 from roslab.evidence.prose import ci_variables, container_scripts
 from roslab.evidence.prose.speaks_of_ros import speaks_of_ros
 from roslab.evidence.python import conda, on_gpu
