@@ -119,6 +119,27 @@ def test_where_no_image_knows_the_gpus_it_is_told(tmp_path: Path) -> None:
         ("set(CUDA_INSTALL_DIR /usr/local/cuda-11.1)", "", "nvidia/cuda:11.1.1-devel-ubuntu16.04", False),
         ("set(CUDA_INSTALL_DIR /usr/local/cuda-7.5)", "CUDA 11.1", "ros:kinetic-ros-base", False),  # CMake tells more
         ("# set(CUDA_INSTALL_DIR /usr/local/cuda-10.2)", "", "ros:kinetic-ros-base", False),
+        (
+            "if(EXISTS /usr/local/cuda-10.2)\nset(CUDA_ARCH 53)\nendif()",
+            "",
+            "ros:kinetic-ros-base",
+            False,
+        ),
+        (
+            "if(EXISTS /usr/local/cuda-10.2)\nset(CUDA_DIR /usr/local/cuda-10.2)\nendif()",
+            "",
+            "ros:kinetic-ros-base",
+            False,
+        ),
+        ("find_library(A a HINTS /usr/local/cuda-10.2/lib64)", "", "ros:kinetic-ros-base", False),
+        (
+            "find_path(A a.h\n  PATHS /opt\n  /usr/local/cuda-10.2/include)",
+            "",
+            "ros:kinetic-ros-base",
+            False,
+        ),
+        ("my_search(A PATHS /usr/local/cuda-10.2)", "", "ros:kinetic-ros-base", False),
+        ("if(UNIX)\nset(CUDA_DIR\n  /usr/local/cuda-10.2)\nendif()", "", "nvidia/cuda:11.0.3-devel-ubuntu16.04", True),
         ("set(CUDA_INSTALL_DIR /usr/local/cuda)", "", "ros:kinetic-ros-base", False),
     ],
 )
