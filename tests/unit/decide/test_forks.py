@@ -91,6 +91,11 @@ def test_a_repository_of_the_same_owner_in_place_of_the_listed_one_is_told(
         ("It is not needed on Ubuntu.", False),
         ("Data sets are not available any more.", False),
         ("It works.", False),
+        ("This package is not available on Windows.", False),
+        ("It is not released for ROS Humble.", False),
+        ("This code does not work with older compilers.", False),
+        ("The simulator does not work without it.", False),
+        ("This package won't work without its data.", False),
     ],
 )
 def test_a_page_may_doubt_what_it_links_to(tree: Tree, said: str, doubted: bool) -> None:

@@ -21,10 +21,18 @@ _UNAVAILABLE = pattern(
     re.IGNORECASE,
 )
 _UNCERTAIN = pattern(
-    r"(?:\b(?:may|might|does|do|will|would) not|\b(?:doesn|don|won|wouldn)'t) work\b"
+    r"(?:\b(?:may|might|does|do|will|would) not|\b(?:doesn|don|won|wouldn)'t) work\b(?! without\b)"
     r"|\b(?:don'?t|do not|not) (?:know|sure|certain)\b[^.]{0,60}\bworks?\b",
     re.IGNORECASE,
 )
+_ELSEWHERE = pattern(
+    r"\b(?:on|for|in|under|with|to) (?:\w+ ){0,2}"
+    r"(?:windows|mac ?os(?: ?x)?|osx|arm(?:64|v\d\w*)?|aarch64|jetson\w*|raspberry|wsl\d?|"
+    r"conda|pip|ubuntu|debian|fedora|arch|ros ?[12]?|(?:ros ?[12]? )?(?:indigo|jade|kinetic|lunar|melodic|noetic|"
+    r"foxy|galactic|humble|iron|jazzy|rolling)|python|(?:other|older|newer|previous|earlier|later) \w+)\b",
+    re.IGNORECASE,
+)
+"""What is said of another system or release is said of no other."""
 _OF_CODE = pattern(
     r"\b(?:forks?|forked|original|upstream|version|repo(?:sitory)?|code|package|library|source|solver|it|this)\b",
     re.IGNORECASE,
@@ -48,6 +56,6 @@ def doubt(after: str) -> str:
     """Return the sentence behind a link that says that the code is not public or may not work, ``""`` without one."""
     for sentence in _SENTENCE.split(after):
         uncertain = _UNAVAILABLE.search(sentence) or _UNCERTAIN.search(sentence)
-        if uncertain and _OF_CODE.search(sentence) and len(sentence) <= MOST:
+        if uncertain and len(sentence) <= MOST and _OF_CODE.search(sentence) and not _ELSEWHERE.search(sentence):
             return " ".join(sentence.split()).strip(_MARKS)
     return ""
