@@ -12,9 +12,12 @@ _OFFER = pattern(r"\|(?<=\w\|)[\w-]")
 _START = r"(?:roslaunch|ros2[ \t]{1,4}launch|python[\d.]{0,5})[ \t]{1,4}"
 _FILE = r"[\w./-]{1,200}(?:\.launch(?:\.(?:py|xml|ya?ml))?|\.py)(?![\w./-])"
 _EITHER = r"(?:[ \t]{1,20}(?:or|/)|,)[ \t]{1,20}(?:or[ \t]{1,20})?"
+_OR_ELSE = r",?[ \t]{1,20}(?:or|/)[ \t]{1,20}"
 _PACKAGE = r"(?:\w{1,100}[ \t]{1,4})?"
-_SEVERAL = pattern(rf"(?<![\w`./-])({_START}{_PACKAGE}{_FILE})(?:{_EITHER}(?:{_START})?{_PACKAGE}{_FILE})+")
-"""Launch files or files of Python, of which a command can be given any."""
+_SEVERAL = pattern(
+    rf"(?<![\w`./-])({_START}{_PACKAGE}{_FILE})(?:{_OR_ELSE}{_START}{_PACKAGE}{_FILE}|{_EITHER}(?!{_START}){_PACKAGE}{_FILE})+"
+)
+"""Launch files or files of Python, of which a command can be given any; whole commands behind a comma all run."""
 _OR = pattern(r"(?:launch|py|xml|yaml|yml)(?:[ \t]{1,20}(?:or|/)|,)[ \t]", re.IGNORECASE)
 
 
