@@ -168,7 +168,8 @@ class Mention:
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""
     inside: str = ""
     """Of a command: the folder of the tree that it has to be started in; of what is fetched: the script; of an archive
-    for the home and a variable with a place in it: the file of the tree that names or reads it."""
+    for the home and a variable with a place in it: the file of the tree that names or reads it; of a folder of CUDA
+    that CMake names: what says little of the version."""
     variables: tuple[str, ...] = ()
     """Of a command: the variables that it is started with, ``NAME=VALUE``."""
 

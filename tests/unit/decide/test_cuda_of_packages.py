@@ -17,6 +17,7 @@ MANIFEST = (
 )
 MADE = "cmake_minimum_required(VERSION 3.8)\nproject(demo LANGUAGES CXX CUDA)\nfind_package(catkin REQUIRED)\n"
 TOOLKIT = "nvidia-cuda-toolkit"
+ARM = 'if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")\n'
 
 
 def _decided(root: Path, page: str, cmake: str = MADE, ros: str = "noetic") -> Decision:
@@ -117,7 +118,13 @@ def test_where_no_image_knows_the_gpus_it_is_told(tmp_path: Path) -> None:
         ("set(CUDA_INSTALL_DIR /usr/local/cuda-10.2)", "", "nvidia/cuda:11.0.3-devel-ubuntu16.04", True),
         ("include_directories(/usr/local/cuda-10.2/include)", "", "nvidia/cuda:11.0.3-devel-ubuntu16.04", True),
         ("set(CUDA_INSTALL_DIR /usr/local/cuda-11.1)", "", "nvidia/cuda:11.1.1-devel-ubuntu16.04", False),
-        ("set(CUDA_INSTALL_DIR /usr/local/cuda-7.5)", "CUDA 11.1", "ros:kinetic-ros-base", False),  # CMake tells more
+        ("set(CUDA_INSTALL_DIR /usr/local/cuda-10.2)", "CUDA 11.1", "nvidia/cuda:11.1.1-devel-ubuntu16.04", True),
+        (f"{ARM}set(A /usr/local/cuda-10.2)\nendif()", "", "ros:kinetic-ros-base", False),
+        (f"{ARM}else()\nset(A /usr/local/cuda-11.1)\nendif()", "", "nvidia/cuda:11.1.1-devel-ubuntu16.04", False),
+        ("if(EXISTS /b)\nset(A /usr/local/cuda-10.2)\nendif()", "", "ros:kinetic-ros-base", False),
+        ("set(A_HINTS /opt/a /usr/local/cuda-10.2)", "", "ros:kinetic-ros-base", False),
+        ("find_path(A a.h\n  /usr/local/cuda-10.2/include)", "", "ros:kinetic-ros-base", False),
+        ("set(A /usr/local/cuda-10.2)\nset(B /usr/local/cuda-11.1)", "", "ros:kinetic-ros-base", False),
         ("# set(CUDA_INSTALL_DIR /usr/local/cuda-10.2)", "", "ros:kinetic-ros-base", False),
         (
             "if(EXISTS /usr/local/cuda-10.2)\nset(CUDA_ARCH 53)\nendif()",

@@ -110,19 +110,23 @@ def _best(images: list[CudaImage], asked: _Asked | None) -> CudaImage:
 
 
 def _asked(evidence: Evidence) -> Iterator[_Asked]:
-    """Yield what CMake asks for, then what pages say, those at the root first."""
+    """Yield what CMake asks for, then what pages say, those at the root first, then the one folder that CMake names.
+
+    That is the author's own, and links lead from it to the toolkit that the image has.
+    """
     for project in on_cuda(evidence):
         for each in project.dependencies:
             if each.namespace == "cmake" and each.name in _NAMES and each.version and each.strength == "declared":
                 words = f"find_package asks for {each.name} {each.version}"
                 yield _Asked(lowest=each.version, place=each, words=words)
-    for path in evidence.mentions:
-        if path.topic == "cuda_path":
-            yield _Asked(exact=path.value, place=path, words=f"CMake names the toolkit of CUDA {path.value}")
     said = (m for m in evidence.mentions if m.topic == "cuda" and m.source == "readme")
     for mention in sorted(said, key=lambda m: m.file.count("/")):
         if not _OF_WHEELS.search(mention.text):
             yield _of_page(mention)
+    paths = [each for each in evidence.mentions if each.topic == "cuda_path" and not each.inside]
+    if len(paths) == 1:
+        words = f"CMake names the toolkit of CUDA {paths[0].value}"
+        yield _Asked(exact=paths[0].value, place=paths[0], words=words)
 
 
 def _of_page(mention: Mention) -> _Asked:

@@ -2,46 +2,73 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.lex.lines import end_of_line, matching_lines
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 FOLDER = "/usr/local/cuda-"
-_PATH = pattern(r"/usr/local/cuda-(\d{1,2}\.\d)\b(?![\w.-])")
+UNSURE = "hints"
+"""What a version stands in that only hints and branches for other processors name."""
+_PATH = pattern(r"[^#\n]{0,400}?/usr/local/cuda-(\d{1,2}\.\d)\b(?![\w.-])")
 """https://docs.nvidia.com/cuda/archive/10.2/cuda-installation-guide-linux/index.html#environment-setup, 2026-11-27"""
-_LOOKED_IN = frozenset({"HINTS", "PATHS"})
-"""https://cmake.org/cmake/help/latest/command/find_library.html, 2026-11-27"""
-_NEVER_NEEDED = ("find_", "message")
-"""Calls that look into a folder, one among others, or only tell of it."""
+
+_VERSION = pattern(r"/usr/local/cuda-(\d{1,2}\.\d)(?![\w.-])")
+_EVERY = frozenset({"*"})
+_ELSEWHERE = pattern(r"aarch64|arm64|\barmv?\d|jetson|tegra|l4t|\bEXISTS\b", re.IGNORECASE)
+_TURNED = pattern(r"NOT \(?")
+_HINTS = pattern(r"(?:\w*_)?(?:HINTS?|PATHS|SEARCH_\w+|CANDIDATES)|/usr/local/cuda(?:/.*)?")
+"""A word of a call that lists where something may be: also the folder of whichever toolkit is there."""
+_SEARCHES = ("find_library", "find_path", "find_file", "find_program", "find_package")
 
 
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield each version once, at the first place that names its folder; none of vendored code, examples or tests.
 
-    What looks whether the folder is there, or searches it, needs none: made, it would be taken for the real one.
+    What nothing but hints and branches for other processors names says so (``inside``).
     """
-    told: set[str] = set()
+    found: dict[str, Mention] = {}
     for file in (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake")):
         text = "" if places.aside(file.path) else repository.read(file)
-        for call in calls(text, frozenset({"*"})) if FOLDER in text else ():
-            for version in _named(call):
-                if version not in told:
-                    told.add(version)
-                    said = f"{call.name}({' '.join(call.written)})"[:120]
-                    yield Mention(
-                        topic="cuda_path", value=version, source="code", file=file.path, line=call.line, text=said
-                    )
+        if FOLDER not in text:
+            continue
+        plain = set() if file.name.startswith("Find") else _plainly(text)
+        for match in matching_lines(_PATH, text, FOLDER):
+            line = text.count("\n", 0, match.start()) + 1
+            said = text[match.start() : end_of_line(text, match.start())].strip()[:120]
+            inside = "" if match[1] in plain else UNSURE
+            mention = Mention(
+                topic="cuda_path", value=match[1], source="code", file=file.path, line=line, text=said, inside=inside
+            )
+            first = found.setdefault(match[1], mention)
+            if first.inside and not inside:
+                found[match[1]] = mention
+    yield from found.values()
 
 
-def _named(call: Call) -> Iterator[str]:
-    """Yield the versions that a call needs."""
-    if call.name.startswith(_NEVER_NEEDED) or any(FOLDER in condition for condition in call.conditions):
-        return
-    for word in call.written:
-        if word in _LOOKED_IN:
-            return
-        yield from _PATH.findall(word)
+def _plainly(text: str) -> set[str]:
+    """Return the versions whose folders calls name that are no hints and for every processor."""
+    return {
+        version
+        for call in calls(text, _EVERY)
+        if not _is_hint(call) and not any(map(_of_another, call.conditions))
+        for word in call.written
+        for version in _VERSION.findall(word)
+    }
+
+
+def _is_hint(call: Call) -> bool:
+    return call.name in _SEARCHES or any(map(_HINTS.fullmatch, call.written))
+
+
+def _of_another(condition: str) -> bool:
+    """Tell whether a condition holds on other processors, or only where a folder is there."""
+    turned = False
+    while match := _TURNED.match(condition):
+        turned, condition = not turned, condition[match.end() :]
+    return bool(_ELSEWHERE.search(condition)) and not turned
