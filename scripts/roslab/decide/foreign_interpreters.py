@@ -6,7 +6,7 @@ from roslab.config.model import Config
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.distros import ubuntus_with_python2
+from roslab.knowledge.distros import python_of_ubuntu, ubuntus_with_python2
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -24,9 +24,21 @@ def decide_interpreters(evidence: Evidence, config: Config, ubuntu: str | None) 
     for launch in evidence.launch:
         for file, named in launch.foreign:
             match = _PYTHON.fullmatch(named)
-            old = ubuntu in ubuntus_with_python2()
-            if match and not (old and match[1].startswith("python3")):  # the ROS there is for Python 2
-                found.setdefault(named, ("python2" if old else "python3", Place(file=file, line=1)))
+            if match and (python := _meant(match[1], ubuntu, alone=file in launch.without_ros)):
+                found.setdefault(named, (python, Place(file=file, line=1)))
     why = "launch files start scripts whose first line names it: a link there leads to the image's Python"
     reasons = tuple(because("workspace", name, why, place, weight=LINKED) for name, (_, place) in found.items())
     return Choice(answer=tuple((name, python) for name, (python, _) in found.items()), reasons=reasons)
+
+
+def _meant(name: str, ubuntu: str | None, *, alone: bool) -> str:
+    """Return the image's Python that stands for one of a name, ``""`` for none.
+
+    Where ROS has Python 2, a program for Python 3 can do without only if it imports nothing of ROS, and with the
+    Ubuntu's own version.
+    """
+    if ubuntu not in ubuntus_with_python2():
+        return "python3"
+    if not name.startswith("python3"):
+        return "python2"
+    return "python3" if alone and name in {"python3", f"python{python_of_ubuntu().get(ubuntu or '')}"} else ""

@@ -202,7 +202,33 @@ def test_the_python_of_an_older_ros_stands_for_it(tree: Tree) -> None:
     files = {**PACKAGE, "scripts/a.py": f"#!{CONDA}\n", "README.md": "ROS Melodic\n"}
     files["launch/b.launch"] = '<launch><node pkg="demo" type="a.py" name="b"/></launch>'
     assert tree(files).interpreters == ((CONDA, "python2"),)
-    assert tree({**files, "scripts/a.py": "#!/home/joe/bin/python3\n"}).interpreters == (), "rospy is Python 2's there"
+    rospy = "#!/home/joe/bin/python3\nimport rospy\n"
+    assert tree({**files, "scripts/a.py": rospy}).interpreters == (), "rospy is Python 2's there"
+
+
+@pytest.mark.parametrize(
+    ("name", "imports", "page", "linked"),
+    [
+        ("python3", "import numpy, sys", "ROS Melodic\n", True),
+        ("python3.6", "import odd_things\nfrom scipy.stats import entropy", "ROS Melodic\n", True),
+        ("python3.5", "import numpy", "ROS Kinetic\n", True),
+        ("python3.8", "import numpy", "ROS Melodic\n", False),
+        ("python3.6", "import numpy\nfrom std_msgs.msg import Header", "ROS Melodic\n", False),
+        ("python3.6", "import numpy, demo.more", "ROS Melodic\n", False),
+        ("python3.6", "import rospkg", "ROS Melodic\n", True),
+    ],
+)
+def test_a_program_for_python_3_that_imports_nothing_of_ros(
+    tree: Tree, name: str, imports: str, page: str, *, linked: bool
+) -> None:
+    path = f"/home/joe/env/bin/{name}"
+    files = {**PACKAGE, "scripts/a.py": f"#!{path}\n{imports}\n", "README.md": page}
+    files["launch/b.launch"] = '<launch><node pkg="demo" type="a.py" name="b"/></launch>'
+    decision = tree(files)
+    assert decision.interpreters == (((path, "python3"),) if linked else ())
+    assert any(path in each.message for each in decision.warnings) is not linked
+    assert ("python3-numpy" in decision.apt_guessed) == ("numpy" in imports)
+    assert ("python3-scipy" in decision.apt_guessed) == ("scipy" in imports)
 
 
 @pytest.mark.parametrize(

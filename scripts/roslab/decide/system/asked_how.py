@@ -25,6 +25,7 @@ _HOW = {
     "typelib": "a program asks for a library of GObject, which needs {}",
     "backend": "matplotlib draws its windows by a library that needs {}",
     "python3": "a program whose first line asks for Python 3 imports what {} has",
+    "python3 elsewhere": "a program whose first line asks for Python 3 imports what {} has",
     "shebang": "the first line of a program names {}",
     "named": "the page names {}",
     "linked": "a compiled file of the tree is linked with {}",

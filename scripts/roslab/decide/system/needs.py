@@ -21,7 +21,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.called_in_scripts import IN_SCRIPT, PYTHON
-from roslab.evidence.python.of_python3 import ROLE
+from roslab.evidence.python.of_python3 import ROLE, ROLE_ELSEWHERE
 from roslab.knowledge.authors_own import authors_own
 from roslab.knowledge.compiled import programs as packaged
 from roslab.knowledge.cuda_toolkits import host_compilers
@@ -65,7 +65,7 @@ def _all(
         yield from ((dependency, True) for dependency in always_of_packages(evidence, folders))
     for dependency in evidence.code:
         # Others have a `python` of their own
-        started_by = kind in {"ros1", "ros2"} and dependency.role in {"shebang", ROLE}
+        started_by = kind in {"ros1", "ros2"} and dependency.role in {"shebang", ROLE, ROLE_ELSEWHERE}
         elsewhere = dependency.name == PYTHON and kind not in {"ros1", "ros2"}
         if dependency.namespace == "include" or started_by or (dependency.role in _OF_CODE and not elsewhere):
             yield dependency, False
@@ -91,7 +91,7 @@ def of_another_python(dependency: Dependency, ubuntu: str | None) -> bool:
     """Tell whether a program or a script asks for nothing: for ``python`` where that is 2, for 3 where ROS's is 3."""
     of_python2 = ubuntu in ubuntus_with_python2()
     plain = dependency.role in {"shebang", IN_SCRIPT} and dependency.name == PYTHON
-    return (plain and (of_python2 or ubuntu is None)) or (dependency.role == ROLE and not of_python2)
+    return (plain and (of_python2 or ubuntu is None)) or (dependency.role in {ROLE, ROLE_ELSEWHERE} and not of_python2)
 
 
 def _made(evidence: Evidence) -> Iterator[Dependency]:

@@ -12,6 +12,9 @@ from roslab.values.pattern import pattern
 
 ROLE = "python3"
 _FIRST_LINE = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python3[\d.]*[ \t]*\r?\n")
+ROLE_ELSEWHERE = "python3 elsewhere"
+"""Of such a program whose first line names a Python 3 of the author's machine, for which the image's stands."""
+_FIRST_LINE_ELSEWHERE = pattern(r"\A#![ \t]*/(?!usr/)\S{1,200}/python3[\d.]*[ \t]*\r?\n")
 _OF_MODULES = {"rospy": ("python3-yaml", "python3-rospkg-modules"), "matplotlib": ("python3-tk",)}
 """What a module needs beside its own package, or instead of one: rospy is ROS's own, for either Python.
 
@@ -26,12 +29,14 @@ https://github.com/ros-infrastructure/rospkg/blob/master/stdeb.cfg, 2026-11-27
 
 def of_python3(module: Module, imported: Collection[str]) -> Iterator[Dependency]:
     """Yield Ubuntu's packages for Python 3 of the modules that such a program imports, but for a test's."""
-    if not _FIRST_LINE.match(module.text) or places.test(module.file.path):
+    role = ROLE if _FIRST_LINE.match(module.text) else ROLE_ELSEWHERE
+    elsewhere = role != ROLE and not module.names_ros and _FIRST_LINE_ELSEWHERE.match(module.text)
+    if not (role == ROLE or elsewhere) or places.test(module.file.path):
         return
     for top in imported:
         kept = package_of(top)
         for name in filter(None, (kept, *_OF_MODULES.get(top, ()))):
-            yield Dependency(namespace="apt", name=name, strength="used", file=module.file.path, line=1, role=ROLE)
+            yield Dependency(namespace="apt", name=name, strength="used", file=module.file.path, line=1, role=role)
 
 
 def package_of(module: str) -> str:

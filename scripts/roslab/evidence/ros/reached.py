@@ -39,6 +39,10 @@ _ELSEWHERE = pattern(
     r"#![ \t]{0,9}(/(?:home|Users|root|mnt|media|data)/\S{1,200}|/(?!opt/conda/)\S{0,99}conda\d?/\S{1,200})"
 )
 """A first line that names an interpreter in somebody's own folder; images of conda have theirs in `/opt/conda`."""
+_IMPORTED = pattern(
+    r"^[ \t]{0,80}(?:from[ \t]{1,9}([\w.]{1,200})[ \t]{1,9}import\b|import[ \t]{1,9}([\w., \t]{1,400}))", re.MULTILINE
+)
+"""What a program of Python imports from, or a list of modules that it imports."""
 _DESCRIPTIONS = (".xacro", ".urdf")
 _PARAMETERS = (".yaml", ".yml", ".rviz")
 
@@ -53,11 +57,13 @@ def with_reached(
     ``folders``: the package of each folder, ``conditional``: whether a condition decides about a part of a launch file.
     """
     follow = _Follow(repository, found, folders, conditional)
+    foreign = {each.file: tuple(follow.foreign(each)) if each.ros == 1 else () for each in found}
     return tuple(
         replace(
             each,
             reached=tuple(follow.needs(each)),
-            foreign=tuple(follow.foreign(each)) if each.ros == 1 else (),
+            foreign=foreign[each.file],
+            without_ros=frozenset(file for file, _ in foreign[each.file] if follow.without_ros(file)),
             elsewhere=tuple(follow.elsewhere(each.file)),
             gone=tuple(follow.gone(each.file)),
             loaded=tuple(follow.loaded(each.file)),
@@ -100,6 +106,16 @@ class _Follow:
                 named = _ELSEWHERE.match(self.repository.read(file))
                 if named and not self._installed(path):
                     yield path, named[1]
+
+    def without_ros(self, path: str) -> bool:
+        """Tell whether a program imports nothing of ROS: no package of the tree, or that any distribution released."""
+        from roslab.knowledge.released import ever_released  # noqa: PLC0415 - few launch files need it
+
+        file = self._file(path)
+        said = _IMPORTED.finditer(self.repository.read(file) if file else "")
+        parts = (part.strip() for match in said for part in (match[1] or match[2]).split(","))
+        names = {part.partition(" ")[0].partition(".")[0] for part in parts}
+        return not any(name in self.packages or ever_released(name) for name in names)
 
     def elsewhere(self, start: str) -> Iterator[tuple[str, str, int]]:
         """Yield the programs of Python that put folders of the author's machine on their path."""
