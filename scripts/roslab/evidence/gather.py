@@ -103,6 +103,7 @@ from roslab.evidence.python import (
     tests,
 )
 from roslab.evidence.python.modules import modules
+from roslab.evidence.python.opened_notebooks import used_in_notebooks
 from roslab.evidence.ros import (
     author_folders,
     beside_python,
@@ -198,7 +199,7 @@ def gather(repository: Repository) -> Evidence:
         code=(
             *cpp.read(repository, signs, intrinsics, nowhere),
             *nowhere.all(signs),
-            *imported,
+            *(imported if manifests else used_in_notebooks(own, imported, (*prose.mentions, *said))),
             *called.read(own),
             *loggers.read(own),
             *plot_backends.read(own),

@@ -80,3 +80,35 @@ def test_the_size_and_the_number_of_large_ones_are_bounded(tree: Tree) -> None:
     assert guessed(tree({"a.ipynb": large, "b.ipynb": notebook("import ikpy")})) == {"ikpy"}
     many = {f"n{n}.ipynb": notebook("a = 1", printed=notebooks.LARGE) for n in range(notebooks.MAX_LARGE)}
     assert guessed(tree({**many, "z.ipynb": notebook("import tabulate", printed=notebooks.LARGE)})) == {"ikpy"}
+
+
+LIBRARY = {
+    "pyproject.toml": "[project]\nname = 'swing'\nversion = '1'\ndependencies = ['numpy']\n",
+    "swing/__init__.py": "import numpy\n",
+}
+NAMED = "# Swing\n\nThe notebook `lesson/a.ipynb` shows the plots.\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "place", "names"),
+    [
+        ({"README.md": NAMED}, "lesson/a.ipynb", {"ipywidgets"}),
+        ({"README.md": "# Swing\n```\njupyter notebook lesson/a.ipynb\n```\n"}, "lesson/a.ipynb", {"ipywidgets"}),
+        ({"README.md": "# Swing\n"}, "lesson/a.ipynb", set()),
+        ({"README.md": NAMED}, "lesson/b.ipynb", set()),
+        ({"lesson/README.md": "Open `lesson/a.ipynb`.\n"}, "lesson/a.ipynb", set()),
+        ({"README.md": NAMED.replace("lesson", "tests")}, "tests/a.ipynb", set()),
+    ],
+)
+def test_what_a_notebook_imports_is_needed_where_the_page_at_the_root_names_it(
+    tree: Tree, page: dict[str, str], place: str, names: set[str]
+) -> None:
+    cells = notebook("import os", "import swing", "from ipywidgets import interact", "  import tabulate", "a = 1")
+    assert guessed(tree({**LIBRARY, **page, place: cells})) == names
+
+
+def test_what_another_notebook_has_first_is_needed_by_the_one_that_is_named(tree: Tree) -> None:
+    cells = notebook("import ipywidgets", "a = 1")
+    files = {"a.ipynb": cells, "lesson/a.ipynb": notebook("a = 1", "import ipywidgets")}
+    found = tree({**LIBRARY, **files, "README.md": NAMED}).python.pip_guessed
+    assert [each.file for each in found if each.name == "ipywidgets"] == ["lesson/a.ipynb"]
