@@ -168,3 +168,13 @@ def test_what_is_bare_is_installed_without_what_it_asks_for(tmp_path: Path) -> N
         f"--no-cache-dir --no-build-isolation --no-deps {clone}",
     ]
     assert (tmp_path / "left-out.txt").read_text() == f"pip {clone}\n"
+
+
+def test_another_version_of_what_is_bare_is_installed_so_too(tmp_path: Path) -> None:
+    calls = _run(tmp_path, "--no-deps=sdf==1.0", refused="sdf==1.0\nsdf==1.0.*\n")
+    assert [call for call in calls if "list" not in call] == [
+        "--no-cache-dir --no-deps sdf==1.0",
+        "--no-cache-dir --no-build-isolation --no-deps sdf==1.0",
+        "--no-cache-dir --no-deps sdf==1.0.*",
+        "--no-cache-dir --no-deps sdf",
+    ]

@@ -106,13 +106,13 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
   case "${package#"${name}"}" in
     == | *[!0-9.=]*) ;;
     ==*)
-      if "${pip[@]}" "${package}.*"; then
+      if "${pip[@]}" ${alone[@]+"${alone[@]}"} "${package}.*"; then
         echo "roslab: pip cannot install ${package} here: a version of ${package}.* is taken" >&2
         continue
       fi
       ;;
   esac
-  if [ "${name}" != "${package}" ] && "${pip[@]}" "${name}"; then
+  if [ "${name}" != "${package}" ] && "${pip[@]}" ${alone[@]+"${alone[@]}"} "${name}"; then
     echo "roslab: pip cannot install ${package} here: another version is taken" >&2
     continue
   fi
