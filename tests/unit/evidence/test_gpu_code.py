@@ -36,12 +36,14 @@ def test_code_for_one_generation_is_told_at_its_line(tmp_path: Path, line: str) 
         FLAGS.format("-gencode arch=compute_50,code=sm_50 -gencode arch=compute_50,code=compute_50"),
         FLAGS.format('"-gencode arch=compute_50,code=[sm_50,compute_50]"'),
         FLAGS.format("-arch=sm_50"),
+        FLAGS.format("-gencode arch=compute_90a,code=sm_90a"),
+        FLAGS.format("-gencode arch=compute_100f,code=sm_100f"),
         FLAGS.format("-gencode arch=compute_${GPU},code=sm_${GPU}"),
         f"if(JETSON)\n{ONE}\nendif()",
         f"# {ONE}",
         "",
     ],
-    ids=["two", "PTX", "PTX in a list", "short", "variable", "condition", "comment", "nothing"],
+    ids=["two", "PTX", "PTX in a list", "short", "suffix a", "suffix f", "variable", "condition", "comment", "nothing"],
 )
 def test_code_for_more_or_for_an_unknown_one_is_not(tmp_path: Path, line: str) -> None:
     assert list(gpu_code.read(tree_of(tmp_path, {"CMakeLists.txt": CMAKE.format(line)}))) == []

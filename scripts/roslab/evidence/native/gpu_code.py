@@ -14,7 +14,8 @@ from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
 _CODE = pattern(r"code=[\[\"'\\]*((?:(?:sm|compute|lto)_\w+,?)+|[^\s\"';]*)")
-_REAL = pattern(r"sm_(\d+)(\d)[af]?")
+_REAL = pattern(r"sm_(\d+)(\d)")
+"""Without the suffixes a and f: PTX of these runs on no later generation either."""
 _WITH_PTX = pattern(r"(?<!code)(?:-arch|--gpu-architecture)[= ]+(?:sm|compute)_\d")
 """Without ``-code``, it stands for the machine code and PTX."""
 
@@ -30,7 +31,7 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
         names = [name for parts, _ in said for name in parts.strip("]'\"\\").split(",") if name]
         real = [_REAL.fullmatch(name) for name in names]
         if not names or not all(real) or any(_WITH_PTX.search(words) for words, _ in passed):
-            continue  # a variable, or PTX for the rest
+            continue  # a variable, PTX for the rest, or code that no PTX helps
         generations = {match[1] for match in real if match}
         if len(generations) == 1:
             yield _told(generations.pop(), max(names).replace("sm", "compute")), file.path, said[0][1]
