@@ -23,6 +23,8 @@ MAIN = "#include <ros/ros.h>\nint main(int argc, char **argv)\n{{\n    {}\n}}\n"
         ("if (argc != 2)\n        return -1;\n    run(argv[1]);", 1, "argc != 2"),
         ("if (argc <= 1) {\n  exit(1);\n}", 1, "argc <= 1"),
         ("if (argc < 2) throw std::runtime_error(usage);", 1, "argc < 2"),
+        ('if (argc < 2) { puts("Usage: slam MAP"); return 0; }\n    run(argv[1]);', 1, "argc < 2"),
+        ("#if 0\n    #if 1\n    #endif\n    if (argc < 2) return 1;\n    #endif\n    run(argv[1]);", 1, "argv[1]"),
         ("// if (argc < 2) return 1;\n    run(argv[1]);", 1, "argv[1]"),
         ("std::cout << argv[0];\n    run(argv[1]);", 1, "argv[1]"),
     ],
@@ -52,6 +54,9 @@ def test_what_it_needs(body: str, number: int, said: str) -> None:
         "for (int i = 1; i < argc; i++) run(argv[i]);",
         "std::vector<std::string> all(argv, argv + argc);\n    run(argv[1]);",
         "gflags::ParseCommandLineFlags(&argc, &argv, true);\n    run(argv[1]);",
+        'if (argc < 2) { puts("default"); run("demo.map"); return 0; }\n    run(argv[1]);',
+        "if (argc < 2) { run(); exit(EXIT_SUCCESS); }\n    run(argv[1]);",
+        "#if 0\n    if (argc < 2) return 1;\n    #else\n    run();\n    #endif",
         "char **next = argv;\n    run(argv[1]);",
     ],
 )

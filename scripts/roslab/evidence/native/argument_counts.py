@@ -20,7 +20,10 @@ _MAIN = pattern(
 _REMARK = pattern(r"//[^\n]*|/\*[\s\S]*?\*/")
 _LINE = pattern(r"//[^\n]*")
 _BLANK = pattern(r"[^\n]")
-_ENDS = pattern(r"\b(?:return\b|exit\s*\(|throw\b)")
+_ENDS = pattern(r"\b(?:return\b|exit\s*\()")
+_FAILS = pattern(r"\bthrow\b|\b(?:return\b|exit\s*\()(?!\s*\(?\s*(?:0|EXIT_SUCCESS|false)?\s*\)?\s*;)")
+_USAGE = pattern(r"usage", re.IGNORECASE)
+_DIRECTIVE = pattern(r"[ \t]*#[ \t]*(if[ \t]+0\b|if|else|elif|endif)")
 
 
 def read(repository: Repository, projects: Iterable[CMakeProject]) -> Iterator[Mention]:
@@ -43,6 +46,7 @@ def read(repository: Repository, projects: Iterable[CMakeProject]) -> Iterator[M
 
 def needed(text: str) -> tuple[int, int, str] | None:
     """Return how many arguments a program needs, where its text tells and by what; ``None`` where it may need none."""
+    text = _without_dead(text)
     start = _MAIN.search(text)
     if start is None:
         return None
@@ -62,6 +66,23 @@ def _without_remarks(body: str) -> str:
     return "".join(parts)
 
 
+def _without_dead(text: str) -> str:
+    """Return code with blanks for what lies below ``#if 0``."""
+    lines, depth = text.split("\n"), 0
+    for number, line in enumerate(lines) if "#" in text else ():
+        directive = _DIRECTIVE.match(line)
+        word = directive[1] if directive else ""
+        if depth:
+            lines[number] = " " * len(line)
+            if word.startswith("if") or word == "endif":
+                depth += 1 if word != "endif" else -1
+            elif word and depth == 1:
+                depth = 0
+        elif word.startswith("if") and word != "if":
+            depth = 1
+    return "\n".join(lines)
+
+
 def _blank(remark: re.Match[str]) -> str:
     return _BLANK.sub(" ", remark[0])
 
@@ -70,8 +91,9 @@ def _ending(body: str, count: str) -> tuple[int, int, str] | None:
     """Return this of a test of the number that ends the program: ``if (argc < 3) { usage(); return 1; }``."""
     test = rf"\bif\s*\(\s*({count}\s*(<=?|!=)\s*(\d{{1,3}}))\s*\)"
     tested = re.search(rf"{test}\s*(?:\{{([^{{}}]{{0,2000}})\}}|([^;{{}}]{{0,400}};))", body)
-    if tested is None or not _ENDS.search(tested[4] or tested[5] or ""):
-        return None
+    then = (tested[4] or tested[5] or "") if tested else ""
+    if tested is None or not (_FAILS.search(then) or (_ENDS.search(then) and _USAGE.search(then))):
+        return None  # what ends well has done its work by a default
     return int(tested[3]) - (tested[2] != "<="), tested.start(), tested[1]
 
 
