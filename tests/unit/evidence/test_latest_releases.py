@@ -20,6 +20,8 @@ TAGGED = "https://github.com/lab/viewer/releases/download/0.9.0/viewer_sdk.zip"
         (f"file(DOWNLOAD {LATEST} viewer.zip)", True),
         (f"ExternalProject_Add(viewer\n  URL {LATEST})", True),
         (f"FetchContent_Declare(viewer URL {TAGGED})", False),
+        (f"if(WIN32) # windows\nFetchContent_Declare(viewer URL {LATEST})\nendif()", False),
+        (f'option(VIEWER "draw" OFF)\nif(VIEWER)\nFetchContent_Declare(viewer URL {LATEST})\nendif()', False),
         (f"# FetchContent_Declare(viewer URL {LATEST})", False),
         (f'message(STATUS "get it at {LATEST}")', False),
     ],
@@ -31,3 +33,11 @@ def test_an_archive_of_the_newest_release(tmp_path: Path, line: str, *, told: bo
         assert message.startswith(f"{LATEST} is of the newest release on the day of each build")
         assert message.endswith("/lab/viewer/releases/download/TAG/viewer_sdk.zip")
         assert (file, at) == ("CMakeLists.txt", 2)
+
+
+@pytest.mark.parametrize(
+    "before", ["if(NOT WIN32)", "if(NOT viewer_FOUND)", "if(NOT EXISTS viewer.zip)", "option(VIEWER x ON)\nif(VIEWER)"]
+)
+def test_one_that_may_be_fetched_below_a_condition(tmp_path: Path, before: str) -> None:
+    cmake = f"project(a)\n{before}\nfile(DOWNLOAD {LATEST} viewer.zip)\nendif()\n"
+    assert len(list(latest_releases.read(tree_of(tmp_path, {"CMakeLists.txt": cmake})))) == 1
