@@ -72,11 +72,15 @@ def test_a_program_that_is_there_already_is_made_anew(tree: Tree, tmp_path: Path
     [
         (STARTS, True),
         (STARTS.replace("./salesman", "planner/salesman/salesman"), True),
+        (STARTS.replace('"cd /tmp && ./', 'folder + "/'), True),
+        (STARTS.replace('system("cd', 'system(line.c_str()); line = ("cd'), True),
         (STARTS.replace("./salesman", "/usr/bin/other"), False),
+        (STARTS.replace("./salesman", "/usr/bin/salesman"), False),
+        (f'{STARTS.replace("./salesman", "ls")}const char *topic = "/planner/salesman";\n', False),
         (STARTS.replace("system", "printf"), False),
         (f"#ifdef __aarch64__\n#endif\n{STARTS}", False),
     ],
-    ids=["here", "by its path", "another", "not started", "chooses"],
+    ids=["here", "by its path", "joined", "variable", "another", "system", "other text", "not started", "chooses"],
 )
 def test_a_program_for_amd64_that_the_code_starts_rules_out_arm64(
     tree: Tree, tmp_path: Path, code: str, *, refused: bool

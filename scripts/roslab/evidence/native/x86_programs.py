@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.native.x86 import cmake_files
@@ -14,6 +14,7 @@ from roslab.values.pattern import pattern
 MOST = 300
 """Most files that may be programs of which the beginning is read, those nearest to the root first."""
 MAX_CODE = 3_000
+MAX_VARIABLES = 50
 SMALLEST = 4 * 1024
 _NAME = pattern(r"[A-Za-z][\w.+-]{1,80}")
 _SUFFIXES = frozenset({"", ".bin", ".elf", ".out", ".x86_64"})
@@ -21,8 +22,17 @@ _HEAD = 20
 _ELF, _X86_64, _PROGRAMS = b"\x7fELF", b"\x3e\x00", (b"\x02\x00", b"\x03\x00")
 """https://refspecs.linuxfoundation.org/elf/gabi4+/ch4.eheader.html, read 2026-11-27"""
 _CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp")
-_STARTS = pattern(r"\b(?:system|popen|execl[pe]?|execvp?e?|posix_spawnp?)\s*\(")
+_STRING = r"\"(?:[^\"\\\n]|\\.)*\""
+_REST = rf"((?:{_STRING}|[^\";{{}}]){{0,400}})"
+"""The rest of a statement, with its strings."""
+_STARTS = pattern(rf"\b(?:system|popen|execl[pe]?|execvp?e?|posix_spawnp?)\s*\({_REST}")
 """https://man7.org/linux/man-pages/man3/system.3.html https://man7.org/linux/man-pages/man3/exec.3.html"""
+_TEXT = pattern(_STRING)
+_VARIABLE = pattern(r"[A-Za-z_]\w*")
+_NO_VARIABLES = frozenset({"c_str", "str", "data", "std", "string", "const", "char", "int", "NULL", "nullptr"})
+_BETWEEN = pattern(r"[\s\"'\\;&|()=]+")
+"""What is between the words of a shell; the backslash is C's."""
+_OF_SYSTEM = pattern(r"/(?:usr|bin|sbin|lib\w*|opt|snap|etc)/.*")
 _CHOOSES = pattern(r"__aarch64__|__arm__|__x86_64__|\buname\b")
 
 
@@ -34,14 +44,35 @@ def read(repository: Repository) -> Iterator[X86Only]:
     code = (file for file in repository.suffixed(*_CODE)[:MAX_CODE] if not places.aside(file.path))
     for file in code:
         text = repository.read(file)
-        if not _STARTS.search(text) or _CHOOSES.search(text):
+        if _CHOOSES.search(text):
             continue
-        for name, path in found.items():
-            # ./NAME or FOLDER/NAME, at the beginning of what a shell reads or in the midst of it
-            called = re.search(rf'"[^"\n]*/{re.escape(name)}(?=["\s\\;&|])', text) if name in text else None
-            if called and not _made(name, repository):
-                yield X86Only(path, "started", file.path, text.count("\n", 0, called.start()) + 1)
+        for position, string in _given(text):
+            name = _called(string, found, joined=text[max(0, position - 20) : position].rstrip().endswith(("+", "<<")))
+            if name and not _made(name, repository):
+                yield X86Only(found[name], "started", file.path, text.count("\n", 0, position) + 1)
                 return
+
+
+def _given(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the strings that calls which start programs get, by themselves or in a variable, with their positions."""
+    names: set[str] = set()
+    for call in _STARTS.finditer(text):
+        yield from ((call.start(1) + string.start(), string[0]) for string in _TEXT.finditer(call[1]))
+        names.update(_VARIABLE.findall(_TEXT.sub("", call[1])))
+    if names := names - _NO_VARIABLES:
+        set_to = re.compile(rf"\b(?:{'|'.join(sorted(names)[:MAX_VARIABLES])})\b[^\";{{}}]{{0,200}}\{{?{_REST}")
+        for statement in set_to.finditer(text):
+            yield from ((statement.start(1) + string.start(), string[0]) for string in _TEXT.finditer(statement[1]))
+
+
+def _called(string: str, found: Mapping[str, str], *, joined: bool) -> str:
+    """Return the program of the tree that a string calls by a path: ./NAME, FOLDER/NAME; ``joined``: after a folder."""
+    for word in _BETWEEN.split(string[1:]):
+        name = word.rpartition("/")[2]
+        if "/" in word and name in found and (joined or not _OF_SYSTEM.fullmatch(word)):
+            return name
+        joined = False
+    return ""
 
 
 def programs(repository: Repository) -> dict[str, str]:
