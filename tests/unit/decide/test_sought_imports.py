@@ -147,6 +147,7 @@ def test_a_table_knows_where_a_module_lies(tree: Tree, distro: str, ref: str | N
         ("lab_converter_flat.py", False),
         ("lab_converter.txt", True),
         ("lab_tools.py", True),
+        ("lab_converter_tools/__init__.py", False),
         ("parts/lab_converter_flat.py", True),
     ],
 )
@@ -156,4 +157,13 @@ def test_a_variant_of_what_lies_beside_it_is_a_lost_file(tree: Tree, beside: str
     assert [s.name for s in decision.source] == ["lab_converter"] * sought
     told = [w for w in decision.warnings if "most likely it was not committed" in w.message]
     assert [(w.file, w.line) for w in told] == [("mapper/map.py", 2)] * (not sought)
+    assert all("name the package under `pip` or its repository under `source`" in w.message for w in told)
     assert any("no table knows" in w.message for w in decision.warnings) == sought
+
+
+@pytest.mark.parametrize("beside", ["lab_arm_node", "lab_arm_viewer"])
+def test_one_of_a_family_of_packages_is_no_lost_file(tree: Tree, beside: str) -> None:
+    node = {"mapper/map.py": "import rclpy\nimport lab_arm_sdk\n", f"mapper/{beside}.py": ""}
+    decision = tree({**PYTHON, "README.md": "ROS 2 Humble\n", **node})
+    assert not [w for w in decision.warnings if "not committed" in w.message]
+    assert any("no table knows" in w.message and "lab_arm_sdk" in w.message for w in decision.warnings)

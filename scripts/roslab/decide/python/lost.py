@@ -72,7 +72,7 @@ def lost(
     yield from _tried(chosen)
     unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen, ros_distro)]
     lacking = {m.value: m for m in evidence.mentions if m.topic == "lost_module" and not places.aside(m.file)}
-    yield from (_not_committed(lacking[used.name]) for used in unknown if used.name in lacking)
+    yield from (_not_committed(lacking[used.name], kind) for used in unknown if used.name in lacking)
     unknown = [used for used in unknown if used.name not in lacking]
     stops = {each.value: each for each in chosen.stopping}
     stopping = [used for used in unknown if used.name in stops]
@@ -82,9 +82,10 @@ def lost(
             yield warn(_of_no_table(found, at, evidence, kind, chosen), first)
 
 
-def _not_committed(module: Mention) -> Warning_:
+def _not_committed(module: Mention, kind: Kind) -> Warning_:
     what = f"{module.file} imports {module.value}, which the tree does not have, and which is called like {module.text}"
-    return warn(f"{what} beside it: most likely it was not committed, and what imports it stops; add it", module)
+    message = f"{what} beside it: most likely it was not committed, and what imports it stops; add it, or where it is"
+    return warn(f"{message} of a package, {_asked(kind)}", module)
 
 
 def _of_no_table(
@@ -108,8 +109,13 @@ def _of_no_table(
     unless = f"unless {' or '.join(others)} brings it, " if others else ""
     stops = "the default command stops at this import: " if at else ""
     needed = "" if at else " if it is needed"
-    name = "name the package under `pip`" + (" or its repository under `source`" if kind in _OF_ROS else "")
-    return f"{message}; {unless}{stops}{name} in roslab.yaml{needed}"
+    return f"{message}; {unless}{stops}{_asked(kind)}{needed}"
+
+
+def _asked(kind: Kind) -> str:
+    """Return where to name what brings a module."""
+    source = " or its repository under `source`" if kind in _OF_ROS else ""
+    return f"name the package under `pip`{source} in roslab.yaml"
 
 
 def _of_owner(evidence: Evidence, chosen: Chosen, unknown: Sequence[Dependency]) -> Iterator[str]:

@@ -24,7 +24,7 @@ MAX_SIZE = 64 * 1024
 _INSTALLED = pattern(r"\b(?:catkin_install_python|install)[ \t]*\(\s*PROGRAMS\b([^()]{1,4000})\)", re.IGNORECASE)
 _PROGRAM = pattern(r"[\w./-]+\.py\b")
 _VARIANT = 2
-"""Fewest words that the names of two modules beside each other begin with alike by more than chance."""
+"""Fewest words of a name that another one begins with by more than chance."""
 
 
 def read(
@@ -89,13 +89,15 @@ def _entries(repository: Repository, projects: Iterable[PythonProject]) -> Itera
 def _variant(name: str, beside: AbstractSet[str]) -> str:
     """Return the first module beside one that is not there which is called as a variant of it is, else ``""``.
 
-    ``net_dense_flat`` is one of ``net_dense``, and ``net_dense_old`` is one, too.
+    ``net_dense_flat`` is one of ``net_dense``, and the other way round; ``net_dense_old`` is another thing, as packages
+    of one family are that begin alike.
     """
     words = name.split("_")
-    alike = (each for each in sorted(beside) if _shared(words, each.split("_")) >= _VARIANT)
+    alike = (each for each in sorted(beside) if _contains(words, each.split("_")))
     return "" if name in beside else next(alike, "")
 
 
-def _shared(one: list[str], other: list[str]) -> int:
-    """Return how many words two names begin with alike."""
-    return next((at for at, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
+def _contains(one: list[str], other: list[str]) -> bool:
+    """Tell whether the longer of two names begins with the whole of the shorter one, which is no single word."""
+    fewest = min(len(one), len(other))
+    return fewest >= _VARIANT and one[:fewest] == other[:fewest]
