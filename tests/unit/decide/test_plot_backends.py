@@ -32,7 +32,12 @@ EVERY = GTK3 | GTK4 | {"python3-pyqt5", "python3-wxgtk4.0"}
         ("matplotlib.use('Agg')\n", set()),
         ("# matplotlib.use('Qt5Agg')\n", set()),
         ("try:\n    matplotlib.use('Qt5Agg')\nexcept ImportError:\n    matplotlib.use('Agg')\n", set()),
-        ("def show():\n    matplotlib.use('Qt5Agg')\n", {"python3-pyqt5"}),
+        ("def show():\n    matplotlib.use('Qt5Agg')\n", set()),
+        ("def show():\n    if a:\n        pass\n    matplotlib.use('Qt5Agg')\n", set()),
+        ("def show():\n    matplotlib.use('Qt5Agg')\n\nshow()\n", {"python3-pyqt5"}),
+        ("with a:\n    matplotlib.use('Qt5Agg')\n", {"python3-pyqt5"}),
+        ("class A:\n    def __init__(self):\n        matplotlib.use('Qt5Agg')\n", {"python3-pyqt5"}),
+        ("def main():\n    matplotlib.use('WXAgg')\n", {"python3-wxgtk4.0"}),
     ],
 )
 def test_what_a_named_backend_needs(tree: Tree, code: str, asked: set[str]) -> None:
@@ -48,3 +53,17 @@ def test_pip_brings_it_where_pip_brings_matplotlib(tree: Tree) -> None:
 def test_that_of_a_test_is_not_needed(tree: Tree) -> None:
     decision = tree({**ROS, "test/show.py": "import matplotlib\nmatplotlib.use('Qt5Agg')\n"})
     assert not EVERY & {*decision.apt_guessed}
+
+
+@pytest.mark.parametrize(
+    ("other", "asked"),
+    [
+        ("from demo.show import draw\ndraw()\n", True),
+        ("from demo import show\nshow.draw()\n", True),
+        ("import turtle\nturtle.draw()\n", False),
+    ],
+)
+def test_a_function_that_another_module_calls(tree: Tree, other: str, asked: bool) -> None:
+    code = "import rclpy\nimport matplotlib\ndef draw():\n    matplotlib.use('Qt5Agg')\n"
+    decision = tree({**ROS, "demo/show.py": code, "demo/other.py": other})
+    assert ("python3-pyqt5" in {*decision.apt, *decision.apt_guessed}) == asked

@@ -21,25 +21,56 @@ _NAMED = pattern(
     re.MULTILINE,
 )
 """https://matplotlib.org/stable/users/explain/figure/backends.html, 2026-11-27"""
+_DEFINED = pattern(r"[ \t]{0,99}(?:async )?def (\w{1,99})")
+_BEGIN = frozenset({"main", "__init__"})
+MAX_INDENT = 100
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
-    """Return what the backends import that code names without a condition, each once; none of a test."""
+    """Return what the backends import that code names without a condition, each once; none of a test.
+
+    A function that nothing in the tree names never runs.
+    """
     found: dict[str, Dependency] = {}
-    for module in modules(repository):
+    every = tuple(modules(repository))
+    for module in every:
         if "matplotlib" in module.text and not places.test(module.file.path):
-            for each in _named(module):
+            for each in _named(module, every):
                 found.setdefault(each.name, each)
     return tuple(found.values())
 
 
-def _named(module: Module) -> Iterator[Dependency]:
+def _named(module: Module, others: tuple[Module, ...]) -> Iterator[Dependency]:
     text, file = module.text, module.file.path
     for match in _NAMED.finditer(text):
         backend = plot_backends().get(match[1].lower())
-        if backend is None or conditional(text, match.start()):
+        if backend is None or conditional(text, match.start()) or _uncalled(module, match.start(), others):
             continue
         line = text.count("\n", 0, match.start(1)) + 1
         yield Dependency(namespace="import", name=backend.module, strength="used", file=file, line=line)
         for name in backend.apt:
             yield Dependency(namespace="apt", name=name, strength="used", file=file, line=line, role="backend")
+
+
+def _uncalled(module: Module, start: int, others: tuple[Module, ...]) -> bool:
+    """Tell whether a line is in a function that nothing names, but for those with which programs and objects begin."""
+    text = module.text
+    depth = _depth(text[start : start + MAX_INDENT])
+    for line in reversed(text[:start].split("\n")[:-1]):
+        if not depth:
+            return False
+        if not line.strip() or _depth(line) >= depth:
+            continue
+        depth = _depth(line)
+        if found := _DEFINED.match(line):
+            if found[1] in _BEGIN:
+                return False
+            name, own = re.escape(found[1]), re.escape(module.file.path.rpartition("/")[2].removesuffix(".py"))
+            called = re.compile(rf"(?:(?<![\w.])|\b(?:self|cls|{own})\.){name}\b(?<!def {name})")
+            return not any(called.search(each.text) for each in others if found[1] in each.text)
+    return False
+
+
+def _depth(line: str) -> int:
+    line = line[:MAX_INDENT].expandtabs()
+    return len(line) - len(line.lstrip())
