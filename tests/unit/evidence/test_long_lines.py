@@ -152,12 +152,13 @@ def test_what_may_install_a_launch_file(tmp_path: Path, calls: str) -> None:
 
 
 def test_a_container_with_many_mounts(tmp_path: Path) -> None:
-    script = f"docker run {'--mount=source=$1' * (LONG // 16)} a\n"
+    script = f"docker run {'--mount=source=$1' * 1_150} a\n" * 2
     with ends():
         assert not [*container_scripts.read(tree_of(tmp_path, {"a.sh": script}))]
 
 
 def test_a_step_of_many_settings() -> None:
-    written = [*instructions(f"FROM ubuntu:20.04\n{'RUN ' + '=a' * LONG + chr(10)}" + f"RUN {'=a' * LONG}\n" * 8)]
+    written = [*instructions("FROM ubuntu:20.04\n" + f"RUN {'=a' * 9_000}\n" * 16)]
+    assert len(written) == 17
     with ends():
         assert not speaks_of_ros(written, "ubuntu:20.04")
