@@ -24,7 +24,11 @@ _CALLED = pattern(
 )
 """A word where a command begins, also in ``$(…)``."""
 _LAST_OF_PIPE = pattern(r"(?:\$\(|`)[^()`\n]{0,200}\|[ \t]*([A-Za-z][\w.+-]*)(?=[)`])")
-"""The word that ends ``$(… | bc)``; one before the parenthesis of a ``case`` is none."""
+"""The word that ends ``$(… | bc)``; quotes and the patterns of a ``case`` are taken out before."""
+_CASE = pattern(r"\bcase[ \t][^\n]{0,200}?[ \t]in\b(?:(?!\besac\b)[^`]){0,4000}\besac\b")
+_PATTERNS = pattern(r"(?:(?<=\bin)|(?<=;;)|(?<=;&))\s{0,200}\(?[\w.*?|+/ \t\[\]-]{1,300}\)")
+_QUOTED = pattern(r"'[^'\n]{0,1000}'|\"[^\"$`\\\n]{0,1000}\"")
+"""What is in quotes and starts no program of its own."""
 _FUNCTION = pattern(r"\b([A-Za-z][\w.+-]*)[ \t]*\(\)")
 _NOT_RUN = pattern(
     r"(?m)(?:^|(?<=\s))#.*$|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\\n]|\\[^\n]){0,500}\"|'[^'\n]{0,500}'|[^;&|\"'\n]){0,500}"
@@ -82,8 +86,19 @@ def calls_of(script: str) -> Iterator[tuple[str, int]]:
     text = _NOT_RUN.sub("", script)
     functions = set(_FUNCTION.findall(text))
     seen: set[str] = set()
-    found = (*_CALLED.finditer(text), *_LAST_OF_PIPE.finditer(text))
+    piped = _QUOTED.sub(_blank, _CASE.sub(_without_patterns, text)) if "|" in text else ""
+    found = (*_CALLED.finditer(text), *_LAST_OF_PIPE.finditer(piped))
     for match in sorted(found, key=lambda each: each.start(1)):
         if (name := match[1]) not in functions | seen:
             seen.add(name)
             yield name, text.count("\n", 0, match.start(1)) + 1
+
+
+def _without_patterns(case: re.Match[str]) -> str:
+    """Return a ``case`` with blanks in place of what it compares with, as long as before."""
+    return _PATTERNS.sub(_blank, case[0])
+
+
+def _blank(match: re.Match[str]) -> str:
+    """Return as many blanks and ends of lines as it has."""
+    return "".join("\n" if each == "\n" else " " for each in match[0])
