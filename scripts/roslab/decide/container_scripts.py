@@ -52,9 +52,22 @@ def _mounts(authored: AuthorDockerfile, evidence: Evidence, volumes: Collection[
 
 
 def _beside(authored: AuthorDockerfile | None, evidence: Evidence) -> Iterator[Mention]:
-    """Yield what scripts tell that lie beside a Dockerfile, in the folder above or at the root."""
+    """Yield what scripts tell that lie beside a Dockerfile, in the folder above or at the root.
+
+    Not of containers of another image, where pages or scripts tell by which names the images of the tree are built.
+    """
     if authored is None:
         return
     folder = authored.file.rpartition("/")[0]
     near = {folder, folder.rpartition("/")[0], ""}
-    yield from (m for m in evidence.mentions if m.topic in {"screen", "mounted"} and m.file.rpartition("/")[0] in near)
+    built = {_bare(m.value) for m in evidence.mentions if m.topic == "image_built" and "$" not in m.value}
+    for said in evidence.mentions:
+        beside = said.topic in {"screen", "mounted"} and said.file.rpartition("/")[0] in near
+        if beside and (not (said.inside and built) or _bare(said.inside) in built):
+            yield said
+
+
+def _bare(image: str) -> str:
+    """Return the name of an image without its tag."""
+    folder, slash, name = image.rpartition("/")
+    return f"{folder}{slash}{name.partition('@')[0].partition(':')[0]}"

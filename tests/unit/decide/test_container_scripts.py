@@ -70,6 +70,50 @@ def test_a_folder_that_a_script_is_given(tree: Tree, option: str, folder: str) -
     )
 
 
+FUNCTION = "#!/bin/bash\nview() {\n  docker run --rm -v $1:/models lab/demo\n}\nview /data/models\n"
+
+
+@pytest.mark.parametrize(
+    ("script", "told"),
+    [
+        (FUNCTION.replace("{\n  docker", "{ docker").replace("demo\n}", "demo; }"), False),
+        ("a() { ls; }\ndocker run -v $1:/models lab/demo\n", True),
+        (FUNCTION, False),
+        (FUNCTION.replace("view() {", "if true; then").replace("}\nview /data/models", "fi"), True),
+    ],
+)
+def test_what_a_function_is_given_is_not_given_to_its_script(tree: Tree, script: str, told: bool) -> None:
+    found = tree({**FILES, "docker/run.sh": script})
+    assert any("--volume FOLDER:/models" in w.message for w in found.warnings) == told
+
+
+@pytest.mark.parametrize(
+    ("image", "build", "counts"),
+    [
+        ("lab/demo:latest", "docker build -t lab/demo -f docker/Dockerfile .", True),
+        ("--name a --gpus 'all,b c' --rm -it lab/demo bash", "docker build -t lab/demo:1 -f docker/Dockerfile .", True),
+        ("-eTERM -itv /a:/b -w /c --net=host lab/demo bash", "docker build -t lab/demo -f docker/Dockerfile .", True),
+        ("-v $(realpath -s a):/b lab/demo bash", "docker build -t lab/demo -f docker/Dockerfile .", True),
+        ("$IMAGE", "docker build -t lab/demo -f docker/Dockerfile .", True),
+        ("other/viewer", "docker build -t lab/demo -f docker/Dockerfile .", False),
+        ("--privileged other/viewer lab/demo", "docker build -t lab/demo -f docker/Dockerfile .", False),
+        ("other/viewer", "ls", True),
+    ],
+)
+def test_of_which_image_a_script_starts_a_container(tree: Tree, image: str, build: str, counts: bool) -> None:
+    page = f"# Demo\n## Docker\n```\n{build}\n```\n{FILES['README.md']}"
+    script = f"#!/bin/bash\ndocker run -e DISPLAY -v $1:/models {image}\n"
+    found = tree({**FILES, "README.md": page, "docker/run.sh": script})
+    assert found.gui is counts
+    assert any("--volume FOLDER:/models" in w.message for w in found.warnings) == counts
+
+
+def test_a_script_that_builds_what_it_runs(tree: Tree) -> None:
+    page = f"# Demo\n## Docker\n```\ndocker build -t demo -f docker/Dockerfile .\n```\n{FILES['README.md']}"
+    script = "#!/bin/bash\ndocker build -t mine -f docker/Dockerfile .\ndocker run -e DISPLAY mine\n"
+    assert tree({**FILES, "README.md": page, "docker/run.sh": script}).gui
+
+
 def test_what_docker_compose_mounts_there_is_not_lacking(tree: Tree) -> None:
     compose = "services:\n  demo:\n    build:\n      context: .\n      dockerfile: docker/Dockerfile\n"
     files = {
