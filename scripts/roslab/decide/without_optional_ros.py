@@ -42,7 +42,9 @@ def _shown(evidence: Evidence) -> tuple[AuthorDockerfile, ...]:
 
 
 def without_optional_ros(evidence: Evidence, config: Config) -> Evidence:
-    """Return the evidence without the Dockerfiles in folders that install ROS, and what lies beside these.
+    """Return the evidence without the Dockerfiles in folders that name ROS, and what lies beside them alone.
+
+    What lies in such a folder goes with them where it has no other Dockerfile.
 
     Where the page at the root says that not everybody needs ROS, no package is for it, and pip installs the root.
     Whoever chooses ROS or a Dockerfile in roslab.yaml has all of it.
@@ -51,12 +53,16 @@ def without_optional_ros(evidence: Evidence, config: Config) -> Evidence:
     if chosen or called_optional(evidence) is None:
         return evidence
     shown = {posixpath.dirname(each.file) for each in _shown(evidence)}
-    folders = {posixpath.dirname(each.file) for each in evidence.dockerfiles if each.speaks_of_ros} - {"", *shown}
-    if not folders:
+    dropped = {each.file for each in evidence.dockerfiles if each.names_ros and "/" in each.file}
+    dropped = {file for file in dropped if posixpath.dirname(file) not in shown}
+    if not dropped:
         return evidence
+    others = [each.file for each in evidence.dockerfiles if each.file not in dropped]
+    folders = [f"{posixpath.dirname(file)}/" for file in dropped]
+    alone = tuple(folder for folder in folders if not any(file.startswith(folder) for file in others))
 
     def kept(found: Iterable[_Found]) -> tuple[_Found, ...]:
-        return tuple(each for each in found if not any(each.file.startswith(f"{folder}/") for folder in folders))
+        return tuple(each for each in found if each.file not in dropped and not each.file.startswith(alone))
 
     return replace(
         evidence,

@@ -126,6 +126,7 @@ class AuthorDockerfile:
     ] = ()  # ``NAME=VALUE`` of it and of its service, for ROS and for what the tree reads
     hides: bool = False  # its steps may install more than its lines say
     speaks_of_ros: bool = True  # its base or its instructions have, or may have, something of ROS
+    names_ros: bool = False  # its instructions name something of ROS
     built: tuple[str, ...] | None = None  # names and folders of packages that it builds, ``None`` for maybe any
     kept: tuple[str, ...] | None = None  # all that its last stage has of the tree; ``None`` where it may be anything
     service: Service | None = None  # the service of Docker Compose that a page at the root starts from it

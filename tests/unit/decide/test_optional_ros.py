@@ -82,6 +82,18 @@ def test_of_ros(tmp_path: Path, page: str, more: dict[str, str]) -> None:
     assert not any("says that not everybody needs ROS" in warning.message for warning in found.warnings)
 
 
+PLAIN = "FROM nvidia/cuda:11.3.1-cudnn8-devel-ubuntu20.04\nRUN apt-get update && apt-get install -y libarm-dev\n"
+
+
+@pytest.mark.parametrize("script", ["", "COPY . /arm\nRUN bash /arm/weights.sh\n"])
+@pytest.mark.parametrize("robot", [True, False])
+def test_a_dockerfile_without_ros_stays(tmp_path: Path, script: str, *, robot: bool) -> None:
+    more = {"docker/Dockerfile": PLAIN + script} | ({} if robot else {"docker/robot.dockerfile": ""})
+    found = decided(tmp_path, HEADING, more)
+    assert (found.ros_distro, found.cuda) == (None, "11.3")
+    assert "gazebo7" not in {*found.apt, *found.apt_guessed}
+
+
 def test_who_chooses_ros_has_it(tmp_path: Path) -> None:
     found = decided(tmp_path, HEADING, config=Config(base=Base(ros="kinetic")))
     assert (found.kind, found.ros_distro) == ("ros1", "kinetic")

@@ -23,6 +23,11 @@ def speaks_of_ros(written: Iterable[Instruction], base: str) -> bool:
     return not _PLAIN.fullmatch(base) or any(_may_bring(each) for each in written)
 
 
+def names_ros(written: Iterable[Instruction]) -> bool:
+    """Tell whether any of its instructions names something of ROS."""
+    return any(_OF_ROS.search(each.text) for each in written)
+
+
 def _may_bring(instruction: Instruction) -> bool:
     text = instruction.text
     return bool(_OF_ROS.search(text)) or (instruction.name == "RUN" and bool(_SCRIPT.search(text)))
