@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Collection, Iterable
-from itertools import pairwise, takewhile
+from itertools import islice, pairwise, takewhile
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
 from roslab.decide.decision import Choice
@@ -80,7 +81,8 @@ def with_found_by_launches(
             tabled.setdefault(git.url, (name,))
     there = {name for held in tabled.values() for name in held}
     guessed = {f"{owner}/{name}": names for name, names in _families(free.keys() - there).items() if owner}
-    guessed |= {f"{owner}/{name}": (name,) for name in free if owner and name not in there}
+    for name in (each for each in free if owner and each not in there):
+        guessed[f"{owner}/{name}"] = (name, *guessed.get(f"{owner}/{name}", ()))
     brought = sources.names | {plain(name) for name in where} | {plain(source.name) for source in sources.everything}
     run = {} if sources.with_unknown_packages else run_by_page(evidence, ros_distro, brought)
     cloned = in_clones(run, evidence, taken)
@@ -112,9 +114,11 @@ def _families(names: Collection[str]) -> dict[str, tuple[str, ...]]:
     ``a_b`` for ``a_b_utils`` and ``a_b_description``: the repository that holds such packages is often called so.
     """
     found: dict[str, tuple[str, ...]] = {}
-    for name, other in pairwise(sorted(names)):
+    ordered = sorted(names)
+    for name, other in pairwise(ordered):
         pairs = zip(name.split("_")[:-1], other.split("_")[:-1], strict=False)
         begin = "_".join(word for word, _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
-        if "_" in begin and not ever_released(begin):
-            found[begin] = tuple(each for each in sorted(names) if each.startswith(f"{begin}_"))
+        if "_" in begin and begin not in found and not ever_released(begin):
+            behind = islice(ordered, bisect_left(ordered, f"{begin}_"), None)
+            found[begin] = tuple(takewhile(lambda each: each.startswith(f"{begin}_"), behind))  # noqa: B023 - read here
     return found

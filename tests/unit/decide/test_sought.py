@@ -241,6 +241,15 @@ def test_so_is_what_a_launch_file_of_ros2_finds(tree: Tree, asked: str) -> None:
     assert _sought(tree(files)) == {f"{LAB}/acme_arm": ("acme_arm",)}
 
 
+def test_the_repository_of_a_family_may_be_called_like_one_of_it(tree: Tree) -> None:
+    nodes = "".join(f'<node pkg="{name}" type="a" name="a"/>' for name in ("zork_arm", "zork_arm_utils", "zork_arm_v"))
+    files = _git(f"{LAB}/robo") | _package("robo", "roscpp")
+    started = '<launch><node pkg="robo" type="a" name="b"/>{}</launch>\n'
+    files |= {f"robo/launch/{name}.launch": started.format(each) for name, each in (("a", ""), ("b", nodes))}
+    files["README.md"] = "ROS Noetic.\n\n    roslaunch robo a.launch\n"
+    assert _sought(tree(files))[f"{LAB}/zork_arm"] == ("zork_arm", "zork_arm_utils", "zork_arm_v")
+
+
 @pytest.mark.parametrize(
     ("needed", "looked"),
     [
