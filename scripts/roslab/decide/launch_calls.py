@@ -27,10 +27,21 @@ def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
     }
 
 
-def as_found(words: tuple[str, ...], calls: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
-    """Return package, launch file and arguments, with the path of a file that its package does not install."""
-    alone = [path for path, call in calls.items() if call == (path,) and path.endswith(f"/{words[1]}")]
-    return (alone[0], *words[2:]) if len(alone) == 1 and words[:2] not in calls.values() else words
+def as_found(
+    words: tuple[str, ...], calls: Mapping[str, tuple[str, ...]], owners: Mapping[str, str | None]
+) -> tuple[str, ...]:
+    """Return package, options, launch file and arguments, with the path of a file that the package does not install.
+
+    ``owners``: the package of each launch file, by its path.
+    """
+    package, *rest = words
+    at = next((index for index, word in enumerate(rest) if not word.startswith("-")), len(rest))
+    name = rest[at] if at < len(rest) else ""
+    alone = [file for file, call in calls.items() if call == (file,) and owners.get(file) == package]
+    alone = [file for file in alone if file.rpartition("/")[2] == name]
+    return (
+        (*rest[:at], alone[0], *rest[at + 1 :]) if len(alone) == 1 and (package, name) not in calls.values() else words
+    )
 
 
 def demanded(launch: LaunchFile, words: Iterable[str] = ()) -> frozenset[str]:

@@ -22,6 +22,15 @@ INSTALLS = "install(DIRECTORY launch DESTINATION share/eye)\n"
 PATH = "ros2 launch eye/launch/see.launch.py"
 
 
+def test_of_two_packages_that_of_the_named_one_is_started(tree: Tree) -> None:
+    files = {path: text.format("") if path.endswith(".txt") else text for path, text in FILES.items()}
+    files |= {path.replace("eye", "arm"): text.replace("eye", "arm") for path, text in files.items()}
+    page = "# Eye\nFor ROS Humble.\n## Usage\n```\nros2 launch {} see.launch.py\n```\n"
+    for name in ("eye", "arm"):
+        command = tree({**files, "README.md": page.format(name)}).command
+        assert " ".join(command) == f"ros2 launch {name}/launch/see.launch.py"
+
+
 @pytest.mark.parametrize(
     ("installs", "page", "command"),
     [
