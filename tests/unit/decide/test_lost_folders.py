@@ -73,22 +73,39 @@ def test_it_is_made_and_told(tmp_path: Path, file: str, text: str, found: str) -
 
 
 @pytest.mark.parametrize(
-    ("files", "made"),
+    ("files", "told_empty"),
     [
         (["demo/models/net.trt"], False),
         (["demo/models/other.trt"], True),
         (["demo/models/net.trt", "other/net.trt"], True),  # either may be meant
     ],
 )
-def test_what_lies_elsewhere_is_told_and_not_made(tmp_path: Path, files: list[str], *, made: bool) -> None:
+def test_what_lies_elsewhere_is_told(tmp_path: Path, files: list[str], *, told_empty: bool) -> None:
     root = tmp_path / "whole"
     launch = "<launch><param name='a' value='$(find demo)/demo/models/net.trt'/></launch>\n"
     told, written = lost(root, {"demo/launch/a.launch": launch, **dict.fromkeys(files, "")})
-    assert told == (["demo/demo/models/"] if made else [])
-    assert ("whole/demo/demo/models" in written) == made
+    assert told == (["demo/demo/models/"] if told_empty else [])
+    assert "whole/demo/demo/models" in written
     warnings = [each.message for each in plan_repository(root).decision.warnings]
     said = "demo/demo/models/net.trt is named there, and the repository has demo/models/net.trt: correct the path"
-    assert (said in warnings) != made
+    assert (said in warnings) != told_empty
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "reads"),
+    [
+        ("demo/src/demo.cpp", WRITES.format("/results/path.txt"), False),
+        ("demo/src/demo.cpp", WRITES.format("/data/path.txt").replace("ofstream", "ifstream"), True),
+        ("demo/scripts/a.py", "open(rospkg.RosPack().get_path('demo') + '/data/path.txt', 'w')\n", False),
+        ("demo/scripts/a.py", "open(rospkg.RosPack().get_path('demo') + '/data/path.txt')\n", True),
+    ],
+)
+def test_the_file_elsewhere_is_told_only_where_it_is_read(tmp_path: Path, file: str, text: str, *, reads: bool) -> None:
+    root = tmp_path / "whole"
+    told, written = lost(root, {file: text, "eval/sample/path.txt": ""})
+    folder = "demo/results" if "results" in text else "demo/data"
+    assert told == ([] if reads else [f"{folder}/"])
+    assert f"whole/{folder}" in written
 
 
 def test_of_ros_2_nothing_is_found_where_the_source_lies(tmp_path: Path) -> None:

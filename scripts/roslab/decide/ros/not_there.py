@@ -31,7 +31,7 @@ def decide_not_there(
     if config.compatible:
         return Choice(answer=())
     data = tuple(_of_data(evidence, folders)) if build_tool.startswith("catkin") else ()
-    made = tuple(f"{each.value}/" for each in data if not each.files)
+    made = tuple(f"{each.value}/" for each in data)
     if not installs:
         return Choice(answer=made, warnings=tuple(map(_lost, data)))
     found = [
@@ -42,7 +42,7 @@ def decide_not_there(
 
 
 def _of_data(evidence: Evidence, folders: Mapping[str, str | None]) -> Iterator[Mention]:
-    """Yield the folders of data of the packages that are built, and of files that lie elsewhere."""
+    """Yield the folders of data of the packages that are built, also of files that lie elsewhere."""
     lost = (m for m in evidence.mentions if m.topic == "lost_folder")
     yield from (m for m in lost if any(not folder or m.value.startswith(f"{folder}/") for folder in folders))
 

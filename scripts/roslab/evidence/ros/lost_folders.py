@@ -7,10 +7,12 @@ of ROS 1, whose packages are found where their source lies.
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention, PackageManifest
+from roslab.evidence.lex.lines import end_of_line
 from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -30,11 +32,19 @@ _GIVEN = (
 )
 """Endings of what an author gives a program: nothing is gained by a folder without it."""
 
+_WRITES = pattern(
+    r"ofstream|fstream::out|ios(?:_base)?::out|write|sav(?:e|ing)|dump|record|output|result|log|"
+    r",\s{0,9}(?:mode\s?=\s?)?[\"'][wax]b?\+?[\"']",
+    re.IGNORECASE,
+)
+"""What a line has that writes a file."""
+
 
 def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterator[Mention]:
     """Yield each such folder once, by its path from the root, at the first place that names it.
 
-    With the file that is meant (``files``) where the tree has one of that name elsewhere.
+    With the file that is meant (``files``) where the tree has one of that name elsewhere, and nothing there tells that
+    it is written.
     """
     owners = {each.name: posixpath.dirname(each.file) for each in manifests if each.name and not each.ignored}
     found: set[str] = set()
@@ -54,7 +64,13 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             found.add(folder)
             line = text.count("\n", 0, match.start()) + 1
             said = match[0][:120]
-            there = tuple(each.path for each in repository.named(match[3]) if match[3] and each.name == match[3])
+            end = end_of_line(text, match.end())
+            written = _WRITES.search(text, text.rfind("\n", 0, match.start()) + 1, end)
+            there = (
+                ()
+                if written
+                else tuple(each.path for each in repository.named(match[3]) if match[3] and each.name == match[3])
+            )
             yield Mention(
                 topic="lost_folder",
                 value=folder,
