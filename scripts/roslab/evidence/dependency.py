@@ -69,6 +69,8 @@ class GitSource:
     """What names it: a vcs file, .gitmodules, package.xml's export, a clone line, CI's workspace, CMake, a link;
 
     a clone line for a path that is ``name``, from which the code imports or which CMake names."""
+    taken: bool = False
+    """The words of a comment before it say that code was taken from there, at ``ref``."""
     installed: bool = False
     """The page compiles it by hand with CMake and installs it, with these options."""
     options: str = ""

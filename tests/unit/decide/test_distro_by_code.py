@@ -30,6 +30,13 @@ UNNAMED = "nothing says which ROS distribution"
         ({"mapper/a.py": STORE}, "humble", False),
         ({"mapper/a.py": LINK}, "humble", False),
         ({"mapper/a.py": LINK.replace("blob", "tree")}, "humble", False),
+        ({"mapper/a.py": LINK.replace("taken from", "see")}, "jazzy", True),
+        ({"mapper/a.py": LINK + LINK.replace("taken from", "see").replace("acme", "b")}, "humble", False),
+        (
+            {"mapper/a.py": LINK.replace("taken from", "see") + "# https://github.com/b/c/tree/humble/d\n"},
+            "humble",
+            False,
+        ),
         ({"mapper/a.py": LINK, "mapper/b.py": STORE.replace("HUMBLE", "JAZZY")}, "jazzy", False),
         ({"mapper/a.py": "import rclpy\n"}, "jazzy", True),
         ({"mapper/a.py": STORE.replace("HUMBLE", "FOXY")}, "jazzy", True),  # it had ended

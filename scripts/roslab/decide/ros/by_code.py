@@ -10,7 +10,8 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import default_distro, distros
 
 TYPESTORE = 120
-"""Weight of the messages that code reads bags with: less than any word of a page, more than a date."""
+"""Weight of the messages that code reads bags with: less than any word of a page, more than that a distribution
+has every key, and than a date."""
 ADDRESS = 110
 """Weight of an address on a code host, as on a page: code may be taken from the branch of another distribution."""
 
@@ -18,7 +19,8 @@ ADDRESS = 110
 def by_code(evidence: Evidence, ros: int) -> list[Reason]:
     """Return the distribution of a ROS version that code names alone of those that were there at the last commit.
 
-    By the messages of its bags, and by branches in the addresses of what it was taken from. Examples of a library name
+    By the messages of its bags, and by the branch in the address of what it says that it was taken from, or in more
+    than one address. Examples of a library name
     the one that was new then, so that without a date none older than the default counts; rolling tells nothing.
     """
     date = dated(evidence)
@@ -35,7 +37,7 @@ def by_code(evidence: Evidence, ros: int) -> list[Reason]:
     if len({each.value for each in stores}) == 1:
         why = f"its code reads bags with the messages of {stores[0].value}: {stores[0].text}"
         found.append(because("ros_distro", stores[0].value, why, stores[0], weight=TYPESTORE))
-    if len({each.ref for each in links}) == 1:
+    if len({each.ref for each in links}) == 1 and (len(links) > 1 or links[0].taken):
         name = links[0].ref or ""
         why = f"its code names {links[0].url} of the branch {name}"
         found.append(because("ros_distro", name, why, links[0], weight=ADDRESS))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.lines import matches_at
@@ -15,6 +17,10 @@ MAX_FILES = 2_000
 MAX_FOUND = 50
 _CODE = (".cpp", ".cc", ".cxx", ".h", ".hpp", ".py", ".launch", ".yaml", ".xacro")
 _ADDRESS = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/(?:-/)?(?:blob|tree)/([\w.-]+))?")
+_TAKEN = pattern(
+    r"\b(?:taken|adapted|copied|based|borrowed|ported|derived|modified|forked|stolen)\b[^\n]{0,40}\b(?:from|on|of)\b",
+    re.IGNORECASE,
+)
 _BEGINNINGS = ("https://github.com/", "https://gitlab.com/")
 
 
@@ -27,8 +33,9 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
         for match in matches_at(_ADDRESS, text, *_BEGINNINGS):
             url = text[match.start() : match.end(1)].removesuffix(".git")
             first = found.get(url)
-            if first and match[2] and not first.ref:
-                found[url] = replace(first, ref=match[2])
+            taken = bool(_TAKEN.search(text, max(text.rfind("\n", 0, match.start()), 0), match.start()))
+            if first and match[2] and (not first.ref or (taken and not first.taken)):
+                found[url] = replace(first, ref=match[2], taken=taken)
             elif not first and len(found) < MAX_FOUND:
                 found[url] = GitSource(
                     name=match[1].removesuffix(".git"),
@@ -38,5 +45,6 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,
                     kind="link",
+                    taken=taken,
                 )
     return tuple(found.values())
