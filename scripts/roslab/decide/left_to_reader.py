@@ -17,7 +17,9 @@ from roslab.values.pattern import pattern
 
 _NAMES = "the default command names"
 _NOWHERE = "which neither the tree nor a download of the page has: correct it under `command` in roslab.yaml"
-_OF_SYSTEM = pattern(r"/(?:bin|dev|etc|home|lib|opt|proc|root|run|sys|tmp|usr|var|Users|path|your|ws\b)|/[^/]*$")
+_OF_SYSTEM = pattern(
+    r"/(?:(?:s?bin|boot|dev|etc|home|lib(?:32|64)?|opt|proc|root|run|sys|tmp|usr|var|Users|ws)(?:/|$)|path|your)|/[^/]*$"
+)
 """What an image may have, what is one person's, and what is at the root, whose folder nobody can mount."""
 _SETTINGS = pattern(r"(?!\.\.?/\.\.)[\w.][\w./-]*\.(?:ya?ml|json|xml)")
 """By its path from where the command starts."""
