@@ -59,6 +59,14 @@ def test_it_is_told_with_the_environment(tree: Tree) -> None:
     )
 
 
+def test_what_its_pins_hold_is_told_too(tree: Tree) -> None:
+    environment = ENVIRONMENT.replace("- pytorch\n", "- pytorch=2.1.0\n").replace("torchvision", "torchvision=0.16.0")
+    said = "pip installs torch==2.1.0 and torchvision==0.16.0 of it"
+    assert warned(tree(FILES | {"environment.yml": environment})) == [
+        f"environment.yml is not made: the project says what it needs, and {said}"
+    ]
+
+
 def test_nothing_is_said_of_pip_where_the_project_names_all(tree: Tree) -> None:
     files = {**FILES, "pyproject.toml": PROJECT.format("'torch', 'torchvision'")}
     assert warned(tree(files)) == ["environment.yml is not made: the project says what it needs"]

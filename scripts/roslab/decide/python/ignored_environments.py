@@ -10,9 +10,11 @@ from roslab.decide.python.conda_environments import OF_OTHER_SYSTEM
 from roslab.decide.python.manifests import for_reference, resolve
 from roslab.decide.python.packages import Chosen
 from roslab.decide.python.parts import of_parts
+from roslab.decide.python.pins import of_conda
 from roslab.decide.python.unmade_environments import ORIGIN
 from roslab.decide.reasons import warn
 from roslab.evidence import places
+from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence
 
 
@@ -24,11 +26,12 @@ def ignored_environments(evidence: Evidence, kind: Kind, chosen: Chosen) -> Iter
         aside = places.test(path) or places.documentation(path) or bool(OF_OTHER_SYSTEM.search(path))
         if path == chosen.conda or aside or not (path in named or (chosen.conda is None and "/" not in path)):
             continue
-        why = _why(path, evidence, kind, chosen)
+        why = _why(environment, evidence, kind, chosen)
         yield warn(f"{path} is not made: {why}; `conda: {path}` in roslab.yaml makes it", environment)
 
 
-def _why(path: str, evidence: Evidence, kind: Kind, chosen: Chosen) -> str:
+def _why(environment: CondaEnvironment, evidence: Evidence, kind: Kind, chosen: Chosen) -> str:
+    path = environment.file
     if path in for_reference(evidence):
         return "a page shows it for reference alone"
     if path in of_parts(evidence):
@@ -39,7 +42,12 @@ def _why(path: str, evidence: Evidence, kind: Kind, chosen: Chosen) -> str:
         return "what is compiled here is for the Python of the Ubuntu"
     if chosen.files:
         return f"{chosen.files[0].file} is installed in its place"
-    also = [each.written for each in chosen.guessed if each.origin == ORIGIN and each.file == path]
+    pinned = {each.written for each in of_conda(environment) if "=" in each.written}
+    also = [
+        each.written
+        for each in chosen.guessed
+        if (each.origin == ORIGIN and each.file == path) or each.written in pinned
+    ]
     listed = " and ".join(also)
     return (
         f"the project says what it needs, and pip installs {listed} of it" if also else "the project says what it needs"
