@@ -101,7 +101,7 @@ class Source:
     listed: bool = False
     """A list or a page names it: where its host asks for a password, or has it no longer, the image goes without."""
     holding: tuple[str, ...] = ()
-    """Packages that nothing else brings, of which it may hold some: it is kept where it does."""
+    """Packages for which it is looked through: it is kept where it holds some."""
     patches: tuple[Patch, ...] = ()
     """Patches of the repository that its author applies to it."""
     marked: tuple[str, ...] = ()

@@ -23,6 +23,7 @@ from roslab.decide.python.refused import refused
 from roslab.decide.reasons import warn
 from roslab.decide.ros.sought_addresses import public_owner
 from roslab.decide.ros.sought_imports import modules_of_owner
+from roslab.decide.ros.source_names import OF_MESSAGES
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence, Mention
@@ -42,7 +43,6 @@ _CONFIGURED = "roslab.yaml"
 MOST = 8
 """Most modules that are named in one warning."""
 _OF_ROS = frozenset({"ros1", "ros2"})
-_MESSAGES = ("_msgs", "_srvs", "_interfaces")
 
 
 def lost(
@@ -203,7 +203,7 @@ def _of_nodes(evidence: Evidence, kind: Kind, chosen: Chosen, ros_distro: str | 
         if ros_sources(used.name, 1 if kind == "ros1" else 2, ros_distro or ""):
             continue
         longer = name.startswith(tuple(own))
-        if not (longer or _of_ros(used.name) or used.name.endswith(_MESSAGES) or excuses(stems, used.name)):
+        if not (longer or _of_ros(used.name) or used.name.endswith(OF_MESSAGES) or excuses(stems, used.name)):
             yield used
 
 

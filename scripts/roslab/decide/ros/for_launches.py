@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from roslab.config.model import Source
-from roslab.decide.ros.source_names import akin
+from roslab.decide.ros.source_names import OF_MESSAGES, akin
 from roslab.evidence.dependency import Dependency
 from roslab.knowledge.ros_sources import packages_at
 from roslab.values.dataclass import replace
 
 Wanted = Mapping[str, Sequence[tuple[str, Dependency]]]
 """For each source by its name the packages that the table finds in it, each with what asks for it."""
-MESSAGES = ("_msgs", "_srvs", "_interfaces")
-"""How the names of packages of messages end: https://www.ros.org/reps/rep-0144.html, 2026-11-27"""
 _BUILDS = ("package.xml", "manifest.xml", "CMakeLists.txt", ".cmake")
 
 
@@ -38,6 +36,10 @@ def _only(
     if all(asker.namespace == "ros" and not asker.file.endswith(_BUILDS) for _, asker in asking):
         return found
     there = packages_at(source.repo or "")
-    if alone and all(each.endswith(MESSAGES) for each in found) and any(not each.endswith(MESSAGES) for each in there):
+    if (
+        alone
+        and all(each.endswith(OF_MESSAGES) for each in found)
+        and any(not each.endswith(OF_MESSAGES) for each in there)
+    ):
         return (*found, *sorted(each for each in asked if each not in found and akin(each, source.name)))
     return ()

@@ -10,7 +10,7 @@ from collections.abc import Set as AbstractSet
 
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
-from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.source_names import OF_MESSAGES, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -23,9 +23,6 @@ from roslab.values.dataclass import replace
 ROLE = "include"
 MESSAGES = "messages"
 """Role of a module of which messages, services or actions are imported."""
-_MESSAGES = ("_msgs", "_srvs", "_interfaces")
-"""How the names of packages of messages end: https://www.ros.org/reps/rep-0144.html, and in ROS 2
-https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html"""
 
 
 def included(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
@@ -93,7 +90,7 @@ def _imported(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     for each in evidence.code:
         if plain(each.name) in by_pip:
             continue
-        of_ros = each.role == MESSAGES or each.name.endswith(_MESSAGES)
+        of_ros = each.role == MESSAGES or each.name.endswith(OF_MESSAGES)
         sure = each.namespace == "import" and each.strength == "used" and of_ros
         if not sure or each.name in told or places.aside(each.file) or each.name in imports():
             continue

@@ -7,7 +7,7 @@ from collections.abc import Set as AbstractSet
 
 from roslab.decide.ros.controllers import controllers
 from roslab.decide.ros.sought_links import linked_by_pages
-from roslab.decide.ros.source_names import address, plain
+from roslab.decide.ros.source_names import OF_MESSAGES, address, plain
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
@@ -17,7 +17,7 @@ from roslab.knowledge.vendor_packages import vendor_of
 from roslab.values.pattern import pattern
 
 _OWNER = pattern(r"(https://([\w.-]+)/[\w.-]+)/[\w.-]+?/?$")
-_PARTS = ("_msgs", "_srvs", "_interfaces", "_lib", "_ros", "_py", "py")
+_PARTS = (*OF_MESSAGES, "_lib", "_ros", "_py", "py")
 """Ends of the names of packages that often lie beside others, in a repository called without them."""
 _SHORTEST = 3
 """Fewest letters of such a name."""

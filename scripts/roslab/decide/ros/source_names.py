@@ -14,6 +14,9 @@ from roslab.knowledge.released import rosdep_keys
 from roslab.knowledge.ros_sources import RosSource
 from roslab.values.pattern import pattern
 
+OF_MESSAGES = ("_msgs", "_srvs", "_interfaces")
+"""How the names of packages of messages end: https://www.ros.org/reps/rep-0144.html, and in ROS 2
+https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html, 2026-11-27"""
 SHORTEST = 4
 """Fewest letters of a word that can identify a family of packages."""
 _COMMON = frozenset(
