@@ -39,11 +39,30 @@ def _program(folder: Path, *, machine: bytes = b"\x3e\x00", kind: bytes = b"\x03
         (MADE.replace("planner", "demo/planner"), MAKEFILE, "make"),
         ("cd planner/salesman && make -j4 solver\n", "solver: a.o\n\tg++ -o solver a.o\n", "make solver"),
         ("cd planner/salesman\nmake clean\n", MAKEFILE, ""),
+        ("cd planner/salesman\nmake serve\n", "all: a\na: a.c\n\tgcc -o a a.c\nserve: a\n\t./a\n", ""),
+        ("cd planner/salesman\nmake tour\n", "all: a\na: a.c\n\tgcc -o a a.c\ntour: a\n\t./a\n", ""),
+        ("cd planner/salesman\nmake tour\n", "tour: a.c\n\tgcc -o a a.c\n\t./a\n", ""),
+        ("cd planner/salesman\nmake tour\n", "tour: a b\na b: a.c\n\tgcc -o $@ a.c\n", "make tour"),
+        ("cd planner/salesman\nmake a\n", "NAME = a\n$(NAME): a.c\n\tgcc -o $@ a.c\n", "make a"),
+        ("cd planner/salesman\nmake sim\n", "sim: a.c\n\tgcc -o a a.c\n", ""),
         (MADE, "all:\n\tcmake .. && make\n", ""),
         (MADE, "", ""),
         ("make\n", MAKEFILE, ""),
     ],
-    ids=["below", "above", "target", "clean", "CMake", "no Makefile", "root"],
+    ids=[
+        *(
+            "below",
+            "above",
+            "target",
+            "clean",
+            "serve",
+            "started",
+            "compiled and started",
+            "of others",
+            "by a variable",
+        ),
+        *("sim", "CMake", "no Makefile", "root"),
+    ],
 )
 def test_a_folder_that_the_page_makes_is_made(tree: Tree, page: str, makefile: str, command: str) -> None:
     decision = tree(_files(page=page, makefile=makefile))

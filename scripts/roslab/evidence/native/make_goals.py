@@ -39,6 +39,20 @@ def linking(text: str) -> tuple[tuple[str, str], ...]:
     return tuple(found.items())
 
 
+def recipes(text: str) -> dict[str, list[str]]:
+    """Return the recipe of each target that is written in full, with all its rules' lines."""
+    found: dict[str, list[str]] = {}
+    recipe: list[str] = []
+    for line in text.replace("\\\n", " ").splitlines():
+        if line.startswith("\t"):
+            recipe.append(line)
+        elif match := _RULE.match(line):
+            recipe = []
+            for target in match[1].split():
+                found[target] = recipe = found.get(target, recipe)
+    return found
+
+
 def alone(text: str) -> bool:
     """Tell whether the recipes and variables of a Makefile call no script, no other Makefile and no build tool."""
     return not any(_OTHERS.search(line) for line in text.splitlines() if not line.lstrip().startswith("#"))

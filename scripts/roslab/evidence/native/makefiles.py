@@ -24,6 +24,9 @@ _COMPILES = pattern(
     r"\$[({](?:CXX|CC|NVCC|LINK\.\w+|MAKE)[)}]|^\s[^#\n]{0,200}\b(?:g\+\+|gcc|clang(?:\+\+)?|nvcc)(?:-[\d.]+)?\s",
     re.MULTILINE,
 )
+_SET = pattern(r"\w+\s*[:?+]?=\s*([\w./ -]{1,300})$")
+_STARTS = pattern(r"(?:^|&&|;)\s{0,9}[@-]?\./", re.MULTILINE)
+"""What a recipe has that starts a program of the folder."""
 _OTHERS = pattern(
     r"\b(?:cmake|catkin\w*|colcon|rospack|rosmake|qmake|docker|sphinx-build|SPHINXBUILD|latex|pdflatex|"
     r"arm-none-eabi-\w+|avr-\w+|obj-m|platformio|\w+-mingw32-\w+)\b"
@@ -119,6 +122,27 @@ def _files(repository: Repository) -> list[File]:
 def compiles(text: str) -> bool:
     """Tell whether a Makefile calls compilers, or make in other folders, and no other build tool or system."""
     return _COMPILES.search(text) is not None and not _OTHERS.search(text)
+
+
+def compiles_targets(text: str, targets: Iterable[str]) -> bool:
+    """Tell whether a Makefile only compiles for each target: its recipe calls compilers or make, and starts nothing.
+
+    One without a recipe stands for others; one that a variable names is a file. ``all`` is what make does unasked.
+    """
+    from roslab.evidence.native import make_goals  # noqa: PLC0415 - few pages call make in a folder
+
+    known = make_goals.recipes(text)
+    named = {word for line in text.splitlines() if (found := _SET.match(line)) for word in found[1].split()}
+    return all(
+        each == "all"
+        or (each in known and (not known[each] or _only_compiles("\n".join(known[each]))))
+        or (each not in known and each in named)
+        for each in targets
+    )
+
+
+def _only_compiles(recipe: str) -> bool:
+    return _COMPILES.search(recipe) is not None and not _STARTS.search(recipe)
 
 
 def _makefile(file: File, repository: Repository) -> Makefile | None:

@@ -44,6 +44,7 @@ _NO_BUILD = frozenset(
             "run",
             "help",
         ),
+        *("sim", "start", "stop", "serve", "launch", "flash", "upload", "monitor", "watch", "deploy"),
         *("doc", "docs", "format", "lint", "package", "deb", "debug", "dist", "docker", "depend", "menuconfig"),
     )
 )

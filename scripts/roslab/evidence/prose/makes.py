@@ -12,7 +12,7 @@ from roslab.values.dataclass import replace
 
 
 def with_makefile(mention: Mention, repository: Repository) -> Mention:
-    """Return a call of make with the Makefile of its folder, where that lies below the root and compiles something.
+    """Return a call of make with the Makefile of its folder, where that lies below the root and compiles that.
 
     A page may begin above the root: the folder of the tree with the longest path that its path ends with is meant.
     None that CMake compiles.
@@ -23,7 +23,8 @@ def with_makefile(mention: Mention, repository: Repository) -> Mention:
     found = max(meant, key=lambda file: len(file.folder), default=None)
     if found is None or repository.has(f"{found.folder}/CMakeLists.txt"):
         return mention
-    if not makefiles.compiles(repository.read(found)):
+    text = repository.read(found)
+    if not (makefiles.compiles(text) and makefiles.compiles_targets(text, mention.value.split()[1:])):
         return mention
     compiled = x86_programs.programs(repository).values()
     beside = (path for path in compiled if path.startswith(f"{found.folder}/"))
