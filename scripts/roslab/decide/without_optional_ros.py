@@ -42,7 +42,7 @@ def _shown(evidence: Evidence) -> tuple[AuthorDockerfile, ...]:
 
 
 def without_optional_ros(evidence: Evidence, config: Config) -> Evidence:
-    """Return the evidence without the Dockerfiles in folders that name ROS, and what lies beside them alone.
+    """Return the evidence without the Dockerfiles in folders that name ROS, but for those that pages build.
 
     What lies in such a folder goes with them where it has no other Dockerfile.
 
