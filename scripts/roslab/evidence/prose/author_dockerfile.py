@@ -93,8 +93,7 @@ class _Reading:
     base_line: int = 1
     bases: list[tuple[str, int]] = field(default_factory=list)
     copied: list[tuple[str, int]] = field(default_factory=list)
-    problem: str | None = None
-    """Why it does not parse."""
+    problem: str | None = None  # why it does not parse
     updates_rosdep: int | None = None
     images: list[tuple[int, str]] = field(default_factory=list)
     """The line of each FROM, and the image that its stage starts from in the end."""
