@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.decide.launch_calls import as_found
 
 Tree = Callable[[dict[str, str]], Decision]
 FILES = {
@@ -46,3 +47,10 @@ def test_the_call_of_a_launch_file(tree: Tree, installs: str, page: str, command
     files = FILES | {"eye/CMakeLists.txt": FILES["eye/CMakeLists.txt"].format(installs)}
     readme = f"# Eye\nFor ROS Humble.\n## Usage\n```\n{page}\n```\n"
     assert " ".join(tree({**files, "README.md": readme}).command) == command
+
+
+def test_an_option_may_stand_before_its_name() -> None:
+    path = "eye/launch/see.launch.py"
+    words = ("eye", "--debug", "see.launch.py", "a:=1")
+    assert as_found(words, {path: (path,)}, {path: "eye"}) == ("--debug", path, "a:=1")
+    assert as_found(words, {path: (path,)}, {path: "arm"}) == words

@@ -20,8 +20,8 @@ def by_code(evidence: Evidence, ros: int) -> list[Reason]:
     """Return the distribution of a ROS version that code names alone of those that were there at the last commit.
 
     By the messages of its bags, and by the branch in the address of what it says that it was taken from, or in more
-    than one address. Examples of a library name
-    the one that was new then, so that without a date none older than the default counts; rolling tells nothing.
+    than one address. Examples of a library name the one that was new then, so that without a date none older than the
+    default counts; rolling tells nothing.
     """
     date = dated(evidence)
 
