@@ -26,9 +26,11 @@ def raised_pins(files: Iterable[RequirementFile]) -> Iterator[Warning_]:
 
 def _before(asked: Requirement, file: RequirementFile, pins: dict[str, Requirement]) -> tuple[str, str] | None:
     """Return the newest release from which a pin was raised and that fits, with the Python; ``None`` if none does."""
-    others = [(key, each.release or "") for key, each in pins.items() if key != asked.key]
     steps = {after: before for name, before, after in reversed(file.raised) if name == asked.key}
-    if not steps or together(others) is None:
+    if not steps:
+        return None
+    others = [(key, each.release or "") for key, each in pins.items() if key != asked.key]
+    if together(others) is None:
         return None
     release = next((before for after, before in steps.items() if Version(after) == Version(asked.release or "0")), None)
     while release:
