@@ -32,7 +32,7 @@ def called_optional(evidence: Evidence) -> Mention | None:
         return None
     said = next((mention for mention in evidence.mentions if mention.topic == "optional_ros"), None)
     shown = _shown(evidence) if said else ()
-    return None if shown and all(each.speaks_of_ros for each in shown) else said
+    return None if shown and all(each.ros != "none" for each in shown) else said
 
 
 def _shown(evidence: Evidence) -> tuple[AuthorDockerfile, ...]:
@@ -53,7 +53,7 @@ def without_optional_ros(evidence: Evidence, config: Config) -> Evidence:
     if chosen or called_optional(evidence) is None:
         return evidence
     shown = {posixpath.dirname(each.file) for each in _shown(evidence)}
-    dropped = {each.file for each in evidence.dockerfiles if each.names_ros and "/" in each.file}
+    dropped = {each.file for each in evidence.dockerfiles if each.ros == "named" and "/" in each.file}
     dropped = {file for file in dropped if posixpath.dirname(file) not in shown}
     if not dropped:
         return evidence

@@ -25,6 +25,9 @@ from roslab.evidence.x86_only import X86Only
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 
+RosInImage = Literal["named", "possible", "none"]
+"""Its instructions name something of ROS; these or its base may bring it all the same; or neither."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PackageManifest:
@@ -125,8 +128,7 @@ class AuthorDockerfile:
         Mention, ...
     ] = ()  # ``NAME=VALUE`` of it and of its service, for ROS and for what the tree reads
     hides: bool = False  # its steps may install more than its lines say
-    speaks_of_ros: bool = True  # its base or its instructions have, or may have, something of ROS
-    names_ros: bool = False  # its instructions name something of ROS
+    ros: RosInImage = "possible"
     built: tuple[str, ...] | None = None  # names and folders of packages that it builds, ``None`` for maybe any
     kept: tuple[str, ...] | None = None  # all that its last stage has of the tree; ``None`` where it may be anything
     service: Service | None = None  # the service of Docker Compose that a page at the root starts from it

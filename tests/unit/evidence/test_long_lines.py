@@ -12,7 +12,7 @@ from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.yaml import Scalar
 from roslab.evidence.prose import ci_variables, container_scripts
-from roslab.evidence.prose.speaks_of_ros import speaks_of_ros
+from roslab.evidence.prose.ros_in_image import ros_of
 from roslab.evidence.python import conda, on_gpu
 from roslab.evidence.ros import handed_lists, only_in_manifest, own_setup, package_xml
 from roslab.evidence.ros.only_programs import only_programs
@@ -161,4 +161,4 @@ def test_a_step_of_many_settings() -> None:
     written = [*instructions("FROM ubuntu:20.04\n" + f"RUN {'=a' * 9_000}\n" * 16)]
     assert len(written) == 17
     with ends():
-        assert not speaks_of_ros(written, "ubuntu:20.04")
+        assert ros_of(written, "ubuntu:20.04") == "none"

@@ -30,4 +30,4 @@ def weight_of_ubuntu(mention: Mention, evidence: Evidence) -> int:
 
 def _for_something_else(authored: AuthorDockerfile) -> bool:
     """Tell whether a Dockerfile has neither ROS nor this code: it is for training, or for another program."""
-    return not (authored.speaks_of_ros or authored.copies_repository)
+    return authored.ros == "none" and not authored.copies_repository

@@ -214,7 +214,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
     from roslab.evidence.prose.python_steps import changes_setup, newest_pips, own_shell  # noqa: PLC0415 - as above
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
-    from roslab.evidence.prose.speaks_of_ros import names_ros, speaks_of_ros  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.ros_in_image import ros_of  # noqa: PLC0415 - as above
     from roslab.evidence.prose.stages import copied_from, entered, only_files, taken, unused  # noqa: PLC0415 - as above
     from roslab.evidence.prose.unbuilt_copies import unbuilt  # noqa: PLC0415 - as above
     from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
@@ -285,8 +285,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         taken=taken_there,
         enters=entered(written, repository.once(vcs.missing)),
         hides=hides(written),
-        speaks_of_ros=speaks_of_ros(written, reading.base or ""),
-        names_ros=names_ros(written),
+        ros=ros_of(written, reading.base or ""),
         built=None if taken_there else built(repository, written),
         kept=start.kept,
     )

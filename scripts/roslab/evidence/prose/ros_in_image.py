@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from roslab.evidence.facts import RosInImage
 from roslab.evidence.lex.dockerfile import Instruction
 from roslab.values.pattern import pattern
 
@@ -18,16 +19,10 @@ _PLAIN = pattern(r"(?:[\w.-]+/)*(?:cuda|cudagl|opengl|ubuntu|debian|python|pytor
 """An image that has nothing of ROS; one that the author built may have it."""
 
 
-def speaks_of_ros(written: Iterable[Instruction], base: str) -> bool:
-    """Tell whether any of its instructions, or its base, has or may have something of ROS."""
-    return not _PLAIN.fullmatch(base) or any(_may_bring(each) for each in written)
-
-
-def names_ros(written: Iterable[Instruction]) -> bool:
-    """Tell whether any of its instructions names something of ROS."""
-    return any(_OF_ROS.search(each.text) for each in written)
-
-
-def _may_bring(instruction: Instruction) -> bool:
-    text = instruction.text
-    return bool(_OF_ROS.search(text)) or (instruction.name == "RUN" and bool(_SCRIPT.search(text)))
+def ros_of(written: Iterable[Instruction], base: str) -> RosInImage:
+    """Tell whether any of its instructions names something of ROS, or else it or its base may bring it."""
+    written = tuple(written)
+    if any(_OF_ROS.search(each.text) for each in written):
+        return "named"
+    runs = any(each.name == "RUN" and _SCRIPT.search(each.text) for each in written)
+    return "possible" if runs or not _PLAIN.fullmatch(base) else "none"
