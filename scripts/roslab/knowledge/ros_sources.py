@@ -28,6 +28,8 @@ class RosSource:
     """Shell commands that make the checkout a package, run in its folder (it has a manifest for each ROS version)."""
     options: str
     """CMake options that its build needs; ``{distro}`` stands for the ROS distribution."""
+    cmake: str
+    """The CMake that its own files ask for, where a usual Ubuntu's is too old, ``""`` for no such one."""
 
 
 @cache

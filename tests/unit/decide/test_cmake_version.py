@@ -261,3 +261,16 @@ def test_what_the_table_of_sources_clones_may_ask_for_it(tmp_path: Path, more: s
         files["thing/CMakeLists.txt"] = "project(thing)\nfind_package(catkin REQUIRED COMPONENTS altro)\n"
     found = [each.text for each in decided(tmp_path, files).python.pip_guessed]
     assert found == [f"cmake>={version},<4" for version in asked]
+
+
+@pytest.mark.parametrize(("owner", "asked"), [("shaoyifei96", ["cmake>=3.20,<4"]), ("someone", [])])
+def test_another_repository_of_the_name_asks_for_nothing(tmp_path: Path, owner: str, asked: list[str]) -> None:
+    package = "<package><name>thing</name><buildtool_depend>catkin</buildtool_depend><depend>altro</depend></package>"
+    files = {
+        "thing/package.xml": package,
+        "thing/CMakeLists.txt": "project(thing)\nfind_package(catkin REQUIRED COMPONENTS altro)\n",
+        "README.md": f"ROS Noetic\n\n    cd ~/catkin_ws/src\n    git clone https://github.com/{owner}/altro.git\n",
+    }
+    found = decided(tmp_path, files)
+    assert [source.repo for source in found.source] == [f"https://github.com/{owner}/altro.git"]
+    assert [each.text for each in found.python.pip_guessed] == asked

@@ -87,7 +87,7 @@ def decide_python(
     ``ubuntu`` is the base's, ``None`` on Debian; ``cuda`` is the version that the frameworks need.
     """
     own = of_ubuntu(own, kind, ubuntu)
-    chosen, number = _chosen(evidence, config, kind, own.answer, ubuntu), own.answer.version
+    chosen, number = _chosen(evidence, config, kind, own.answer, ubuntu, ros_distro=ros_distro), own.answer.version
     alone = conda_alone(evidence, own.answer)
     by_conda = {each.key for each in alone.asked}
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
@@ -273,11 +273,13 @@ def decide_python(
     )
 
 
-def _chosen(evidence: Evidence, config: Config, kind: Kind, own: OwnPython, ubuntu: str | None) -> Chosen:
+def _chosen(
+    evidence: Evidence, config: Config, kind: Kind, own: OwnPython, ubuntu: str | None, *, ros_distro: str | None
+) -> Chosen:
     """Return what was chosen, with what only the chosen Python or base decides."""
     own = replace(own, chosen=as_listed(evidence, own.chosen, own.version))
     chosen = with_unknown_modules(evidence, config, kind, own)
-    newer = from_pip(evidence, kind, ubuntu, chosen.projects)
+    newer = from_pip(evidence, kind, ubuntu, chosen.projects, ros_distro)
     return with_guess(chosen, newer) if newer else chosen
 
 

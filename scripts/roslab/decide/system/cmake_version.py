@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
+from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.added_projects import added_by
 from roslab.evidence import places
@@ -12,8 +13,8 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.python_project import PythonProject
-from roslab.knowledge.cmake_of_sources import cmake_of_sources
 from roslab.knowledge.distros import cmake_of_ubuntu
+from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -62,7 +63,11 @@ def has_it(ubuntu: str, demand: Dependency | None) -> bool:
 
 
 def from_pip(
-    evidence: Evidence, kind: Kind, ubuntu: str | None, projects: Iterable[PythonProject] = ()
+    evidence: Evidence,
+    kind: Kind,
+    ubuntu: str | None,
+    projects: Iterable[PythonProject] = (),
+    ros_distro: str | None = None,
 ) -> Requirement | None:
     """Return CMake as a pip requirement if the Ubuntu's is too old, below the next major version.
 
@@ -71,7 +76,7 @@ def from_pip(
     """
     tops = {project.file.rpartition("/")[0] for project in evidence.cmake if project.top_level}
     aside = kind == "cuda" and bool(own := {each.folder for each in projects}) and own.isdisjoint(tops)
-    demands = () if kind == "python" or aside else (needed_cmake(evidence), *_of_sources(evidence, kind))
+    demands = () if kind == "python" or aside else (needed_cmake(evidence), *_of_sources(evidence, kind, ros_distro))
     demand = max(filter(None, demands), key=lambda each: Version(each.version or "0"), default=None)
     if demand is None or ubuntu is None or has_it(ubuntu, demand):
         return None
@@ -79,13 +84,20 @@ def from_pip(
     return stated(f"cmake>={demand.version}{bound}", "build", demand.file, demand.line)
 
 
-def _of_sources(evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
-    """Yield the packages that are built from a source known to ask for a CMake, each with its version."""
-    packages, known = packages_of(evidence), cmake_of_sources()
-    for each in (each for manifest in packages.built for each in manifest.dependencies):
-        version = known.get((each.name, 1 if kind == "ros1" else 2)) if kind in {"ros1", "ros2"} else None
-        if version and each.name not in packages.names:
-            yield replace(each, version=version)
+def _of_sources(evidence: Evidence, kind: Kind, ros_distro: str | None) -> Iterator[Dependency]:
+    """Yield what packages need of repositories that the table clones and that ask for a CMake, with its version."""
+    packages = packages_of(evidence)
+    asked = (each for manifest in packages.built for each in manifest.dependencies if each.name not in packages.names)
+    for each in asked if kind in {"ros1", "ros2"} else ():
+        for found in ros_sources(each.name, 1 if kind == "ros1" else 2, ros_distro or ""):
+            if found.cmake and not _cloned_elsewhere(found, evidence):
+                yield replace(each, version=found.cmake)
+
+
+def _cloned_elsewhere(found: RosSource, evidence: Evidence) -> bool:
+    """Tell whether a page or a list has another repository of the name, which is cloned in place of the table's."""
+    named = (git for git in evidence.sources if git.kind != "link" and plain(git.name) == found.package)
+    return any(address(git.url) != address(found.repo) for git in named)
 
 
 def refused_by_new(evidence: Evidence, ubuntu: str | None, asked: Iterable[Requirement]) -> Dependency | None:
