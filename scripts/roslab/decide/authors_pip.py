@@ -8,20 +8,11 @@ from roslab.decide.newest_pip import files_of
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.official_images import with_usual_shell
 from roslab.knowledge.os_releases import of_debian, release_of
-from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Dated:
-    """Why what pip installs in an image is to be of a day."""
-
-    day: str
-    why: str
-
-
-def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict[str, Dated]:
-    """Return the external images in which pip is asked for something without a version.
+def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict[str, str]:
+    """Return the external images in which pip is asked for something without a version, each with why it is of a day.
 
     The index of the day is given to the shell that runs the steps. A Dockerfile that names its own shell, or in which
     that shell would start what runs in the container, is left as it is; so is an image that may have another shell, or
@@ -29,24 +20,22 @@ def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict
     """
     if authored.own_shell:
         return {}
-    found: dict[str, Dated] = {}
+    found: dict[str, str] = {}
     for asked in _free(authored, evidence):
         name = next((name for line, name in reversed(authored.stages) if line < asked.line), "")
         if name in found or "alpine" in name or not with_usual_shell(name) or not (release_of(name) or of_debian(name)):
             continue
         what = asked.name or asked.written
-        found[name] = Dated(
-            day=day, why=f"line {asked.line} has pip install {what} without a version: it takes that of {day}"
-        )
+        found[name] = f"line {asked.line} has pip install {what} without a version: it takes that of {day}"
     return found
 
 
 def _free(authored: AuthorDockerfile, evidence: Evidence) -> Iterator[Requirement]:
     """Yield what pip is asked for in the Dockerfile's own lines that may be of any version, or needs what may be."""
+    listed = [each for file in files_of(authored, evidence) for each in file.requirements if each.package]
+    free = not listed or any(each.release is None and not each.url for each in listed)
     for asked in authored.requirements:
         if asked.role == "file":
-            listed = [each for file in files_of(authored, evidence) for each in file.requirements if each.package]
-            if not listed or any(each.release is None and not each.url for each in listed):
-                yield asked
+            yield from (asked,) if free else ()
         elif asked.role == "project" or (asked.package and asked.release is None and not asked.url):
             yield asked

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, MendedBase, Reason
@@ -15,9 +14,6 @@ from roslab.decide.reasons import because
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
-
-if TYPE_CHECKING:
-    from roslab.decide.authors_pip import Dated
 
 _WEIGHT = 900
 """Above that of the FROM itself: it is what the build starts from."""
@@ -104,7 +100,7 @@ def decide_bases(evidence: Evidence, config: Config, dockerfile: str | None) -> 
         for name, line in dict(authored.bases).items()
         if (
             base := _local(name, authored, evidence)
-            or _of_day(_mended(name, authored, config, pips.get(name)), name, days)
+            or _of_day(_mended(name, authored, config, pips.get(name)), name, evidence.pip_day, days.get(name))
         )
     ]
     return Choice(answer=tuple(base for base, _ in found), reasons=tuple(_reason(authored, *each) for each in found))
@@ -118,7 +114,7 @@ def _pips(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, str]:
     return bounded_pips(authored, evidence)
 
 
-def _days(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, Dated]:
+def _days(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, str]:
     if evidence.pip_day is None:
         return {}
     from roslab.decide.authors_pip import of_the_day  # noqa: PLC0415 - most trees have no Dockerfile
@@ -126,14 +122,13 @@ def _days(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, Dated]:
     return of_the_day(authored, evidence, evidence.pip_day)
 
 
-def _of_day(base: MendedBase | None, name: str, days: dict[str, Dated]) -> MendedBase | None:
-    """Return a base with pip's index of a day, where what is installed there is to be of one."""
-    found = days.get(name)
-    if found is None:
+def _of_day(base: MendedBase | None, name: str, day: str | None, why: str | None) -> MendedBase | None:
+    """Return a base with pip's index of a day, where something tells ``why`` what is installed there is to be of it."""
+    if why is None:
         return base
     if base is None:
-        return MendedBase(name=name, image=name, why=found.why, answers=True, pip_day=found.day)
-    return replace(base, why=f"{base.why}; {found.why}", pip_day=found.day)
+        return MendedBase(name=name, image=name, why=why, answers=True, pip_day=day)
+    return replace(base, why=f"{base.why}; {why}", pip_day=day)
 
 
 def _mended(name: str, authored: AuthorDockerfile, config: Config, pip: str | None) -> MendedBase | None:
