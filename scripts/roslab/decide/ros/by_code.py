@@ -5,15 +5,10 @@ from __future__ import annotations
 from roslab.decide.decision import Reason
 from roslab.decide.reasons import because
 from roslab.decide.ros.distro_dates import dated, supported
+from roslab.decide.ros.distro_weights import Weight
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import default_distro, distros
-
-TYPESTORE = 120
-"""Weight of the messages that code reads bags with: less than any word of a page, more than that a distribution
-has every key, and than a date."""
-ADDRESS = 110
-"""Weight of an address on a code host, as on a page: code may be taken from the branch of another distribution."""
 
 
 def by_code(evidence: Evidence, ros: int) -> list[Reason]:
@@ -36,9 +31,9 @@ def by_code(evidence: Evidence, ros: int) -> list[Reason]:
     found: list[Reason] = []
     if len({each.value for each in stores}) == 1:
         why = f"its code reads bags with the messages of {stores[0].value}: {stores[0].text}"
-        found.append(because("ros_distro", stores[0].value, why, stores[0], weight=TYPESTORE))
+        found.append(because("ros_distro", stores[0].value, why, stores[0], weight=Weight.TYPESTORE))
     if len({each.ref for each in links}) == 1 and (len(links) > 1 or links[0].taken):
         name = links[0].ref or ""
         why = f"its code names {links[0].url} of the branch {name}"
-        found.append(because("ros_distro", name, why, links[0], weight=ADDRESS))
+        found.append(because("ros_distro", name, why, links[0], weight=Weight.ADDRESS))
     return found

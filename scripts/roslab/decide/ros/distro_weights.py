@@ -37,7 +37,8 @@ class Weight:
     LIST = 390  # a list of repositories for one distribution has what that one lacks; others may need no list
     UBUNTU: ClassVar = {"dockerfile": 260, "ci": 240, "readme": 230}  # an Ubuntu that has only this distribution
     HAS_EVERY_KEY = 100  # nothing names it, but it fits
-    ADDRESS = 110  # only in the address of what a page links to: a word of its own, and an Ubuntu, tell more
+    TYPESTORE = 120  # the messages that code reads bags with: less than any word of a page, more than a date
+    ADDRESS = 110  # only in the address of what a page links to, or code: a word of its own, and an Ubuntu, tell more
     EXAMPLE = 30  # it stands for whatever the reader has; the date of the last commit tells more
     VENDORED = 20  # in a file copied from another project
     DEFAULT = 1
