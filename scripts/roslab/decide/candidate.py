@@ -114,6 +114,11 @@ def is_component(argv: Sequence[str]) -> bool:
     return tuple(argv[:3]) == ("ros2", "component", "standalone")
 
 
+def launched_by(argv: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the words of a command behind those that start a launch file, if it does."""
+    return argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
+
+
 def program_of(argv: tuple[str, ...]) -> tuple[str, ...]:
     """Return the words of a command that name the program, without its arguments; any Python counts as ``python3``."""
     words = {"ros2": 4, "roslaunch": 3, "rosrun": 3}.get(argv[0], 1) + is_component(argv)

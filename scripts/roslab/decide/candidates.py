@@ -7,9 +7,9 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from roslab.config.model import Kind
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import Candidate, launched_by, program_of
 from roslab.decide.contained import contained
-from roslab.decide.demanded_arguments import launched_by, with_demands
+from roslab.decide.demanded_arguments import with_demands
 from roslab.decide.first_command import helps
 from roslab.decide.launch_calls import launch_calls
 from roslab.decide.programs import compiled as programs_of

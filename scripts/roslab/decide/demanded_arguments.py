@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import Candidate, launched_by, program_of
 from roslab.decide.decision import Warning_
 from roslab.decide.launch_calls import demanded
 from roslab.decide.reasons import page_of, warn
@@ -19,11 +19,6 @@ _ADDRESS = pattern(
     re.IGNORECASE,
 )
 """The name of an argument for the address of a machine in the network."""
-
-
-def launched_by(argv: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the words of a command behind those that start a launch file, if it does."""
-    return argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
 
 
 def with_demands(candidate: Candidate, files: Mapping[tuple[str, ...], LaunchFile]) -> Candidate:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 
+from roslab.decide.candidate import launched_by
 from roslab.decide.ros.slips import meant
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
@@ -126,7 +127,7 @@ def started_launch(
     """Return the launch file of a package of the tree that a command starts; ``calls`` as ``launch_calls`` tells."""
     if isinstance(argv, str):
         return None
-    words = argv[1:] if argv[0] == "roslaunch" else argv[2:] if argv[:2] == ("ros2", "launch") else ()
+    words = launched_by(argv)
     calls = launch_calls(evidence) if calls is None else calls
     found = (each for each in evidence.launch if (call := calls.get(each.file)) and words[: len(call)] == call)
     return next(found, None) if words else None

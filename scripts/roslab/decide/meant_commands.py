@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.brought_launches import Brings, all_brought
-from roslab.decide.candidate import LAUNCHERS, Candidate
+from roslab.decide.candidate import LAUNCHERS, Candidate, launched_by
 from roslab.decide.launch_calls import demanded, launch_calls, started_launch
 from roslab.decide.reasons import page_of
 from roslab.decide.scripts import NOTEBOOK, RUNS
@@ -143,7 +143,7 @@ def _shows_others(package: str, evidence: Evidence) -> bool:
 
 
 def _launched(candidates: Iterable[Candidate]) -> list[Candidate]:
-    return [c for c in candidates if c.argv[0] == "roslaunch" or c.argv[:2] == ("ros2", "launch")]
+    return [c for c in candidates if launched_by(c.argv)]
 
 
 def _stem(candidate: Candidate) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from roslab.decide.candidate import LAUNCHERS, Candidate, program_of
+from roslab.decide.candidate import LAUNCHERS, Candidate, launched_by, program_of
 from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running
 from roslab.values.pattern import pattern
@@ -24,7 +24,7 @@ def only_launched(written: Sequence[Candidate]) -> list[Candidate]:
 
     Viewers beside it are no other. Of several that measure what the code does, and that one section runs, the first.
     """
-    launched = [c for c in written if _launches(c)]
+    launched = [c for c in written if launched_by(c.argv)]
     launched = [c for c in launched if not _VIEWS.search(_name(c))] or launched
     said = [c for c in launched if "/" not in c.file and of_readme(c.file) and about_running(c.heading) > 0]
     if len({program_of(c.argv) for c in launched}) == 1:
@@ -38,15 +38,11 @@ def only_run(written: Sequence[Candidate], found: Iterable[Candidate]) -> list[C
 
     What is ``found`` beside it may be compiled, but no launch file: such a one starts what the node serves.
     """
-    if len({program_of(c.argv) for c in written}) != 1 or any(_launches(c) for c in found):
+    if len({program_of(c.argv) for c in written}) != 1 or any(launched_by(c.argv) for c in found):
         return []
     said = [c for c in written if c.argv[0] in LAUNCHERS and "/" not in c.file and of_readme(c.file)]
     said = [c for c in said if not (_VIEWS.search(_name(c)) or _STEERS.search(_name(c)) or _TESTS.search(c.heading))]
     return [c for c in said if any(about_running(title) > 0 for title in c.heading.split(" / "))][:1]
-
-
-def _launches(candidate: Candidate) -> bool:
-    return candidate.argv[0] == "roslaunch" or candidate.argv[:2] == ("ros2", "launch")
 
 
 def _name(candidate: Candidate) -> str:

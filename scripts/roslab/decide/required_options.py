@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Sequence
 
-from roslab.decide.candidate import Candidate, program_of
+from roslab.decide.candidate import Candidate, launched_by, program_of
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.dataclass import replace
@@ -45,11 +45,7 @@ def lacks(argv: Sequence[str], evidence: Evidence) -> tuple[str, ...]:
 def too_few(argv: Sequence[str], evidence: Evidence) -> Mention | None:
     """Return what tells that a compiled program needs more arguments than a command gives it, without those of ROS."""
     words = program_of(tuple(argv))
-    if (
-        words[0] in {"bash", "sh", "make", "roslaunch"}
-        or words[0].startswith("python")
-        or words[:2] == ("ros2", "launch")
-    ):
+    if words[0] in {"bash", "sh", "make"} or words[0].startswith("python") or launched_by(words):
         return None
     name = words[-1].rpartition("/")[2]
     told = [m for m in evidence.mentions if m.topic == "argument_count" and _stem(m.file) == name]
