@@ -44,7 +44,7 @@ from roslab.decide.system.must_build import must_build
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import host_options
 from roslab.decide.system.of_vendors import what_stops
-from roslab.decide.system.own_options import options_of_program, own_compilers, own_options
+from roslab.decide.system.own_options import options_of_program, own_compilers, own_options, where_built
 from roslab.decide.system.own_packages import own_packages
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.spare import most, spare
@@ -251,7 +251,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         program_folders=of.layout.answer.program_folders,
         installed=of.layout.answer.installed,
         cmake_options=(
-            *own_options(evidence, config, folder_name, of.build_tool.answer),
+            *where_built(own_options(evidence, config, folder_name, of.build_tool.answer), of.sources.answer.sources),
             *of.missing.answer.options,
             *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command, cuda=of.on_cuda),
             *header_definitions_of(evidence, config, of.build_tool.answer),

@@ -10,15 +10,7 @@ from roslab.decide.decision import Decision
 
 def own_options(decision: Decision, config: Config) -> tuple[str, ...]:
     """Return the options; what roslab.yaml sets stands first, and alone."""
-    found = (*(_where_built(word, decision) for word in decision.cmake_options), *decision.cuda_options)
-    return (*_cmake_options(config), *_unset(found, config))
-
-
-def _where_built(option: str, decision: Decision) -> str:
-    """Return an option that names a folder of headers of Ubuntu's, as those lie of a library that the image builds."""
-    name, sign, folder = option.partition("=")
-    built = any(source.tabled and folder == f"/usr/include/{source.name}" for source in decision.source)
-    return f"{name}{sign}{folder.replace('/usr/', '/usr/local/', 1)}" if built else option
+    return (*_cmake_options(config), *_unset((*decision.cmake_options, *decision.cuda_options), config))
 
 
 def _unset(options: tuple[str, ...], config: Config) -> tuple[str, ...]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterable, Iterator
 
-from roslab.config.model import BuildTool, Config
+from roslab.config.model import BuildTool, Config, Source
 from roslab.decide.ros.part_builds import ONLY, builds, to_whole
 from roslab.decide.ros.source_names import plain
 from roslab.decide.system.switches import given
@@ -42,6 +43,14 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
         return ()
     own = tuple(word for word in _said(evidence, config, folder_name) if _OWN.fullmatch(word))
     return (*meant, *own, *_of_programs(evidence, config, own))
+
+
+def where_built(options: Iterable[str], built: Iterable[Source]) -> Iterator[str]:
+    """Yield options that name a folder of headers of Ubuntu's, as those lie of a library that the image builds."""
+    folders = {f"/usr/include/{source.name}" for source in built if source.tabled}
+    for option in options:
+        name, sign, folder = option.partition("=")
+        yield f"{name}{sign}{folder.replace('/usr/', '/usr/local/', 1)}" if folder in folders else option
 
 
 def _of_programs(evidence: Evidence, config: Config, own: tuple[str, ...]) -> tuple[str, ...]:
