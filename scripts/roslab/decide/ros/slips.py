@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
-from functools import cache
+from collections.abc import Collection, Iterator
+from functools import cache, lru_cache
 from itertools import pairwise
 
 _SHORTEST = 5
@@ -13,18 +13,15 @@ _SHORTEST = 5
 def meant(name: str, known: Collection[str]) -> tuple[str, ...]:
     """Return the known names that have one letter more, less or another than a name, or two of them swapped, sorted.
 
-    What counts differs by a digit, and is no slip. A set that does not change is sorted once for all names.
+    What counts differs by a digit, and is no slip.
     """
     if len(name) < _SHORTEST:
         return ()
     here = set(_with_a_gap(name)) | set(_swapped(name))
     half = (len(name) - 1) // 2
     begins, ends = name[:half], name[-half:]  # a slip leaves one of them whole
-    if isinstance(known, frozenset):
-        first, last = _by_halves(known, half)
-        alike: Iterable[str] = {*first.get(begins, ()), *last.get(ends, ())}
-    else:
-        alike = (each for each in known if each.startswith(begins) or each.endswith(ends))
+    first, last = _by_halves(frozenset(known), half)
+    alike = {*first.get(begins, ()), *last.get(ends, ())}
     near = (each for each in alike if abs(len(each) - len(name)) <= 1 and each != name)
     return tuple(sorted(each for each in near if not here.isdisjoint((each, *_with_a_gap(each)))))
 
@@ -45,9 +42,9 @@ def _by_beginning(known: frozenset[str]) -> dict[str, list[str]]:
     return found
 
 
-@cache
+@lru_cache(maxsize=64)
 def _by_halves(known: frozenset[str], half: int) -> tuple[dict[str, list[str]], dict[str, list[str]]]:
-    """Return names by so many of their first letters, and by so many of their last."""
+    """Return names by so many of their first letters, and by so many of their last, once for all that are compared."""
     first: dict[str, list[str]] = {}
     last: dict[str, list[str]] = {}
     for name in known:
