@@ -27,7 +27,7 @@ class Linked:
 
     def of_module(self, used: Dependency, *, ros: bool) -> Requirement | None:
         """Return the repository of a module; of a ROS package's, only one that says that it is for Python."""
-        spelled = () if ros else (canonicalize_name(used.name), _joined(used.name))
+        spelled = () if ros else (canonicalize_name(used.name), bare_name(used.name))
         names = (*spelled, _of_python(used.name)) if used.strength == "used" else ()
         found = next((self.by_name[name] for name in names if name in self.by_name), None)
         if found or ros or not names or never_by_name(used.name):
@@ -52,7 +52,7 @@ def linked_repositories(evidence: Evidence) -> Linked:
         if of_python := _of_python(git.name):
             found.setdefault(of_python, asked)
         if git.kind == "clone":
-            found.setdefault(_joined(git.name), asked)
+            found.setdefault(bare_name(git.name), asked)
         elif (git.told or git.holds or git.to_install) and not git.private:
             told.setdefault(git.name, asked)
     return Linked(by_name=found, to_install=told)
@@ -65,11 +65,6 @@ def _offered(evidence: Evidence) -> Iterable[GitSource]:
         offered = git.kind in {"link", "clone"} and "/" not in git.file and not git.installed
         if offered and bare_name(git.name) not in inside:
             yield git
-
-
-def _joined(name: str) -> str:
-    """Return a name in the spelling in which a module and a repository are compared: ``easypbr`` is of ``easy_pbr``."""
-    return canonicalize_name(name).replace("-", "")
 
 
 def _of_python(name: str) -> str:

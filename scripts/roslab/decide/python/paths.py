@@ -9,6 +9,7 @@ from roslab.decide.candidate import program_of
 from roslab.decide.command import Command
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.installed import installed
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 
 
@@ -58,7 +59,7 @@ def _above(evidence: Evidence, offered: set[str], default: set[str]) -> Iterator
 
 def _in_project(folder: str, python: Python) -> bool:
     """Tell whether a folder is of a project that the image installs: Python finds its packages then."""
-    return any(folder == each or folder.startswith(f"{each}/") for each in python.projects)
+    return places.innermost(folder, python.projects) is not None
 
 
 def _programs(commands: Iterable[Sequence[str]]) -> set[str]:

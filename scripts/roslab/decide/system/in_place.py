@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from roslab.decide.ros.source_names import plain
 from roslab.decide.system.gazebo import of_release
 from roslab.decide.system.packages import SystemPackages
 from roslab.knowledge.released import ever_released
@@ -12,6 +13,6 @@ _MANY = "_pkgs"
 
 def in_place(repository: str, system: SystemPackages) -> tuple[str, ...]:
     """Return the released packages of the image that are called like a repository, or begin with its name."""
-    name = repository.rpartition("/")[2].lower().replace("-", "_").removesuffix(_MANY)
+    name = plain(repository).removesuffix(_MANY)
     keys = (key for key in system.rosdep if key == name or key.startswith(f"{name}_"))
     return (*of_release(name, system.installed), *sorted(key for key in keys if ever_released(key)))

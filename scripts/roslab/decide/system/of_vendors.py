@@ -6,11 +6,11 @@ from collections.abc import Collection, Iterable, Iterator
 
 from roslab.decide.base import BaseImage
 from roslab.decide.decision import Choice, Warning_
-from roslab.decide.programs import owner
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import needing
 from roslab.decide.system.packages import SystemPackages
+from roslab.evidence import places
 from roslab.evidence.apt_source import host_of
 from roslab.knowledge.apt_sources import added_sources
 from roslab.values.dataclass import replace
@@ -60,9 +60,9 @@ def what_stops(
     """
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
     for warning in warnings:
-        package = owner(warning.file or "", folders) if _NOT_BUILT in warning.message else None
-        folder = next((each for each, name in folders.items() if name == package), "")
-        if package is None or not {package, folder}.isdisjoint(may_go):
+        told = warning.file and _NOT_BUILT in warning.message
+        folder = places.innermost((warning.file or "").rpartition("/")[0], folders) if told else None
+        if folder is None or not {package := folders[folder], folder}.isdisjoint(may_go):
             yield warning
             continue
         others = needing(package, packages)[1:]
