@@ -6,7 +6,7 @@ from functools import cache
 
 from roslab.knowledge.record import grouped
 from roslab.knowledge.table import rows
-from roslab.values.version import Version
+from roslab.values.version import Version, version_of
 
 
 @cache
@@ -18,8 +18,10 @@ def last_for_python() -> dict[tuple[str, str], str]:
 def outgrown(package: str, release: str) -> str | None:
     """Return the newest Python that is too old for a release, ``None`` where the table has none for the package.
 
-    It needs a newer one than those whose last release came before it.
+    It needs a newer one than those whose last release came before it. Of what is no version nothing is known.
     """
+    if version_of(release) is None:
+        return None
     older = [python for last, python in _releases().get(package, ()) if Version(last) < Version(release)]
     return max(older, key=Version, default=None)
 

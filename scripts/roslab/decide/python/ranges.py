@@ -21,7 +21,7 @@ from roslab.values.interpreter import Interpreter
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.specifier import admits, specifiers
-from roslab.values.version import Version, version_of
+from roslab.values.version import Version
 
 _TRUSTED = 3
 """Of ``Pin.trust``: a manifest of the project itself."""
@@ -222,7 +222,7 @@ def _outgrown(pin: Pin, release: str) -> Iterator[Range]:
     """Yield the Pythons of a release that came after the last one for an older Python."""
     from roslab.knowledge.last_for_python import outgrown  # noqa: PLC0415 - many trees ask for no release
 
-    if version_of(release) and (oldest := outgrown(pin.name, release)):
+    if oldest := outgrown(pin.name, release):
         why = f"{pin.requirement.written} needs a Python newer than {oldest}"
         reason = because("python", f"> {oldest}", why, pin.requirement, weight=Weight.LOWER_BOUND + pin.trust)
         yield Range(_beside(">", Version(oldest)) | _not_asked(pin.requirement), reason, pin.trust)

@@ -16,7 +16,7 @@ from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
-from roslab.values.version import Version, version_of
+from roslab.values.version import Version
 
 
 def unmet(asked: Requirement, python: str | None) -> bool:
@@ -43,9 +43,7 @@ def _row(asked: Requirement, python: str | None) -> Framework | None:
 def _outgrown(asked: Requirement, python: str | None) -> str | None:
     """Return the newest Python that is too old for the lowest release that is asked for, if this one is no newer."""
     release = _lowest(asked)
-    if python is None or release is None or version_of(release) is None:
-        return None
-    if not Interpreter(pythons=(python,)).may(asked):
+    if python is None or release is None or not Interpreter(pythons=(python,)).may(asked):
         return None
     from roslab.knowledge.last_for_python import outgrown  # noqa: PLC0415 - where nothing has a version, nobody asks
 
