@@ -35,9 +35,8 @@ def of_purpose(candidate: Candidate, found: str) -> bool:
     if found.strip("_.-") in package.split("_"):
         return True
     there = [word for name in candidate.names for word in words_of(name)]
-    first = next(
-        (word for word in words_of(found) if not _UPKEEP.fullmatch(word)), ""
-    )  # the rest is what it is done to
+    # Behind the first word stands what it is done to
+    first = next((word for word in words_of(found) if not _UPKEEP.fullmatch(word)), "")
     return any(alike(first, other) for other in there) if first else False
 
 

@@ -43,8 +43,10 @@ def able(named: Iterable[Reason], projects: Iterable[PythonProject], made: str |
 
 def refused_python(python: str | None, projects: Iterable[PythonProject]) -> Iterator[Warning_]:
     """Yield a warning for each project that the image installs and whose requirement its Python does not meet."""
-    for each in projects if python else ():
-        if refusing(python or "", (each,)):
+    if python is None:
+        return
+    for each in projects:
+        if refusing(python, (each,)):
             name = each.name or each.folder or "the project"
             message = f"{name} requires Python {each.requires_python}, and the image has {python}: pip does not install"
             yield warn(

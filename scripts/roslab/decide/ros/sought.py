@@ -57,7 +57,6 @@ def with_sought(
     ``needed``: names that the build uses or the code may name, ``known``: what the repository, rosdep and the
     distribution have, ``cloned``: what pages clone, ``refs``: the branch of a clone by its address; ``before``: the day
     of what has none. None for the old formats, whose images never had them; where a source whose packages are not known
-    of what has none. None for the old formats, whose images never had them; where a source whose packages are not known
     may hold them, only what pages clone, and the owner's repository of exactly a package's name where that source is
     most likely another package alone. Nor what a submodule that is not checked out most likely has, or what is one slip
     away from a known name that the repository has elsewhere.
