@@ -28,21 +28,22 @@ def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
     }
 
 
-def as_found(
-    words: tuple[str, ...], calls: Mapping[str, tuple[str, ...]], owners: Mapping[str, str | None]
-) -> tuple[str, ...]:
-    """Return package, options, launch file and arguments, with the path of a file that the package does not install.
+def found_by_path(evidence: Evidence) -> Mapping[tuple[str, str], str]:
+    """Return the launch files that their packages do not install, by package and name, where the package has no other.
 
-    ``owners``: the package of each launch file, by its path.
+    Only their paths start them.
     """
+    often = Counter((each.package, each.file.rpartition("/")[2]) for each in evidence.launch)
+    apart = ((each.package, each.file.rpartition("/")[2], each.file) for each in evidence.launch if each.by_path)
+    return {(package, name): file for package, name, file in apart if package and often[package, name] == 1}
+
+
+def as_found(words: tuple[str, ...], by_path: Mapping[tuple[str, str], str]) -> tuple[str, ...]:
+    """Return package, options, launch file and arguments, with the path of a file that the package does not install."""
     package, *rest = words
     at = next((index for index, word in enumerate(rest) if not word.startswith("-")), len(rest))
-    name = rest[at] if at < len(rest) else ""
-    alone = [file for file, call in calls.items() if call == (file,) and owners.get(file) == package]
-    alone = [file for file in alone if file.rpartition("/")[2] == name]
-    return (
-        (*rest[:at], alone[0], *rest[at + 1 :]) if len(alone) == 1 and (package, name) not in calls.values() else words
-    )
+    file = by_path.get((package, rest[at])) if at < len(rest) else None
+    return (*rest[:at], file, *rest[at + 1 :]) if file else words
 
 
 def demanded(launch: LaunchFile, words: Iterable[str] = ()) -> frozenset[str]:

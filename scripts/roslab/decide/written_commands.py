@@ -13,6 +13,7 @@ from roslab.decide.filled_in import PLACEHOLDER, filled
 from roslab.decide.launch_calls import (
     as_found,
     call_of,
+    found_by_path,
     from_root,
     launch_calls,
     names_of_launch_files,
@@ -88,7 +89,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         compiled=in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
         launched=names_of_launch_files(evidence),
         calls=launch_calls(evidence),
-        owners={each.file: each.package for each in evidence.launch},
+        by_path=found_by_path(evidence),
         alone=frozenset(each.file for each in evidence.launch if not each.package),
         declared=declared_by(evidence),
         simulators=simulators_of(evidence),
@@ -168,7 +169,8 @@ class _Tree:
     """The launch files of each package, by their names."""
     calls: Mapping[str, tuple[str, ...]]
     """How each launch file of the tree is started, by its path."""
-    owners: Mapping[str, str | None]
+    by_path: Mapping[tuple[str, str], str]
+    """Those that their packages do not install, by package and name."""
     alone: frozenset[str]
     """Launch files that belong to no package."""
     declared: Declared
@@ -236,7 +238,7 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
         other = () if there or "/" in mention.file else renamed(words, tree.declared)
         return argv if there else (*start, *other) if other else None
     file = next((word.rpartition("/")[2] for word in rest if not word.startswith("-")), "")
-    return (*start, *as_found(words, tree.calls, tree.owners)) if file in tree.launched.get(package, ()) else None
+    return (*start, *as_found(words, tree.by_path)) if file in tree.launched.get(package, ()) else None
 
 
 def _program_of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:

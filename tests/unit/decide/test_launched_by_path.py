@@ -52,5 +52,5 @@ def test_the_call_of_a_launch_file(tree: Tree, installs: str, page: str, command
 def test_an_option_may_stand_before_its_name() -> None:
     path = "eye/launch/see.launch.py"
     words = ("eye", "--debug", "see.launch.py", "a:=1")
-    assert as_found(words, {path: (path,)}, {path: "eye"}) == ("--debug", path, "a:=1")
-    assert as_found(words, {path: (path,)}, {path: "arm"}) == words
+    assert as_found(words, {("eye", "see.launch.py"): path}) == ("--debug", path, "a:=1")
+    assert as_found(words, {("arm", "see.launch.py"): path}) == words
