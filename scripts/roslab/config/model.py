@@ -269,3 +269,8 @@ class Config:
     def origin(self, path: str) -> Origin | None:
         """Return where the key at a dotted path was given, or ``None``."""
         return dict(self.origins).get(path)
+
+
+def workspace_tool(build_tool: BuildTool) -> WorkspaceTool | None:
+    """Return a build tool if it finds the packages of a ROS workspace, else ``None``."""
+    return next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)

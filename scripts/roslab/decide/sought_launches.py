@@ -6,7 +6,7 @@ from bisect import bisect_left
 from collections.abc import Collection, Iterable
 from itertools import islice, pairwise, takewhile
 
-from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
+from roslab.config.model import BuildTool, Config, Source, workspace_tool
 from roslab.decide.decision import Choice
 from roslab.decide.launch_calls import started_launch
 from roslab.decide.launch_needs import lacking_elsewhere
@@ -47,7 +47,7 @@ def with_found_by_launches(
     links to; ``installed``: what pip installs. Several packages whose names begin alike are first looked for in a
     repository that is called so. And before all come packages that the README runs, in what that page clones.
     """
-    build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
+    build = workspace_tool(build_tool)
     owner = public_owner(evidence)
     if build is None or config.compatible or not ros_distro:
         return choice

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
+from roslab.config.model import BuildTool, Config, Source, workspace_tool
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.sought import folder_for
-from roslab.decide.ros.source_names import address, drifts, fixed, plain
+from roslab.decide.ros.source_names import address, day_of_clone, fixed, plain
 from roslab.decide.ros.weights import Weight
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
@@ -32,7 +32,7 @@ def with_forks(
     where a page has another repository of the repository's owner than the distribution and does not say why: that is
     told. Not for the old formats, whose images never had them.
     """
-    build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
+    build = workspace_tool(build_tool)
     if build is None or config.compatible:
         return choice
     sources = choice.answer
@@ -55,7 +55,7 @@ def with_forks(
             repo=https(git.url),
             ref=ref,
             build=build,
-            before="" if ref and not drifts(ref) else day,
+            before=day_of_clone(ref, day),
             holding=names,
             place=Place(file=git.file, line=git.line),
         )

@@ -10,7 +10,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.sought import folder_for
-from roslab.decide.ros.source_names import address, drifts, fixed, itself_in
+from roslab.decide.ros.source_names import address, day_of_clone, fixed, itself_in
 from roslab.decide.ros.weights import Weight
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence, Mention
@@ -74,7 +74,7 @@ def _lists(
             repo=url,
             ref=ref,
             build="none",
-            before="" if ref and not drifts(ref) else before,
+            before=day_of_clone(ref, before),
             unasked=True,
             prepare=f"find . -type f \\( -name '*.rosinstall' -o -name '*.repos' \\) {kept} -delete",
             place=Place(file=said.file, line=said.line),

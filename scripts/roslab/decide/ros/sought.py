@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 
-from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Source
+from roslab.config.model import BuildTool, Config, Source, workspace_tool
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
@@ -19,7 +19,7 @@ from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought_addresses import addresses_of, called_by
 from roslab.decide.ros.sought_links import of_ubuntu
-from roslab.decide.ros.source_names import address, akin, drifts, fixed, plain, stands_already
+from roslab.decide.ros.source_names import address, akin, day_of_clone, fixed, plain, stands_already
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_everybody import PAGES
@@ -62,7 +62,7 @@ def with_sought(
     away from a known name that the repository has elsewhere.
     """
     sources = choice.answer
-    build = next((tool for tool in WORKSPACE_TOOLS if tool == build_tool), None)
+    build = workspace_tool(build_tool)
     if build is None or config.compatible:
         return choice
     own = {manifest.name for manifest in evidence.manifests if manifest.name}
@@ -91,7 +91,7 @@ def with_sought(
         name, asked = folder_for(url, [*sources.sources, *found]), lacking[names[0]]
         place = Place(file=asked.file, line=asked.line)
         ref = refs.get(address(url))
-        day = "" if ref and not drifts(ref) else before
+        day = day_of_clone(ref, before)
         source = Source(name=name, repo=f"{url}.git", ref=ref, build=build, before=day, holding=names, place=place)
         found.append(source)
         why = f"nothing known brings {', '.join(names)}: it may be there, and is left out where it is not"

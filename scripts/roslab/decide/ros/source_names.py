@@ -40,6 +40,11 @@ def drifts(ref: str | None) -> bool:
     return moves(ref) or ref in distros() or bool(ref and _BRANCH.fullmatch(ref))
 
 
+def day_of_clone(ref: str | None, day: str) -> str:
+    """Return the ``day`` of which a clone is taken, ``""`` for a ref that stays what it is."""
+    return "" if ref and not drifts(ref) else day
+
+
 def moves(ref: str | None) -> bool:
     """Tell whether a ref is the usual name of the newest branch."""
     return ref in {"master", "main"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind, Source
+from roslab.config.model import BuildTool, Config, Kind, Source, workspace_tool
 from roslab.decide.decision import Choice, Reason, Warning_
 from roslab.decide.reasons import because, configured, warn
 from roslab.decide.ros.built_sources import Sources, with_tabled
@@ -24,7 +24,7 @@ from roslab.decide.ros.source_names import (
     address,
     asked_for,
     called_like,
-    drifts,
+    day_of_clone,
     fixed,
     itself_in,
     plain,
@@ -169,8 +169,8 @@ class _Chosen:
             name=name,
             repo=git.by_ssh if self.by_ssh and git.by_ssh else https(git.url),
             ref=ref,
-            build=next((tool for tool in WORKSPACE_TOOLS if tool == self.build_tool), "none"),
-            before="" if ref and not drifts(ref) else self.before,
+            build=workspace_tool(self.build_tool) or "none",
+            before=day_of_clone(ref, self.before),
             unasked=only_below(git) or bool(git.doubt),
             listed=not tabled,
             place=Place(file=git.file, line=git.line),

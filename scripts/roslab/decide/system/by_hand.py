@@ -8,7 +8,7 @@ from typing import Literal
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.linked_projects import linked_projects
 from roslab.decide.ros.distro_dates import dated
-from roslab.decide.ros.source_names import address, drifts, fixed, moves, plain
+from roslab.decide.ros.source_names import address, day_of_clone, drifts, fixed, moves, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.bare_links import bare_links
 from roslab.decide.system.bare_names import bare, offered_name, with_joined, without_major
@@ -243,7 +243,7 @@ def _source(git: GitSource, day: str) -> Source:
         name=git.name,
         repo=https(git.url),
         ref=ref,
-        before="" if ref and not drifts(ref) else day,
+        before=day_of_clone(ref, day),
         build="cmake",
         cmake_options=git.options,
         cmake_folder=(git.below if git.by_make else f"../{git.below}") if git.below else None,
