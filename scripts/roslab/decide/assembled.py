@@ -25,6 +25,7 @@ from roslab.decide.python.at_top import imported_by_command
 from roslab.decide.python.compiling import Compiling
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.paths import python_path
+from roslab.decide.python_in_scripts import decide_python_in_scripts
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.in_tree import apart
@@ -55,8 +56,6 @@ from roslab.evidence.prose.large_files import PACKAGE as LARGE_FILES
 from roslab.knowledge.distros import Distro
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
-
-_ROS: frozenset[Kind] = frozenset({"ros1", "ros2"})
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -111,7 +110,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     Where the author's Dockerfile is built, nothing is told of what it does in its own way.
     """
     distro, ubuntu = of.release.answer.name if of.release.answer else None, of.base.answer.ubuntu
-    ros = of.kind.answer in _ROS
+    ros = of.kind.answer in {"ros1", "ros2"}
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     interpreters = decide_interpreters(evidence, config, ubuntu)
     files: Choice[tuple[str, ...]] = Choice(answer=()) if of.own.answer else own_packages(evidence, config, ubuntu)
@@ -188,6 +187,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
                 decide_outside(evidence, config, of.kind.answer),
                 _unknown_packages(of, evidence, config),
                 decide_nodes(evidence, config, of.kind.answer, of.base.answer.image, of.python.answer),
+                decide_python_in_scripts(evidence, config, of.kind.answer, of.base.answer.image, of.python.answer),
             )
         ),
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),

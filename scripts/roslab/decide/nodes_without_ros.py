@@ -5,7 +5,6 @@ from __future__ import annotations
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.python.image_python import Python
-from roslab.decide.python_in_scripts import decide_python_in_scripts
 from roslab.decide.reasons import warn
 from roslab.decide.ros.without_manifest import CLIENTS
 from roslab.evidence import places
@@ -19,10 +18,8 @@ _ROS = pattern(r"(?<![a-z])ros(?![a-z])")
 def decide_nodes(evidence: Evidence, config: Config, kind: Kind, base: str, python: Python) -> Choice[None]:
     """Return a warning for the nodes of a tree whose image, from this ``base`` and with this Python, has no ROS.
 
-    Not where conda, pip or the base brings it. In an image of ROS, tell what a script calls by the name of Python 2.
+    Not where conda, pip or the base brings it.
     """
-    if kind in {"ros1", "ros2"} and not config.compatible:
-        return decide_python_in_scripts(evidence, base, python)
     used = [each for each in evidence.code if each.namespace == "import" and each.strength == "used"]
     client = next((each.name for each in used if each.name in CLIENTS and not places.vendored(each.file)), None)
     nodes = [each for each in evidence.programs if each.kind == "node" and not places.aside(each.file)]
