@@ -48,7 +48,4 @@ def _why(environment: CondaEnvironment, evidence: Evidence, kind: Kind, chosen: 
         for each in chosen.guessed
         if (each.origin == ORIGIN and each.file == path) or each.written in pinned
     ]
-    listed = " and ".join(also)
-    return (
-        f"the project says what it needs, and pip installs {listed} of it" if also else "the project says what it needs"
-    )
+    return "the project says what it needs" + (f", and pip installs {' and '.join(also)} of it" if also else "")
