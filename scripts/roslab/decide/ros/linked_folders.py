@@ -26,6 +26,8 @@ def linked_folders(evidence: Evidence, ros: str | None) -> Iterator[tuple[str, s
     known = distro(ros)
     if known is None:
         return
+    there = released(known.name)
+    bare = {row["name"]: row["package"] for row in rows("linked_by_bare_names") if row["package"] in there}
     for project in evidence.cmake:
         of_ros = [
             each.name
@@ -39,14 +41,9 @@ def linked_folders(evidence: Evidence, ros: str | None) -> Iterator[tuple[str, s
                 yield _NAME, f"/opt/ros/{known.name}/lib", why, each
                 return
         for asked in project.dependencies:
-            row = next((row for row in rows("linked_by_bare_names") if row["name"] == asked.name), None)
-            if (
-                row
-                and asked.namespace == "cmake"
-                and row["package"] in released(known.name)
-                and not places.aside(asked.file)
-            ):
-                why = f"the libraries of {asked.name}, which only ROS's {row['package']} has, are linked by bare names"
+            package = bare.get(asked.name, "") if asked.namespace == "cmake" and not places.aside(asked.file) else ""
+            if package:
+                why = f"the libraries of {asked.name}, which only ROS's {package} has, are linked by bare names"
                 yield _NAME, f"/opt/ros/{known.name}/lib", why, asked
                 return
 
