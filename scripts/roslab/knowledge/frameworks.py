@@ -206,7 +206,13 @@ def older_wheels() -> dict[str, tuple[Version, tuple[str, ...]]]:
 @cache
 def build_needs() -> dict[str, tuple[str, ...]]:
     """Return what must be installed before a pip package can be built."""
-    return {row["pip"]: tuple(row["first"].split()) for row in rows("build_needs")}
+    return {row["pip"]: tuple(row["first"].split()) for row in rows("build_needs") if not row["of_others"]}
+
+
+@cache
+def backend_needs() -> dict[str, tuple[str, ...]]:
+    """Return what a backend asks pip for while it builds another project; itself it is a wheel that needs nothing."""
+    return {row["pip"]: tuple(row["first"].split()) for row in rows("build_needs") if row["of_others"]}
 
 
 @cache

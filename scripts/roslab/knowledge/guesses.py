@@ -10,8 +10,10 @@ from roslab.knowledge.table import rows
 
 
 @cache
-def tooling(asked_by: Literal["installers", "developers", "compilers", "ros"]) -> frozenset[str]:
+def tooling(asked_by: Literal["installers", "developers", "compilers", "backends", "ros"]) -> frozenset[str]:
     """Return the tools that install packages, that check code or that compile C++ in conda, or ROS's own packages.
+
+    Or the backends that compile nothing unless a script or a plugin of the project does.
 
     ROS's are those that its core brings and that ``pip freeze`` lists on a machine with it: pip's index has none.
     """

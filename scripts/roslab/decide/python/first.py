@@ -9,15 +9,11 @@ from roslab.decide.python.packages import Chosen
 from roslab.decide.system.cmake_version import BRINGS_CMAKE, NEW
 from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.compiled import prebuilt
-from roslab.knowledge.frameworks import build_needs, imports
+from roslab.knowledge.frameworks import backend_needs, build_needs, imports
+from roslab.knowledge.guesses import tooling
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
-
-_NEVER_COMPILE = frozenset({"flit-core", "hatchling", "pdm-backend", "poetry-core", "uv-build"})
-"""Backends that compile nothing unless a script or a plugin of the project does."""
-_BACKENDS = frozenset({"hatchling", "meson-python", "scikit-build-core"})
-"""What asks pip for more while it builds another project; itself it is a wheel that needs nothing first."""
 
 
 def first(
@@ -33,7 +29,7 @@ def first(
     limited_first = sorted((each for each in asked if each.name), key=lambda each: not each.limited)
     by_name = {each.key: each for each in reversed(limited_first)}
     extensions = {extension for project in projects for extension in project.extensions if not _isolated(project)}
-    needs = [stated(name) for each in asked if each.key not in _BACKENDS for name in build_needs().get(each.key, ())]
+    needs = [stated(name) for each in asked for name in build_needs().get(each.key, ())]
     if "cuda" in extensions or ("c" in extensions and "torch" in by_name):
         needs += [stated("numpy"), stated("torch")]
     elif "cython" in extensions or "c" in extensions:
@@ -45,7 +41,8 @@ def first(
         needs.append(stated(f"cmake<{NEW.major}"))
     if needs:
         asking = [line for project in projects for line in project.build_requires]
-        while_building = [name for line in asking for name in build_needs().get(line.key, ())]
+        known = build_needs() | backend_needs()
+        while_building = [name for line in asking for name in known.get(line.key, ())]
         needs += [*asking, *map(stated, while_building)]
     return tuple({need.key: _as_asked(need, by_name.get(need.key)) for need in needs}.values())
 
@@ -74,7 +71,7 @@ def isolated(projects: Sequence[PythonProject], compiled_first: Sequence[Require
     """
     apart = (p for p in projects if compiled_first and not p.extensions and not p.setup_imports)
     needs = ((p.folder or ".", {each.key for each in p.build_requires}) for p in apart)
-    return tuple(folder for folder, keys in needs if keys and keys.issubset(_NEVER_COMPILE))
+    return tuple(folder for folder, keys in needs if keys and keys.issubset(tooling("backends")))
 
 
 def _as_asked(need: Requirement, author: Requirement | None) -> Requirement:
