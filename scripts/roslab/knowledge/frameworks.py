@@ -88,6 +88,12 @@ def released_together() -> dict[str, tuple[str, ...]]:
     return grouped((row["framework"], row["pip"]) for row in rows("released_together"))
 
 
+@cache
+def family_of(framework: str) -> frozenset[str]:
+    """Return a framework with the packages of which each release is built for one of its own."""
+    return frozenset((framework, *released_together().get(framework, ())))
+
+
 def same_numbers() -> str:
     """Return, a line each, a framework and what is released with it under the same number."""
     return "\n".join(

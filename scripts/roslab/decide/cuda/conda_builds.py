@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslab.decide.cuda.local import cuda_of_build
 from roslab.evidence.conda_environment import CondaEnvironment
-from roslab.knowledge.frameworks import conda_names, released_together
+from roslab.knowledge.frameworks import conda_names, family_of
 from roslab.values.conda import CondaPackage
 from roslab.values.pattern import pattern
 from roslab.values.version import minor_of
@@ -41,10 +41,9 @@ def built_for(environment: CondaEnvironment) -> Iterator[tuple[str, bool]]:
     packages = environment.packages
     cuda = any(each.name in OF_CONDA or names_cuda(each) for each in packages)
     chosen = not cuda and any(each.name in _CHOOSING or (each.name == _MUTEX and _cpu(each)) for each in packages)
-    family = {_TORCH, *released_together().get(_TORCH, ())}
     for package in packages:
         name = _of_pip(package)
-        cpu = _cpu(package) or (chosen and name in family)
+        cpu = _cpu(package) or (chosen and name in family_of(_TORCH))
         yield from ((each, cpu) for each in dict.fromkeys((package.name, name)))
 
 

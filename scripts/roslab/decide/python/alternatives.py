@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslab.config.model import Kind
 from roslab.decide.cuda.local import cuda_of
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import framework, released_together
+from roslab.knowledge.frameworks import family_of, framework
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -79,7 +79,7 @@ def one_way(evidence: Evidence, cuda: str | None) -> Evidence:
 
 
 def _family() -> frozenset[str]:
-    return frozenset({_TORCH, _CPU, *released_together()[_TORCH]})
+    return family_of(_TORCH) | {_CPU}
 
 
 def _of_use(option: str, *, builds: bool) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
-from roslab.knowledge.frameworks import released_together
+from roslab.knowledge.frameworks import family_of
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -28,8 +28,7 @@ def built(asked: Requirement) -> Requirement | None:
     release = asked.release
     if release is None or asked.url or not asked.name:
         return None
-    family = (_LEADING, *released_together()[_LEADING])
-    if asked.key in family and (alpha := _ALPHA.fullmatch(release)):
+    if asked.key in family_of(_LEADING) and (alpha := _ALPHA.fullmatch(release)):
         return _instead(asked, f"=={alpha[1]}.*" if asked.key == _LEADING else "")
     local = _LOCAL.fullmatch(release)
     return _instead(asked, f"=={local[1]}") if local and not _OF_AN_INDEX.match(local[2]) else None

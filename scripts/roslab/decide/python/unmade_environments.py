@@ -14,7 +14,7 @@ from roslab.decide.python.pins import of_conda
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python_project import PythonProject
-from roslab.knowledge.frameworks import released_together
+from roslab.knowledge.frameworks import family_of
 from roslab.values.dataclass import replace
 from roslab.values.requirement import Requirement
 
@@ -35,7 +35,6 @@ def of_unmade(
     plain = [each for each in found if not VARIANT.search(each.file.rpartition(".")[0])] or found
     if kind not in {"python", "cuda"} or len(plain) != 1 or all(project.folder for project in projects):
         return
-    family = {_TORCH, *released_together().get(_TORCH, ())}
     for asked in of_conda(plain[0]):
-        if asked.key in family - known and not places.test(asked.file):
+        if asked.key in family_of(_TORCH) - known and not places.test(asked.file):
             yield replace(asked, role="")
