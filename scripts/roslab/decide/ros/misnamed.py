@@ -27,19 +27,21 @@ def of_pip(name: str) -> str:
     """Return the apt package of what a key names as pip does, ``""`` where it is another thing or apt has none."""
     if name in rosdep_keys() or ever_released(name):
         return ""
-    found = _by_module_and_name()
-    return min((found[key] for key in (name, f"pip {canonicalize_name(name)}") if key in found), default=(0, ""))[1]
+    by_module, by_pip = _numbered()
+    found = (by_module.get(name), by_pip.get(canonicalize_name(name)))
+    return min(filter(None, found), default=(0, ""))[1]
 
 
 @cache
-def _by_module_and_name() -> dict[str, tuple[int, str]]:
-    """Return the apt package of each module, and of each package of pip in its plain spelling, with its row."""
-    found: dict[str, tuple[int, str]] = {}
+def _numbered() -> tuple[dict[str, tuple[int, str]], dict[str, tuple[int, str]]]:
+    """Return the apt packages with their rows, by modules and by the names of pip in their plain spelling."""
+    by_module: dict[str, tuple[int, str]] = {}
+    by_pip: dict[str, tuple[int, str]] = {}
     for number, (module, (pip, apt)) in enumerate(imports().items()):
         if apt:
-            found.setdefault(module, (number, apt))
-            found.setdefault(f"pip {canonicalize_name(pip or '')}", (number, apt))
-    return found
+            by_module.setdefault(module, (number, apt))
+            by_pip.setdefault(canonicalize_name(pip or ""), (number, apt))
+    return by_module, by_pip
 
 
 def library_called(name: str, ubuntu: str | None) -> Library | None:
