@@ -10,6 +10,7 @@ from roslab.decide.entry_scripts import told
 from roslab.decide.reasons import warn
 from roslab.decide.windows import opens_windows
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
+from roslab.knowledge.official_images import without_tag
 
 
 def shown(text: str, config: Config, evidence: Evidence, authored: AuthorDockerfile | None) -> bool:
@@ -60,14 +61,8 @@ def _beside(authored: AuthorDockerfile | None, evidence: Evidence) -> Iterator[M
         return
     folder = authored.file.rpartition("/")[0]
     near = {folder, folder.rpartition("/")[0], ""}
-    built = {_bare(m.value) for m in evidence.mentions if m.topic == "image_built" and "$" not in m.value}
+    built = {without_tag(m.value) for m in evidence.mentions if m.topic == "image_built" and "$" not in m.value}
     for said in evidence.mentions:
         beside = said.topic in {"screen", "mounted"} and said.file.rpartition("/")[0] in near
-        if beside and (not (said.inside and built) or _bare(said.inside) in built):
+        if beside and (not (said.inside and built) or without_tag(said.inside) in built):
             yield said
-
-
-def _bare(image: str) -> str:
-    """Return the name of an image without its tag."""
-    folder, slash, name = image.rpartition("/")
-    return f"{folder}{slash}{name.partition('@')[0].partition(':')[0]}"

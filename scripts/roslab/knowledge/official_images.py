@@ -17,16 +17,22 @@ def _of_publishers() -> frozenset[str]:
     return frozenset(row["image"] for row in rows("usual_shells"))
 
 
+def without_tag(reference: str) -> str:
+    """Return the name of an image without its tag and digest; a registry may have a port."""
+    folder, slash, name = reference.partition("@")[0].rpartition("/")
+    return f"{folder}{slash}{name.partition(':')[0]}"
+
+
 def with_usual_shell(reference: str) -> bool:
     """Tell whether the steps of a Dockerfile on an image are run by ``/bin/sh``: it is known to name no other shell.
 
     So it is with Docker's official images, and with those of the publishers in the table; others may have a SHELL.
     """
-    name = reference.partition("@")[0].partition(":")[0].lower().removeprefix("docker.io/").removeprefix("library/")
+    name = without_tag(reference).lower().removeprefix("docker.io/").removeprefix("library/")
     return name in _names() | _of_publishers()
 
 
 def published(reference: str) -> bool:
     """Tell whether a registry may have an image; of names without a slash, Docker Hub has the official ones only."""
-    name = reference.partition("@")[0]
-    return "/" in name or name.partition(":")[0].lower() in _names()
+    name = without_tag(reference)
+    return "/" in name or name.lower() in _names()

@@ -9,6 +9,7 @@ import re
 from functools import cache
 
 from roslab.knowledge.distros import distro, ubuntus
+from roslab.knowledge.official_images import without_tag
 from roslab.knowledge.table import rows
 from roslab.values.pattern import pattern
 
@@ -50,7 +51,7 @@ def release_of(image: str) -> str | None:
 
 def of_debian(image: str) -> bool:
     """Tell whether an image is Debian's: its release is, or it is the official one of a language, whatever its tag."""
-    name = _REGISTRY.sub("", image).partition("@")[0].partition(":")[0]
+    name = without_tag(_REGISTRY.sub("", image))
     found = system_of(release_of(image))
     languages = {row["image"] for row in rows("language_images")} - {"ubuntu"}
     return found == "Debian" or (found is None and name in languages)
