@@ -138,7 +138,7 @@ def asked_for(git: GitSource, wanted: dict[str, Dependency], known: frozenset[st
     return next(family, None) or next((d for d in related if d.name not in rosdep_keys()), None)
 
 
-def tabled(found: RosSource, asked: Dependency) -> GitSource:
+def as_clone(found: RosSource, asked: Dependency) -> GitSource:
     """Return the repository of a row of the table of unreleased packages, called as where a page clones it."""
     return GitSource(
         name=found.repo.rpartition("/")[2].removesuffix(".git"),

@@ -22,13 +22,13 @@ from roslab.decide.ros.required_links import required_links
 from roslab.decide.ros.sought import with_sought
 from roslab.decide.ros.source_names import (
     address,
+    as_clone,
     asked_for,
     called_like,
     day_of_clone,
     fixed,
     itself_in,
     plain,
-    tabled,
     wanted_names,
 )
 from roslab.decide.ros.source_warnings import doubted, loose, private
@@ -245,7 +245,7 @@ class _Chosen:
             for found in ros_sources(asked.name, ros, distro):
                 if address(found.repo) in self.others:
                     continue
-                git = tabled(found, asked)
+                git = as_clone(found, asked)
                 self.add(git, f"{asked.name} is needed, and no distribution released {found.package}", tabled=True)
                 if git.name in self.sources:
                     self.packages.add(found.package)
