@@ -29,19 +29,18 @@ _WITH_MOST = frozenset({"conda-forge", "defaults", "main", "anaconda"})
 def limits_of(evidence: Evidence, conda: str | None, kind: Kind, own: OwnPython) -> Choice[tuple[str, ...]]:
     """Return limits for what others of the environment bring: ``mkl<2024.1`` beside an old torch; builds for CUDA.
 
-    And the Python, where the file names none.
-
-    What the environment names with a version of its own is left to its author.
+    And the Python, where the file names none. What the environment names with a version is left to its author.
     """
     environment = next((each for each in evidence.conda if each.file == conda), None)
-    if environment:
-        environment = replace(environment, channels=(*environment.channels, *further_channels(evidence, conda)))
-    python = python_of_conda(environment, own, evidence.pip_day) if environment else None
-    if environment and python:
+    if environment is None:
+        return Choice(answer=())
+    environment = replace(environment, channels=(*environment.channels, *further_channels(evidence, conda)))
+    found: dict[str, str] = {}
+    if python := python_of_conda(environment, own, evidence.pip_day):
         environment = replace(environment, packages=(python, *environment.packages))
-    found = {python.written: "the file names no Python, and conda would take its newest"} if python else {}
-    found |= dict(_found(environment)) if environment else {}
-    if environment and kind == "cuda" and not environment.specs:
+        found[python.written] = "the file names no Python, and conda would take its newest"
+    found |= _found(environment)
+    if kind == "cuda" and not environment.specs:
         torch = next((package for package in environment.packages if package.name == "pytorch"), None)
         found |= builds_for_cuda(environment, _channel(torch, environment, "pytorch")) if torch else {}
     return Choice(
