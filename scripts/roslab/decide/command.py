@@ -117,13 +117,14 @@ def decide_command(
     by_image = (listed_in(each, authored) if authored else each.argv for each in once(by_argv.values()))
     candidates = tuple(dict.fromkeys(by_image))[:MAX_CANDIDATES]
     volumes = volumes_of(authored, config)
+    mounts = (*volumes, *config.volume)
     if config.command is not None:
         text = line_of(config.command)
         said = configured(config, "command", text, "command")
         gui = shown(text, config, evidence, authored)
         chosen = Command(command=config.command, candidates=candidates, gui=gui, volumes=volumes)
         chosen = replace(_given(chosen, dockerfile, authored), entrypoint_takes=taken)
-        warnings = of_image(authored, chosen.command, evidence, (*volumes, *config.volume))
+        warnings = of_image(authored, chosen.command, evidence, mounts)
         return Choice(answer=chosen, reasons=(said,), warnings=warnings)
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = shown(shlex.join(command), config, evidence, authored)
@@ -152,10 +153,9 @@ def decide_command(
     reasons = (why, *(_found(candidate) for candidate in found[:MAX_CANDIDATES]))
     shell = command == ("bash",) and not dockerfile
     gone = (*gone_programs(evidence, kind), *lacking_arguments(found)) if shell else ()
-    known = known_folders(authored, evidence, (*volumes, *config.volume))
-    said_of = of_image(authored, chosen.command, evidence, (*chosen.volumes, *config.volume))
+    left = left_to_reader(page, evidence, known_folders(authored, evidence, mounts)) if page else gone
     return Choice(
-        answer=chosen, reasons=reasons, warnings=(*said_of, *(left_to_reader(page, evidence, known) if page else gone))
+        answer=chosen, reasons=reasons, warnings=(*of_image(authored, chosen.command, evidence, mounts), *left)
     )
 
 
