@@ -7,7 +7,6 @@ from collections.abc import Iterable, Iterator
 from roslab.decide.decision import Reason, Warning_
 from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.reasons import warn
-from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python_project import PythonProject
 from roslab.values.specifier import admits, specifiers
@@ -15,7 +14,7 @@ from roslab.values.specifier import admits, specifiers
 
 def required(evidence: Evidence, projects: Iterable[PythonProject] = ()) -> tuple[PythonProject, ...]:
     """Return the project at the root, if pip can install it, and those of ``projects`` that say what they require."""
-    own = [each for each in evidence.python if not each.folder and each.installable and not places.vendored(each.file)]
+    own = [each for each in evidence.python if not each.folder and each.installable]
     return tuple(each for each in dict.fromkeys((*own, *projects)) if each.requires_python)
 
 

@@ -11,7 +11,6 @@ from roslab.config.model import Kind
 from roslab.decide.python.conda_environments import OF_OTHER_SYSTEM
 from roslab.decide.python.manifests import VARIANT
 from roslab.decide.python.pins import of_conda
-from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.frameworks import family_of
@@ -30,11 +29,11 @@ def of_unmade(
 
     Only where the project at the root is installed: with a list of pip's the author says another way.
     """
-    found = [each for each in evidence.conda if "/" not in each.file and not each.specs]
-    found = [each for each in found if not (OF_OTHER_SYSTEM.search(each.file) or places.vendored(each.file))]
+    at_root = (each for each in evidence.conda if "/" not in each.file and not each.specs)
+    found = [each for each in at_root if not OF_OTHER_SYSTEM.search(each.file)]
     plain = [each for each in found if not VARIANT.search(each.file.rpartition(".")[0])] or found
     if kind not in {"python", "cuda"} or len(plain) != 1 or all(project.folder for project in projects):
         return
     for asked in of_conda(plain[0]):
-        if asked.key in family_of(_TORCH) - known and not places.test(asked.file):
+        if asked.key in family_of(_TORCH) - known:
             yield replace(asked, role="")
