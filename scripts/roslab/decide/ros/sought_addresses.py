@@ -45,12 +45,13 @@ def addresses_of(
     owner = public_owner(evidence)
     owned: dict[str, tuple[str, ...]] = {}
     ours = controllers((each for each in asked.values() if each.namespace == "rosdep"), evidence)
-    for name in (name for name in names if owner and name not in ours):
-        for called in () if ever_released(name) or vendor_of(name)[0] else called_by(name):
+    free = [name for name in names if owner and name not in ours and not ever_released(name)]
+    for name in free:
+        for called in () if vendor_of(name)[0] else called_by(name):
             url = f"{owner}/{called}"
             if called == name or not (called in known or ever_released(called)):
                 owned[url] = (*owned.get(url, ()), name)
-    for name in (name for name in names if owner and name not in ours and not ever_released(name)):
+    for name in free:
         for called in wholes(name):
             url = f"{owner}/{called}"
             owned[url] = tuple(dict.fromkeys((*owned.get(url, ()), name)))
