@@ -93,7 +93,8 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
             continue
         text = without_xml_comments(text) if xml else _REMARK.sub("\n", f"\n{text}")[1:]
         old = bool(xml) and not _new(text) and not file.name.endswith(".launch.xml")
-        package = _owner(file.folder, packages)
+        owner = places.innermost(file.folder, packages)
+        package = None if owner is None else packages[owner]
         found.append(
             LaunchFile(
                 file=file.path,
@@ -233,12 +234,3 @@ def _packages(repository: Repository) -> dict[str, str]:
         if match:
             found[file.folder] = match[1]
     return found
-
-
-def _owner(folder: str, packages: dict[str, str]) -> str | None:
-    while True:
-        if folder in packages:
-            return packages[folder]
-        if not folder:
-            return None
-        folder = folder.rpartition("/")[0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
+from roslab.evidence import places
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.ros.only_programs import only_programs
 from roslab.repository.checkout import Repository
@@ -32,10 +33,9 @@ def marked(
 
 
 def _marked(launch: LaunchFile, repository: Repository, packages: Mapping[str, str]) -> LaunchFile:
-    above = [folder for folder in packages if not folder or launch.file.startswith(f"{folder}/")]
-    if not above:
+    folder = places.innermost(launch.file, packages)
+    if folder is None:
         return launch
-    folder = max(above, key=len)
     if _left(launch.file, folder, repository, packages):
         return replace(launch, installed=False)
     return replace(launch, by_path=True) if only_programs(launch.file, folder, repository) else launch
