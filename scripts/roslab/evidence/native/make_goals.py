@@ -26,11 +26,11 @@ def linking(text: str) -> tuple[tuple[str, str], ...]:
 
     None where make makes a program by itself, or its first target is not written in full.
     """
-    rules = _rules(text)
-    if not rules or not rules[0][0].endswith(".o") or any(_GOAL.match(line) for line in text.splitlines()):
+    goals = _goals(text)
+    if not goals or not goals[0][0].endswith(".o") or any(_GOAL.match(line) for line in text.splitlines()):
         return ()
     found: dict[str, str] = {}
-    for target, recipe in rules:
+    for target, recipe in goals:
         for line in recipe:
             linked = None if _ONLY_COMPILES.search(line) else _LINKED.search(line)
             program = (target if linked[1] == "$@" else linked[1]) if linked else ""
@@ -42,14 +42,9 @@ def linking(text: str) -> tuple[tuple[str, str], ...]:
 def recipes(text: str) -> dict[str, list[str]]:
     """Return the recipe of each target that is written in full, with all its rules' lines."""
     found: dict[str, list[str]] = {}
-    recipe: list[str] = []
-    for line in text.replace("\\\n", " ").splitlines():
-        if line.startswith("\t"):
-            recipe.append(line)
-        elif match := _RULE.match(line):
-            recipe = []
-            for target in match[1].split():
-                found[target] = recipe = found.get(target, recipe)
+    for targets, recipe in _rules(text):
+        for target in targets:
+            found.setdefault(target, []).extend(recipe)
     return found
 
 
@@ -58,16 +53,23 @@ def alone(text: str) -> bool:
     return not any(_OTHERS.search(line) for line in text.splitlines() if not line.lstrip().startswith("#"))
 
 
-def _rules(text: str) -> list[tuple[str, list[str]]]:
+def _goals(text: str) -> list[tuple[str, list[str]]]:
     """Return the first target of each rule with its recipe, without those that make never takes for its goal."""
-    rules: list[tuple[str, list[str]]] = []
+    return [
+        (targets[0], recipe)
+        for targets, recipe in _rules(text)
+        if not any("%" in target for target in targets) and (not targets[0].startswith(".") or "/" in targets[0])
+    ]
+
+
+def _rules(text: str) -> list[tuple[list[str], list[str]]]:
+    """Return the targets of each rule with its recipe."""
+    rules: list[tuple[list[str], list[str]]] = []
     recipe: list[str] = []
     for line in text.replace("\\\n", " ").splitlines():
         if line.startswith("\t"):
             recipe.append(line)
         elif match := _RULE.match(line):
             recipe = []
-            target = match[1].split()[0]
-            if "%" not in match[1] and (not target.startswith(".") or "/" in target):
-                rules.append((target, recipe))
+            rules.append((match[1].split(), recipe))
     return rules

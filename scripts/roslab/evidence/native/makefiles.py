@@ -134,15 +134,13 @@ def compiles_targets(text: str, targets: Iterable[str]) -> bool:
     known = make_goals.recipes(text)
     named = {word for line in text.splitlines() if (found := _SET.match(line)) for word in found[1].split()}
     return all(
-        each == "all"
-        or (each in known and (not known[each] or _only_compiles("\n".join(known[each]))))
-        or (each not in known and each in named)
+        each == "all" or (_only_compiles("\n".join(known[each])) if each in known else each in named)
         for each in targets
     )
 
 
 def _only_compiles(recipe: str) -> bool:
-    return _COMPILES.search(recipe) is not None and not _STARTS.search(recipe)
+    return not recipe or (_COMPILES.search(recipe) is not None and not _STARTS.search(recipe))
 
 
 def _makefile(file: File, repository: Repository) -> Makefile | None:
