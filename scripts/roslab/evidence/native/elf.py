@@ -1,15 +1,30 @@
-"""The names of libraries in a file of the ELF format: those that it needs, and none that is only its own."""
+"""What the start of a file of the ELF format tells: the machine that it is for, and the libraries that it needs."""
 
 from __future__ import annotations
 
 import struct
 from collections.abc import Iterator
 
-_MAGIC, _64_BITS, _LITTLE = b"\x7fELF", 2, 1
+MAGIC, _64_BITS, _LITTLE = b"\x7fELF", 2, 1
 _LOADED, _DYNAMIC = 1, 2
 _NEEDED, _STRINGS = 1, 5
+HEADER = 20
+"""Bytes that tell the kind and the machine."""
+X86_64, AARCH64 = b"\x3e\x00", b"\xb7\x00"
+_PROGRAMS = frozenset({b"\x02\x00", b"\x03\x00"})
+"""https://refspecs.linuxfoundation.org/elf/gabi4+/ch4.eheader.html, read 2026-11-27"""
 MOST = 1_000
 """Most entries of a table that are read."""
+
+
+def machine(data: bytes) -> bytes:
+    """Return the machine that a file is compiled for, as its header has it; nothing for a file of another format."""
+    return data[18:20] if data[:4] == MAGIC else b""
+
+
+def starts(data: bytes) -> bool:
+    """Tell whether a file of this format may be a program: one for its own place, or for any, as libraries are."""
+    return data[16:18] in _PROGRAMS
 
 
 def needed(data: bytes) -> tuple[str, ...] | None:
@@ -24,7 +39,7 @@ def needed(data: bytes) -> tuple[str, ...] | None:
 
 
 def _needed(data: bytes) -> tuple[str, ...] | None:
-    if data[:4] != _MAGIC or data[4] != _64_BITS or data[5] != _LITTLE:
+    if data[:4] != MAGIC or data[4] != _64_BITS or data[5] != _LITTLE:
         return None
     (table,) = struct.unpack_from("<Q", data, 32)
     size, number = struct.unpack_from("<HH", data, 54)

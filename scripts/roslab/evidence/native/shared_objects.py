@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import made_elsewhere
+from roslab.evidence.native import elf, made_elsewhere
 from roslab.knowledge.shared_objects import package_of, ubuntus_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
@@ -18,9 +18,7 @@ MAX_SIZE = 4 * 1024 * 1024
 MOST = 20
 """Most files that are read, those nearest to the root first."""
 _NAME = pattern(r"\.so(?:\.\d+)*$")
-_MAGIC = b"\x7fELF"
-_MACHINES = frozenset({b"\x3e\x00", b"\xb7\x00"})
-"""x86-64 and AArch64. https://refspecs.linuxfoundation.org/elf/gabi4+/ch4.eheader.html"""
+_MACHINES = frozenset({elf.X86_64, elf.AARCH64})
 _VERSIONED = pattern(r"lib[\w+.-]{1,60}\.so(?:\.\d+){1,3}")
 _NEEDED = re.compile(rb"\0(lib[\w+.-]{1,60}\.so(?:\.\d+){1,3})(?=\0)")
 
@@ -67,10 +65,8 @@ def _needed_of(repository: Repository, without: tuple[str, ...]) -> tuple[tuple[
     found: dict[tuple[str, str], None] = {}
     for file in _files(repository, without):
         data = repository.read_bytes(file, limit=MAX_SIZE)
-        if data[:4] != _MAGIC or data[18:20] not in _MACHINES:
+        if elf.machine(data) not in _MACHINES:
             continue
-        from roslab.evidence.native import elf  # noqa: PLC0415 - few trees hold libraries
-
         names = elf.needed(data)
         if names is None:  # all names of that form, of which one may be the file's own
             names = tuple(name.decode() for name in _NEEDED.findall(data))

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.native import elf
 from roslab.evidence.native.x86 import always, cmake_files
 from roslab.evidence.native.x86_searched import FINDING, searched
 from roslab.evidence.x86_only import X86Only
@@ -32,10 +33,7 @@ _CALLS = _FETCHING | _LINKING | FINDING | {"configure_file"}
 _NAME = pattern(r"\.(?:so(?:\.\d+)*|a)$")
 _SEARCHES = pattern(r"(?i)\b(?:find_library|link_directories)\b")
 _LIBRARY = pattern(r"\.(?:so(?:\.\d+)*|a)(?=[\s)\"';])")
-_ELF = b"\x7fELF"
 _ARCHIVE_OF_OBJECTS = b"!<arch>\n"
-_X86_64 = b"\x3e\x00"
-"""https://refspecs.linuxfoundation.org/elf/gabi4+/ch4.eheader.html"""
 _CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp")
 _OPENS = pattern(r"\bdlm?open\s*\(")
 _NAMED = pattern(r"\"(?:[^\"\n]*/)?([\w.+-]+\.so)\"")
@@ -151,8 +149,8 @@ def _linked(call: Call, file: File, repository: Repository) -> str | None:
 def _is_x86(path: str, repository: Repository) -> bool:
     """Tell whether a library, or the first object of an archive, is compiled for x86-64."""
     data = repository.read_bytes(path, limit=MAX_HEAD)
-    start = data.find(_ELF) if data.startswith(_ARCHIVE_OF_OBJECTS) else 0
-    return start >= 0 and data[start : start + 4] == _ELF and data[start + 18 : start + 20] == _X86_64
+    start = data.find(elf.MAGIC) if data.startswith(_ARCHIVE_OF_OBJECTS) else 0
+    return start >= 0 and elf.machine(data[start : start + elf.HEADER]) == elf.X86_64
 
 
 def _copied(file: File, repository: Repository) -> bool:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from roslab.evidence import places
+from roslab.evidence.native import elf
 from roslab.evidence.native.x86 import cmake_files
 from roslab.evidence.x86_only import X86Only
 from roslab.repository.checkout import File, Repository, nearest
@@ -18,9 +19,6 @@ MAX_VARIABLES = 50
 SMALLEST = 4 * 1024
 _NAME = pattern(r"[A-Za-z][\w.+-]{1,80}")
 _SUFFIXES = frozenset({"", ".bin", ".elf", ".out", ".x86_64"})
-_HEAD = 20
-_ELF, _X86_64, _PROGRAMS = b"\x7fELF", b"\x3e\x00", (b"\x02\x00", b"\x03\x00")
-"""https://refspecs.linuxfoundation.org/elf/gabi4+/ch4.eheader.html, read 2026-11-27"""
 _CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp")
 _STRING = r"\"(?:[^\"\\\n]|\\.)*\""
 _REST = rf"((?:{_STRING}|[^\";{{}}]){{0,400}})"
@@ -95,8 +93,8 @@ def _may_be(file: File) -> bool:
 
 
 def _is_x86(file: File, repository: Repository) -> bool:
-    head = repository.read_bytes(file.path, limit=_HEAD)
-    return head[:4] == _ELF and head[16:18] in _PROGRAMS and head[18:20] == _X86_64
+    head = repository.read_bytes(file.path, limit=elf.HEADER)
+    return elf.machine(head) == elf.X86_64 and elf.starts(head)
 
 
 def _made(name: str, repository: Repository) -> bool:
