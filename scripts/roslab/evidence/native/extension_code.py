@@ -87,10 +87,7 @@ def compiled(repository: Repository, script: str, folder: str, folders: set[str]
         for file in repository.suffixed(*_SOURCES, *_HEADERS)
         if file.path.startswith(inside) and not file.path.startswith(others) and file.size < MAX_SIZE
     ]
-    yield from _compiled(repository, [file for file in own if not places.aside(file.path.removeprefix(inside))], script)
-
-
-def _compiled(repository: Repository, own: list[File], script: str) -> Iterator[tuple[str, str]]:
+    own = [file for file in own if not places.aside(file.path.removeprefix(inside))]
     every = bool(_LISTS.search(script))
     pending = [file for file in own if file.name.endswith(_SOURCES) and (every or file.name in script)]
     by_name: dict[str, list[File]] = {}

@@ -29,14 +29,20 @@ https://github.com/ros-infrastructure/rospkg/blob/master/stdeb.cfg, 2026-11-27
 
 def of_python3(module: Module, imported: Collection[str]) -> Iterator[Dependency]:
     """Yield Ubuntu's packages for Python 3 of the modules that such a program imports, but for a test's."""
-    role = ROLE if _FIRST_LINE.match(module.text) else ROLE_ELSEWHERE
-    elsewhere = role != ROLE and not module.names_ros and _FIRST_LINE_ELSEWHERE.match(module.text)
-    if not (role == ROLE or elsewhere) or places.test(module.file.path):
+    role = _role(module)
+    if role is None or places.test(module.file.path):
         return
     for top in imported:
         kept = package_of(top)
         for name in filter(None, (kept, *_OF_MODULES.get(top, ()))):
             yield Dependency(namespace="apt", name=name, strength="used", file=module.file.path, line=1, role=role)
+
+
+def _role(module: Module) -> str | None:
+    """Return by which first line a program runs on Python 3, ``None`` for one that may run on another."""
+    if _FIRST_LINE.match(module.text):
+        return ROLE
+    return ROLE_ELSEWHERE if not module.names_ros and _FIRST_LINE_ELSEWHERE.match(module.text) else None
 
 
 def package_of(module: str) -> str:

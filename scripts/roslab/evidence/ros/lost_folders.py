@@ -64,13 +64,8 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             found.add(folder)
             line = text.count("\n", 0, match.start()) + 1
             said = match[0][:120]
-            end = end_of_line(text, match.end())
-            written = _WRITES.search(text, text.rfind("\n", 0, match.start()) + 1, end)
-            there = (
-                ()
-                if written
-                else tuple(each.path for each in repository.named(match[3]) if match[3] and each.name == match[3])
-            )
+            written = _WRITES.search(text, text.rfind("\n", 0, match.start()) + 1, end_of_line(text, match.end()))
+            there = () if written else _called(match[3], repository)
             yield Mention(
                 topic="lost_folder",
                 value=folder,
@@ -82,6 +77,11 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             )
             if len(found) == MOST:
                 return
+
+
+def _called(name: str, repository: Repository) -> tuple[str, ...]:
+    """Return the paths of the files with a name, written as it is."""
+    return tuple(file.path for file in repository.named(name) if file.name == name)
 
 
 def _commented(text: str, at: int, file: str) -> bool:
