@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import posixpath
-import sys
 from collections.abc import Iterable, Iterator
 
-from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.python.from_root import LAYOUTS, imported_from, places_at_root
-from roslab.evidence.python.modules import modules, run_by_pages
-from roslab.evidence.python.sibling_folders import modules_in
+from roslab.evidence.python.modules import has_guard, modules, run_by_pages
+from roslab.evidence.python.sibling_folders import known_modules, modules_in
 from roslab.evidence.python.through_modules import names_inside, of_tree
-from roslab.knowledge.frameworks import imports as known_imports
-from roslab.knowledge.standard_modules import standard_modules
 from roslab.repository.checkout import File, Repository
 
 
@@ -26,14 +22,13 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     one, which it would hide. ``inside`` is the folder, ``files`` the modules in it.
     """
     run = run_by_pages(mentions)
-    known = sys.stdlib_module_names | standard_modules() | known_imports().keys()
     for module in modules(repository):
         program = module.file
-        offered = program.path in run or ("__main__" in module.words and not places.test(program.path))
+        offered = program.path in run or has_guard(module)
         found = dict(_found(repository, program)) if offered and "/" in program.folder else {}
         for folder, (name, line) in imported_from(module, repository, found).items() if found else ():
             hidden = repository.once(modules_in).get(folder, set())
-            if name not in known and known.isdisjoint(hidden):
+            if known_modules().isdisjoint((name, *hidden)):
                 yield Mention(
                     topic="from_above",
                     value=name,

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.python.lenient import tables
-from roslab.evidence.python.modules import Module, modules, run_by_pages
+from roslab.evidence.python.modules import Module, has_guard, modules, run_by_pages
 from roslab.evidence.python.stopped_setup import why_refused
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.repository.checkout import Repository
@@ -40,12 +40,11 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     if installs_itself(repository):
         return
     run = run_by_pages(mentions)
-    places_of = places_at_root(repository)
+    places_of = repository.once(places_at_root)
     for module in modules(repository) if places_of else ():
         file = module.file
-        started = "__main__" in module.words and not places.test(file.path)
         names = {name: place for name, place in places_of.items() if file.folder or place}
-        if not (file.path in run or started) or not any(name in module.text for name in names):
+        if not (file.path in run or has_guard(module)) or not any(name in module.text for name in names):
             continue
         for place, (name, line) in imported_from(module, repository, names).items():
             yield Mention(

@@ -59,6 +59,11 @@ def run_by_pages(mentions: Iterable[Mention]) -> set[str]:
     return {file for said in mentions if said.topic == "command" for file in said.files if file.endswith(".py")}
 
 
+def has_guard(module: Module) -> bool:
+    """Tell whether a module begins a program where it is started itself, and is no test."""
+    return "__main__" in module.words and not places.test(module.file.path)
+
+
 def setup_scripts(repository: Repository) -> tuple[Module, ...]:
     """Return every setup.py worth reading, as ``modules`` returns the rest."""
     return repository.once(_setup_scripts)

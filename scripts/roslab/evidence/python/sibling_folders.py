@@ -6,14 +6,14 @@ import posixpath
 import sys
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
-from functools import reduce
+from functools import cache, reduce
 from operator import or_
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.python.from_root import LAYOUTS, installs_itself
 from roslab.evidence.python.import_graph import ImportGraph
-from roslab.evidence.python.modules import Module, modules, run_by_pages
+from roslab.evidence.python.modules import Module, has_guard, modules, run_by_pages
 from roslab.evidence.python.through_modules import names_inside, of_tree
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
@@ -50,8 +50,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
 
 def _offered(module: Module) -> bool:
     """Tell whether a program may be offered as a command though no page names it."""
-    path = module.file.path
-    return path.count("/") <= DEEPEST and "__main__" in module.words and not places.test(path)
+    return module.file.path.count("/") <= DEEPEST and has_guard(module)
 
 
 class _Tree:
@@ -137,7 +136,7 @@ def _only_folders(repository: Repository, texts: Mapping[str, str]) -> dict[str,
     for file in repository.suffixed(*_CODE):
         found.setdefault(file.name.partition(".")[0], set()).add(file.folder)
     named = {part for folder in repository.folders for part in folder.split("/")}
-    known = sys.stdlib_module_names | standard_modules() | known_imports().keys()
+    known = known_modules()
     taken = known | named
     inside = repository.once(modules_in)
     only: dict[str, str] = {}
@@ -154,6 +153,12 @@ def _only_folders(repository: Repository, texts: Mapping[str, str]) -> dict[str,
         if not hides[folder]:
             only[name] = folder
     return only
+
+
+@cache
+def known_modules() -> frozenset[str]:
+    """Return the names of the standard library's modules and of known packages, which none of the tree may hide."""
+    return frozenset({*sys.stdlib_module_names, *standard_modules(), *known_imports()})
 
 
 def modules_in(repository: Repository) -> dict[str, set[str]]:
