@@ -9,16 +9,17 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.lex.lines import end_of_line, matching_lines
+from roslab.evidence.native.x86 import cmake_files
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 FOLDER = "/usr/local/cuda-"
 UNSURE = "hints"
 """What a version stands in that only hints and branches for other processors name."""
-_PATH = pattern(r"[^#\n]{0,400}?/usr/local/cuda-(\d{1,2}\.\d)\b(?![\w.-])")
+_NAMED = rf"{FOLDER}(\d{{1,2}}\.\d)(?![\w.-])"
 """https://docs.nvidia.com/cuda/archive/10.2/cuda-installation-guide-linux/index.html#environment-setup, 2026-11-27"""
-
-_VERSION = pattern(r"/usr/local/cuda-(\d{1,2}\.\d)(?![\w.-])")
+_VERSION = pattern(_NAMED)
+_UNMARKED = pattern(rf"[^#\n]{{0,400}}?{_NAMED}")
 _EVERY = frozenset({"*"})
 _ELSEWHERE = pattern(r"aarch64|arm64|\barmv?\d|jetson|tegra|l4t|\bEXISTS\b", re.IGNORECASE)
 _TURNED = pattern(r"NOT \(?")
@@ -33,12 +34,12 @@ def read(repository: Repository) -> Iterator[Mention]:
     What nothing but hints and branches for other processors names says so (``inside``).
     """
     found: dict[str, Mention] = {}
-    for file in (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake")):
-        text = "" if places.aside(file.path) else repository.read(file)
+    for file in cmake_files(repository):
+        text = "" if places.vendored(file.path) else repository.read(file)
         if FOLDER not in text:
             continue
         plain = set() if file.name.startswith("Find") else _plainly(text)
-        for match in matching_lines(_PATH, text, FOLDER):
+        for match in matching_lines(_UNMARKED, text, FOLDER):
             line = text.count("\n", 0, match.start()) + 1
             said = text[match.start() : end_of_line(text, match.start())].strip()[:120]
             inside = "" if match[1] in plain else UNSURE
