@@ -89,9 +89,10 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
         refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
     found: dict[str, GitSource] = {}
     thanked = _thanked(text)
-    listed = _listed(text) if "/" not in file.path else frozenset()
-    installing = _installing(text) if "/" not in file.path else frozenset()
-    beside = _of_packages(text) if "/" not in file.path else frozenset()
+    at_root = "" if "/" in file.path else text
+    listed = _listed(at_root)
+    installing = _below(at_root, _INSTALLING)
+    beside = _below(at_root, _PACKAGES, nearest=True)
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
         url = match[0].partition("/tree/")[0].rstrip("/").removesuffix(".git")
         name = match[1].removesuffix(".git").rstrip(".")
@@ -162,20 +163,16 @@ def _listed(text: str) -> frozenset[int]:
     return frozenset(line.number for line in needed_items(text))
 
 
-def _installing(text: str) -> frozenset[int]:
-    """Return the numbers of the lines in sections about installing, of a page with a link, without those aside."""
-    if not _INSTALLING.search(text) or not _LINK.search(text):
+def _below(text: str, words: re.Pattern[str], *, nearest: bool = False) -> frozenset[int]:
+    """Return the numbers of the lines below titles with some words, of a page with a link, without sections aside.
+
+    ``nearest``: it is the title right above that has them.
+    """
+    if not words.search(text) or not _LINK.search(text):
         return frozenset()
     found = (line for line in lines_of(text) if not (line.fenced or line.elsewhere))
-    return frozenset(line.number for line in found if any(map(_INSTALLING.search, line.titles.values())))
-
-
-def _of_packages(text: str) -> frozenset[int]:
-    """Return the numbers of the lines in sections about other packages, by their own titles alone."""
-    if not _PACKAGES.search(text) or not _LINK.search(text):
-        return frozenset()
-    found = (line for line in lines_of(text) if line.titles and not (line.fenced or line.elsewhere))
-    return frozenset(line.number for line in found if _PACKAGES.search(line.titles[max(line.titles)]))
+    first = -1 if nearest else 0
+    return frozenset(line.number for line in found if any(map(words.search, [*line.titles.values()][first:])))
 
 
 def _thanked(text: str) -> frozenset[int]:
