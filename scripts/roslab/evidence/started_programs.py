@@ -10,7 +10,7 @@ from roslab.evidence.prose.called_in_scripts import MAX_SIZE, calls_of
 from roslab.evidence.python.called import programs_of
 from roslab.evidence.python.modules import modules
 from roslab.knowledge.authors_own import authors_own
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_FILES = 200
@@ -30,7 +30,7 @@ def read(repository: Repository) -> tuple[Mention, ...]:
 
 def _of_scripts(repository: Repository) -> Iterator[tuple[str, str, int]]:
     scripts = (file for file in repository.suffixed(*_SCRIPTS) if not places.vendored(file.path))
-    for file in sorted(scripts, key=lambda each: (each.path.count("/"), each.path))[:MAX_FILES]:
+    for file in nearest(scripts)[:MAX_FILES]:
         text = repository.read(file, limit=MAX_SIZE)
         if match := _FIRST_LINE.match(text):
             yield match[1], file.path, 1

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from itertools import islice
+from typing import Literal
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import logical_lines
 from roslab.evidence.prose.shells import MAX_SIZE
-from roslab.repository.checkout import Repository
-from roslab.values.dataclass import replace
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_DEPTH = 3
@@ -46,7 +46,7 @@ def read(repository: Repository) -> Iterator[Mention]:
     ``inside`` is the image of that container, where the script names it and does not build it: ``lab/viewer``.
     """
     scripts = [f for f in repository.suffixed(".sh", ".bash") if f.path.count("/") <= MAX_DEPTH]
-    for file in sorted(scripts, key=lambda each: (each.path.count("/"), each.path))[:MAX_FILES]:
+    for file in nearest(scripts)[:MAX_FILES]:
         text = "" if places.vendored(file.path) or file.size > MAX_SIZE else repository.read(file)
         lines = tuple(logical_lines(text)) if _RUNS.search(text) else ()
         if not any(_RUNS.search(logical) for _, logical in lines):
@@ -57,7 +57,7 @@ def read(repository: Repository) -> Iterator[Mention]:
 def _of(path: str, text: str, lines: tuple[tuple[int, str], ...]) -> Iterator[Mention]:
     built = _BUILDS.search(text)
     functions = _functions(text)
-    found: dict[tuple[str, str, str], tuple[int, str]] = {}
+    found: dict[tuple[Literal["screen", "mounted"], str, str], tuple[int, str]] = {}
     for line, logical in lines:
         image = "" if built else _image(logical)
         for match in _SCREEN.finditer(logical):
@@ -65,8 +65,7 @@ def _of(path: str, text: str, lines: tuple[tuple[int, str], ...]) -> Iterator[Me
         for match in _GIVEN.finditer(logical) if not any(line in each for each in functions) else ():
             found.setdefault(("mounted", (match[1] or match[2]).rstrip("/"), image), (line, match[0].strip()))
     for (topic, value, image), (line, said) in found.items():
-        at = Mention(topic="screen", value=said, source="script", file=path, line=line, text=said, inside=image)
-        yield at if topic == "screen" else replace(at, topic="mounted", value=value)
+        yield Mention(topic=topic, value=value or said, source="script", file=path, line=line, text=said, inside=image)
 
 
 def _functions(text: str) -> list[range]:

@@ -7,7 +7,7 @@ import re
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.ros.clonable import can_be_cloned
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 _FILES = ("CMakeLists.txt", "package.xml", "setup.py", "setup.cfg", "pyproject.toml", "Dockerfile", "Makefile")
@@ -43,8 +43,7 @@ def _texts(repository: Repository) -> tuple[tuple[str, bool], ...]:
     """Return the text of each file that is searched, and whether it is a page."""
     files = [*repository.named(*_FILES), *repository.suffixed(*_SUFFIXES, *_PAGES)]
     files = [file for file in files if 0 < file.size <= MAX_SIZE and not places.vendored(file.path)]
-    files.sort(key=lambda file: (file.path.count("/"), file.path))
-    return tuple((repository.read(file), file.name.lower().endswith(_PAGES)) for file in files[:MAX_FILES])
+    return tuple((repository.read(file), file.name.lower().endswith(_PAGES)) for file in nearest(files)[:MAX_FILES])
 
 
 def _names(text: str, name: str, word: re.Pattern[str], page: bool) -> bool:

@@ -17,7 +17,7 @@ from roslab.evidence.fixtures import of_tests
 from roslab.evidence.ros import handed_lists
 from roslab.evidence.ros.stale_modules import fate, named
 from roslab.knowledge.compiled import public_hosts
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
@@ -168,9 +168,8 @@ def _files(repository: Repository) -> list[File]:
     named = (f for f in files if _SUFFIX.search(f.name.lower()) or f.path in _GITMAN)
     found = {f.path: f for f in named if not places.vendored(f.path)}
     others = [f for f in files if f.path not in found and f.path.count("/") <= 2 and f.size <= 64 * 1024]
-    others.sort(key=lambda file: (file.path.count("/"), file.path))
     handed = [f for f in handed_lists.files(repository) if f.path not in found and 0 < f.size <= MAX_SIZE]
-    for file in (*others[:MAX_OTHERS], *handed):
+    for file in (*nearest(others)[:MAX_OTHERS], *handed):
         if not file.path.startswith(".github/") and not places.vendored(file.path) and _is_list(repository, file):
             found[file.path] = file
     return [found[path] for path in sorted(found)]
