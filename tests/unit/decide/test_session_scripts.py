@@ -7,6 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.knowledge.compiled import programs
+from roslab.knowledge.session_programs import session_programs, terminals
 
 Tree = Callable[[dict[str, str]], Decision]
 FILES = {
@@ -40,3 +42,7 @@ def test_it_is_installed_where_apt_has_it(tree: Tree) -> None:
 )
 def test_what_other_scripts_call_is_not(tree: Tree, path: str, script: str) -> None:
     assert _asked(tree, path, script) == set()
+
+
+def test_apt_has_each_of_the_table() -> None:
+    assert terminals() < session_programs() <= programs().keys()

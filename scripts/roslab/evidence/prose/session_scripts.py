@@ -9,6 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.prose.called_in_scripts import calls_of
 from roslab.knowledge.compiled import programs
+from roslab.knowledge.session_programs import session_programs, terminals
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -17,9 +18,6 @@ MOST = 20
 MAX_SIZE = 64 * 1024
 _SUFFIXES = (".sh", ".bash")
 _LAUNCHES = pattern(r"^[^#\n]*\b(?:roslaunch|ros2[ \t]+launch)[ \t]+[\w./${\"-]")
-_TERMINALS = frozenset({"byobu", "screen", "tmux", "tmuxinator", "xterm", "x-terminal-emulator"})
-_TOOLS = frozenset({"bc", "dialog", "expect", "gawk", "jq", "killall", "lsof", "nc", "wmctrl", "xdotool"})
-"""Small programs without which such a script goes wrong in its midst: no image has them of itself."""
 
 
 def read(repository: Repository) -> Iterator[Dependency]:
@@ -34,9 +32,9 @@ def read(repository: Repository) -> Iterator[Dependency]:
         if not any(map(_LAUNCHES.match, text.split("\n"))):
             continue
         found = dict(calls_of(text))
-        if _TERMINALS.isdisjoint(found):
+        if terminals().isdisjoint(found):
             continue
-        for name in sorted(found.keys() & (_TERMINALS | _TOOLS)):
+        for name in sorted(found.keys() & session_programs()):
             yield Dependency(
                 namespace="apt",
                 name=programs()[name],
