@@ -64,6 +64,10 @@ class Call:
     """The words as they are written."""
 
 
+EVERY = frozenset({"*"})
+"""The names of all calls."""
+
+
 def calls(
     text: str,
     names: frozenset[str],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
-from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.cmake import EVERY, calls
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -19,7 +19,6 @@ MAX_CODE_SIZE = 512 * 1024
 _PATH = r"(/(?:home|Users)/[A-Za-z][\w.-]*/[\w./+-]*)"
 _HOME = pattern(rf"(?<![\w/}}]){_PATH}")
 _DEFINING = frozenset({"target_compile_definitions", "add_compile_definitions", "add_definitions"})
-_ALL = frozenset({"*"})
 _DEFINED = pattern(rf"(?:-D|(?<![\w-]))([A-Za-z_]\w*)=[\\\"']*{_PATH}")
 _REMARK = pattern(r"//[^\n]*")
 _WORD = pattern(r"[A-Za-z_]\w*")
@@ -63,7 +62,7 @@ def _places(file: str, text: str) -> Iterator[_Place]:
     """Yield the folders in a file of CMake, each where it stands."""
     if "/home/" not in text and "/Users/" not in text:
         return
-    defining = {call.line: call.name in _DEFINING for call in calls(text, _ALL)}
+    defining = {call.line: call.name in _DEFINING for call in calls(text, EVERY)}
     defines = False
     for number, line in enumerate(text.split("\n"), 1):
         defines = defining.get(number, defines)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.cmake import EVERY, calls
 from roslab.evidence.native.searched import held
 from roslab.knowledge.libraries import library
 from roslab.knowledge.shared_objects import given
@@ -19,7 +19,6 @@ MAX_FILES = 400
 MAX_SIZE = 256 * 1024
 _PLAIN = pattern(r"[A-Za-z_]\w{2,}$")
 _END = pattern(r"[.-]")
-_ANY_CALL = frozenset({"*"})
 _LINKING = frozenset({"target_link_libraries", "link_libraries", "set", "list", "set_target_properties", "message"})
 """Calls in which the name of a library makes, finds and orders none."""
 _GTEST = ("gtest", "gmock")
@@ -63,7 +62,7 @@ def _elsewhere(names: set[str], repository: Repository) -> Iterator[str]:
         text = repository.read(file) if file.size <= MAX_SIZE else ""
         if not any(name in text for name in names):
             continue
-        for call in calls(text, _ANY_CALL):
+        for call in calls(text, EVERY):
             if call.name not in _LINKING:
                 for word in (part for each in (*call.words, *call.written) for part in each.replace("/", " ").split()):
                     plain = _END.split(word.removeprefix("lib"), maxsplit=1)[0]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.lex.cmake import EVERY, Call, calls
 from roslab.evidence.lex.lines import end_of_line, matching_lines
 from roslab.evidence.native.x86 import cmake_files
 from roslab.repository.checkout import Repository
@@ -20,7 +20,6 @@ _NAMED = rf"{FOLDER}(\d{{1,2}}\.\d)(?![\w.-])"
 """https://docs.nvidia.com/cuda/archive/10.2/cuda-installation-guide-linux/index.html#environment-setup, 2026-11-27"""
 _VERSION = pattern(_NAMED)
 _UNMARKED = pattern(rf"[^#\n]{{0,400}}?{_NAMED}")
-_EVERY = frozenset({"*"})
 _ELSEWHERE = pattern(r"aarch64|arm64|\barmv?\d|jetson|tegra|l4t|\bEXISTS\b", re.IGNORECASE)
 _TURNED = pattern(r"NOT \(?")
 _HINTS = pattern(r"(?:\w*_)?(?:HINTS?|PATHS|SEARCH_\w+|CANDIDATES)|/usr/local/cuda(?:/.*)?")
@@ -56,7 +55,7 @@ def _plainly(text: str) -> set[str]:
     """Return the versions whose folders calls name that are no hints and for every processor."""
     return {
         version
-        for call in calls(text, _EVERY)
+        for call in calls(text, EVERY)
         if not _is_hint(call) and not any(map(_of_another, call.conditions))
         for word in call.written
         for version in _VERSION.findall(word)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
-from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.lex.cmake import EVERY, Call, calls
 from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.lex.truth import cmake_holds
 from roslab.knowledge.cuda_gpus import NAME, cuda_of_gpu
@@ -22,7 +22,6 @@ _NUMBER = pattern(r"(?<![\w.])(\d{2,3})(?:-real|-virtual|a)?(?![\w.])")
 _OPTIONS = ("compute_", "sm_")
 _LISTS = frozenset({"CMAKE_CUDA_ARCHITECTURES", "CUDA_ARCHITECTURES"})
 _CALLS = frozenset({"set", "list", "set_property", "set_target_properties", "target_compile_options", "string"})
-_ALL = frozenset({"*"})
 _BRINGS = frozenset({"enable_language", "find_package", "project"})
 _TOOLKITS = frozenset({"CUDA", "CUDAToolkit"})
 
@@ -98,5 +97,5 @@ def _unused(call: Call, text: str) -> bool:
         return False
     use = f"${{{call.written[0]}}}"
     return text.count(use) > 0 and _left_out(
-        each for each in calls(text, _ALL) if each.line != call.line and any(use in word for word in each.written)
+        each for each in calls(text, EVERY) if each.line != call.line and any(use in word for word in each.written)
     )

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator, Mapping
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import PackageManifest
-from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.cmake import EVERY, calls
 from roslab.evidence.native.cmake_needs import made_here
 from roslab.evidence.native.limits import HEADERS, Signs, conditional
 from roslab.evidence.native.unlisted import Unlisted
@@ -98,7 +98,7 @@ class Nowhere:
         """Return for each word of a CMakeLists.txt, without folders, whether the calls that have it are always made."""
         if file.path not in self._calls:
             found: dict[str, list[bool]] = {}
-            for call in calls(self.repository.read(file), frozenset({"*"})):
+            for call in calls(self.repository.read(file), EVERY):
                 made = made_here(call.conditions)
                 for word in {word.rpartition("/")[2] for word in call.written}:
                     found.setdefault(word, []).append(made)
