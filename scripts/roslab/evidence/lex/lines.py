@@ -19,6 +19,11 @@ def end_of_line(text: str, start: int) -> int:
     return end if end >= 0 else len(text)
 
 
+def blank(text: str) -> str:
+    """Return as many blanks and ends of lines as a text has: what stands behind it keeps its place."""
+    return "\n".join(" " * len(line) for line in text.split("\n"))
+
+
 def _lines_with(text: str, word: str) -> Iterator[int]:
     position = text.find(word)
     while position >= 0:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import re
+from roslab.evidence.lex.lines import blank
 
 _BEGIN, _END = "<!--", "-->"
 
@@ -18,7 +18,7 @@ def without_xml_comments(text: str, *, spaced: bool = False) -> str:
     read = 0
     while start >= 0 and (end := text.find(_END, start + len(_BEGIN))) >= 0:
         end += len(_END)
-        left = re.sub(r"[^\n]", " ", text[start:end]) if spaced else "\n" * text.count("\n", start, end)
+        left = blank(text[start:end]) if spaced else "\n" * text.count("\n", start, end)
         kept += (text[read:start], left)
         read = end
         start = text.find(_BEGIN, end)

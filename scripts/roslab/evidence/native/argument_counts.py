@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.c_comments import without_c_comments
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -17,9 +18,6 @@ _CODE = (".cpp", ".cc", ".cxx", ".c", ".cu")
 _MAIN = pattern(
     r"\bmain\s*\(\s*(?:const\s+)?int\s+(\w+)\s*,\s*(?:const\s+)?char\s*(?:const\s*)?\*[\s*]*(\w+)\s*(?:\[\s*\])?\s*\)"
 )
-_REMARK = pattern(r"//[^\n]*|/\*[\s\S]*?\*/")
-_LINE = pattern(r"//[^\n]*")
-_BLANK = pattern(r"[^\n]")
 _ENDS = pattern(r"\b(?:return\b|exit\s*\()")
 _FAILS = pattern(r"\bthrow\b|\b(?:return\b|exit\s*\()(?!\s*\(?\s*(?:0|EXIT_SUCCESS|false)?\s*\)?\s*;)")
 _USAGE = pattern(r"usage", re.IGNORECASE)
@@ -50,20 +48,13 @@ def needed(text: str) -> tuple[int, int, str] | None:
     start = _MAIN.search(text)
     if start is None:
         return None
-    body = _without_remarks(text[start.end() :])
+    body = without_c_comments(text[start.end() :])
     names = re.escape(start[1]), re.escape(start[2])
     if (ends := _ending(body, names[0])) is not None:
         number, position, said = ends
     else:
         number, position, said = _untested(body, *names)
     return (number, start.end() + position, said) if number > 0 else None
-
-
-def _without_remarks(body: str) -> str:
-    """Return code with blanks for its comments; behind the last end of one, no other is looked for to the end."""
-    closed = body.rfind("*/") + 2 if "*/" in body else 0
-    parts = (_REMARK.sub(_blank, body[:closed]), _LINE.sub(_blank, body[closed:]))
-    return "".join(parts)
 
 
 def _without_dead(text: str) -> str:
@@ -81,10 +72,6 @@ def _without_dead(text: str) -> str:
         elif word.startswith("if") and word != "if":
             depth = 1
     return "\n".join(lines)
-
-
-def _blank(remark: re.Match[str]) -> str:
-    return _BLANK.sub(" ", remark[0])
 
 
 def _ending(body: str, count: str) -> tuple[int, int, str] | None:

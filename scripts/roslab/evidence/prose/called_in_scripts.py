@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.lines import blank
 from roslab.knowledge.compiled import programs
 from roslab.knowledge.unpackaged_programs import unpackaged_programs
 from roslab.repository.checkout import Repository
@@ -100,5 +101,4 @@ def _without_patterns(case: re.Match[str]) -> str:
 
 
 def _blank(match: re.Match[str]) -> str:
-    """Return as many blanks and ends of lines as it has."""
-    return "".join("\n" if each == "\n" else " " for each in match[0])
+    return blank(match[0])

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention, PackageManifest
-from roslab.evidence.lex.lines import end_of_line
+from roslab.evidence.lex.c_comments import without_c_comments
 from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.knowledge.released import ever_released, rosdep_keys
 from roslab.repository.checkout import File, Repository
@@ -24,8 +24,6 @@ _NAME = pattern(r"(?!lib|python)[a-z](?:[a-z0-9]*(?:_[a-z0-9]+)+|[a-z0-9]{3,})")
 """One word alone has to be of four letters."""
 _OF_BUILD = frozenset({"build", "buildtool"})
 _HASH = pattern(r"#[^\n]*")
-_OPENS = pattern(r"(?<!:)//|/\*")
-"""What begins a comment: no address does, as ``package://arm_description/urdf/arm.urdf``."""
 _TAKES_ALL = pattern(r"\bcatkin_simple\b|\bament_auto_find_build_dependencies\b|\bament_cmake_auto\b")
 """What has CMake look for all that the package.xml names."""
 
@@ -77,24 +75,9 @@ def _words(repository: Repository, own: Collection[File]) -> set[str] | None:
         if file.path.endswith(_XML):
             text = without_xml_comments(text)
         else:
-            text = _without_slashes(text) if file.path.endswith(_CODE) else _HASH.sub("", text)
+            text = without_c_comments(text) if file.path.endswith(_CODE) else _HASH.sub("", text)
         found |= {*_WORDS.findall(text)}
     return found
-
-
-def _without_slashes(text: str) -> str:
-    """Return code without its comments; what opens one that nothing closes, as a path in quotation marks, is none."""
-    last = text.rfind("*/")
-    kept: list[str] = []
-    at = begin = 0
-    while match := _OPENS.search(text, at):
-        start = match.start()
-        if match[0] == "/*" and start + 2 > last:
-            at = start + 2
-            continue
-        kept.append(text[begin:start])
-        at = begin = end_of_line(text, start) if match[0] == "//" else text.find("*/", start + 2) + 2
-    return "".join((*kept, text[begin:]))
 
 
 def _files(repository: Repository) -> tuple[File, ...]:
