@@ -42,14 +42,9 @@ def read(repository: Repository) -> Fetching:
     of_cmake = _cmake(repository)
     for file, makefile in (*((file, False) for file in of_cmake), *_makefiles(repository)):
         text = repository.read(file)
-        for name, position in _called(text, makefile=makefile):
-            line = text.count("\n", 0, position) + 1
+        for name, line in _called(text, makefile=makefile):
             asked = Dependency(namespace="apt", name=name, strength="used", file=file.path, line=line, role="fetch")
             found.setdefault(name, asked)
-        if not makefile and "ca-certificates" not in found and (line := _downloads(text)):
-            found["ca-certificates"] = Dependency(
-                namespace="apt", name="ca-certificates", strength="used", file=file.path, line=line, role="fetch"
-            )
         if not places.vendored(file.path):
             hosts |= dict.fromkeys(match[1] for match in matching_lines(_UNSAFE, text, "git://"))
     for asked in called_programs.read(repository, of_cmake):
@@ -75,17 +70,22 @@ def _nearest(files: list[File] | tuple[File, ...]) -> list[File]:
 
 
 def _called(text: str, *, makefile: bool) -> Iterator[tuple[str, int]]:
-    """Yield the packages of the programs, each with its position."""
+    """Yield the packages of what a file calls to fetch, each with its line."""
     if makefile:
         for match in matching_lines(_INCLUDED, text, "include"):
             from roslab.knowledge.rosbuild_makefiles import program_of  # noqa: PLC0415 - few trees have a Makefile of rosbuild
 
             if name := program_of(match[1]):
-                yield name, match.start()
-                yield "ca-certificates", match.start()
-    elif cloned := first_line(_CLONES, text, "_REPOSITORY", "CPMAddPackage", "git"):
-        yield "ca-certificates", cloned.start()
-        yield "git", cloned.start()
+                line = text.count("\n", 0, match.start()) + 1
+                yield name, line
+                yield "ca-certificates", line
+        return
+    if cloned := first_line(_CLONES, text, "_REPOSITORY", "CPMAddPackage", "git"):
+        line = text.count("\n", 0, cloned.start()) + 1
+        yield "ca-certificates", line
+        yield "git", line
+    elif line := _downloads(text):
+        yield "ca-certificates", line
 
 
 def _downloads(text: str) -> int:
