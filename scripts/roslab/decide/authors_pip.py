@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.decide.newest_pip import files_of
 from roslab.evidence.facts import AuthorDockerfile, Evidence
+from roslab.evidence.prose.python_steps import image_at
 from roslab.knowledge.official_images import with_usual_shell
 from roslab.knowledge.os_releases import of_debian, release_of
 from roslab.values.requirement import Requirement
@@ -22,7 +23,7 @@ def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict
         return {}
     found: dict[str, str] = {}
     for asked in _free(authored, evidence):
-        name = next((name for line, name in reversed(authored.stages) if line < asked.line), "")
+        name = image_at(asked.line, authored.stages)
         if name in found or "alpine" in name or not with_usual_shell(name) or not (release_of(name) or of_debian(name)):
             continue
         what = asked.name or asked.written

@@ -28,8 +28,13 @@ def newest_pips(written: Sequence[Instruction], images: Sequence[tuple[int, str]
     """
     for step in written:
         if step.name == "RUN" and "pip" in step.text:
-            image = next((image for line, image in reversed(images) if line < step.line), "")
+            image = image_at(step.line, images)
             yield from ((image, line) for line in _upgrades(_OPTIONS.sub("", step.text), step.line) if image)
+
+
+def image_at(line: int, images: Sequence[tuple[int, str]]) -> str:
+    """Return the image that the stage of a line starts from, ``""`` before the first FROM."""
+    return next((image for first, image in reversed(images) if first < line), "")
 
 
 def changes_setup(written: Sequence[Instruction]) -> bool:
