@@ -34,10 +34,10 @@ _NAME = pattern(r"\.(?:so(?:\.\d+)*|a)$")
 _SEARCHES = pattern(r"(?i)\b(?:find_library|link_directories)\b")
 _LIBRARY = pattern(r"\.(?:so(?:\.\d+)*|a)(?=[\s)\"';])")
 _ARCHIVE_OF_OBJECTS = b"!<arch>\n"
-_CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp")
+CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp")
 _OPENS = pattern(r"\bdlm?open\s*\(")
 _NAMED = pattern(r"\"(?:[^\"\n]*/)?([\w.+-]+\.so)\"")
-_CHOOSES_IN_CODE = pattern(r"__aarch64__|__arm__|__x86_64__|\buname\b")
+CHOOSES_IN_CODE = pattern(r"__aarch64__|__arm__|__x86_64__|\buname\b")
 _OPENS_IN_PYTHON = pattern(r"\b(?:CDLL|PyDLL|LoadLibrary)\s*\(")
 """https://docs.python.org/3/library/ctypes.html#loading-shared-libraries, read 2026-11-26."""
 _NAMED_IN_PYTHON = pattern(r"[\"'](?:[^\"'\n]*/)?([\w.+-]+\.so)[\"']")
@@ -107,12 +107,12 @@ def _made(name: str, repository: Repository) -> bool:
 
 def _opened(repository: Repository, libraries: Sequence[File], only: set[str]) -> Iterator[X86Only]:
     """Yield the library of the tree that code of C or C++ opens by its name, if all of that name are for x86-64."""
-    code = [file for file in repository.suffixed(*_CODE)[:MAX_CODE] if not places.vendored(file.path)]
+    code = [file for file in repository.suffixed(*CODE)[:MAX_CODE] if not places.vendored(file.path)]
     texts = {file.path: repository.read(file) for file in code}
     if not any("open" in text and _OPENS.search(text) for text in texts.values()):
         return
     for path, text in texts.items():
-        if '.so"' not in text or _CHOOSES_IN_CODE.search(text):
+        if '.so"' not in text or CHOOSES_IN_CODE.search(text):
             continue
         for named in _NAMED.finditer(text):
             if named[1] in only:

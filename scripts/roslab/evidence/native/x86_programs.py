@@ -8,18 +8,17 @@ from collections.abc import Iterator, Mapping
 from roslab.evidence import places
 from roslab.evidence.native import elf
 from roslab.evidence.native.x86 import cmake_files
+from roslab.evidence.native.x86_binaries import CHOOSES_IN_CODE, CODE, MAX_CODE
 from roslab.evidence.x86_only import X86Only
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 MOST = 300
 """Most files that may be programs of which the beginning is read, those nearest to the root first."""
-MAX_CODE = 3_000
 MAX_VARIABLES = 50
 SMALLEST = 4 * 1024
 _NAME = pattern(r"[A-Za-z][\w.+-]{1,80}")
 _SUFFIXES = frozenset({"", ".bin", ".elf", ".out", ".x86_64"})
-_CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp")
 _STRING = r"\"(?:[^\"\\\n]|\\.)*\""
 _REST = rf"((?:{_STRING}|[^\";{{}}]){{0,400}})"
 """The rest of a statement, with its strings."""
@@ -31,7 +30,6 @@ _NO_VARIABLES = frozenset({"c_str", "str", "data", "std", "string", "const", "ch
 _BETWEEN = pattern(r"[\s\"'\\;&|()=]+")
 """What is between the words of a shell; the backslash is C's."""
 _OF_SYSTEM = pattern(r"/(?:usr|bin|sbin|lib\w*|opt|snap|etc)/.*")
-_CHOOSES = pattern(r"__aarch64__|__arm__|__x86_64__|\buname\b")
 
 
 def read(repository: Repository) -> Iterator[X86Only]:
@@ -39,10 +37,10 @@ def read(repository: Repository) -> Iterator[X86Only]:
     found = programs(repository)
     if not found:
         return
-    code = (file for file in repository.suffixed(*_CODE)[:MAX_CODE] if not places.aside(file.path))
+    code = (file for file in repository.suffixed(*CODE)[:MAX_CODE] if not places.aside(file.path))
     for file in code:
         text = repository.read(file)
-        if _CHOOSES.search(text):
+        if CHOOSES_IN_CODE.search(text):
             continue
         for position, string in _given(text):
             name = _called(string, found, joined=text[max(0, position - 20) : position].rstrip().endswith(("+", "<<")))
