@@ -7,13 +7,10 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.lex.indents import conditional
 from roslab.evidence.python.modules import Module, modules
 from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
-from roslab.values.pattern import pattern
-
-_CONDITION = pattern(r"(?:if|elif|else|try|except|while|case)\b(?!\s+__name__\s*==)")
-_INDENT = pattern(r"[ \t]*")
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
@@ -44,20 +41,3 @@ def _made(module: Module) -> Iterator[Dependency]:
                     namespace="import", name=row["module"], strength="used", file=module.file.path, line=line
                 )
                 break
-
-
-def conditional(text: str, start: int) -> bool:
-    """Tell whether a line is reached only under a condition, by what stands before it with less indentation."""
-    depth = _depth(text[start:])
-    for line in reversed(text[:start].split("\n")[:-1]):
-        said = line.strip()
-        if depth and said and not said.startswith("#") and _depth(line) < depth:
-            depth = _depth(line)
-            if _CONDITION.match(said):
-                return True
-    return False
-
-
-def _depth(line: str) -> int:
-    found = _INDENT.match(line)
-    return len(found[0].expandtabs()) if found else 0

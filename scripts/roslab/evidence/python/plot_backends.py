@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.python.loggers import conditional
+from roslab.evidence.lex.indents import conditional, depth
 from roslab.evidence.python.modules import Module, modules
 from roslab.knowledge.plot_backends import plot_backends
 from roslab.repository.checkout import Repository
@@ -23,7 +23,6 @@ _NAMED = pattern(
 """https://matplotlib.org/stable/users/explain/figure/backends.html, 2026-11-27"""
 _DEFINED = pattern(r"[ \t]{0,99}(?:async )?def (\w{1,99})")
 _BEGIN = frozenset({"main", "__init__"})
-MAX_INDENT = 100
 
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
@@ -55,13 +54,13 @@ def _named(module: Module, others: tuple[Module, ...]) -> Iterator[Dependency]:
 def _uncalled(module: Module, start: int, others: tuple[Module, ...]) -> bool:
     """Tell whether a line is in a function that nothing names, but for those with which programs and objects begin."""
     text = module.text
-    depth = _depth(text[start : start + MAX_INDENT])
+    least = depth(text, start)
     for line in reversed(text[:start].split("\n")[:-1]):
-        if not depth:
+        if not least:
             return False
-        if not line.strip() or _depth(line) >= depth:
+        if not line.strip() or depth(line) >= least:
             continue
-        depth = _depth(line)
+        least = depth(line)
         if found := _DEFINED.match(line):
             if found[1] in _BEGIN:
                 return False
@@ -69,8 +68,3 @@ def _uncalled(module: Module, start: int, others: tuple[Module, ...]) -> bool:
             called = re.compile(rf"(?:(?<![\w.])|\b(?:self|cls|{own})\.){name}\b(?<!def {name})")
             return not any(called.search(each.text) for each in others if found[1] in each.text)
     return False
-
-
-def _depth(line: str) -> int:
-    line = line[:MAX_INDENT].expandtabs()
-    return len(line) - len(line.lstrip())
