@@ -11,6 +11,7 @@ import pytest
 from roslab.pipeline import plan_repository
 from roslab.plan.installed import AMENT_SCRIPT, FIND_SCRIPT, IMPORT_SCRIPT, LIBRARIES_SCRIPT, PREFIXES
 from roslab.plan.proof import Proof
+from trees import tree_of
 
 MANIFEST = (
     '<package format="2"><name>robot</name><version>1.0.0</version><description>x</description>'
@@ -23,9 +24,7 @@ FOUND, LIBRARIES = "the workspace's packages are found", "the compiled programs 
 
 
 def rung_0(folder: Path, **files: str) -> list[Proof]:
-    for name, text in {**TREE, **files}.items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text)
+    tree_of(folder, {**TREE, **files})
     return [proof for proof in plan_repository(folder, branch=None).plan.proofs if proof.rung == 0]
 
 
@@ -87,9 +86,7 @@ def test_what_a_package_lists_and_what_of_it_is_there(
 ) -> None:
     """Debian's setuptools lists a folder of its build; what every Python package of ROS 2 asks for is setuptools."""
     metadata = {"thing.egg-info/PKG-INFO": "Metadata-Version: 2.1\nName: thing\nVersion: 1\n"}
-    for name, text in {**written, **metadata, "thing.egg-info/top_level.txt": listed}.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(text)
+    tree_of(tmp_path, {**written, **metadata, "thing.egg-info/top_level.txt": listed})
     words = [sys.executable, "-c", IMPORT_SCRIPT, "thing"]
     answer = subprocess.run(words, env={"PYTHONPATH": str(tmp_path)}, capture_output=True, text=True, check=False)
     assert (answer.returncode == 0) == (not failed), answer.stderr
@@ -165,8 +162,7 @@ def test_what_the_command_imports_and_the_readme_installs_must_be_there(
     """What no line installs is a guess, whose name may be wrong."""
     main = "if __name__ == '__main__':\n    print()\n"
     files = {"README.md": f"# Robot\n\n{readme}", "run.py": PROGRAM + main, "other.py": main}
-    for name, text in files.items():
-        (tmp_path / name).write_text(text)
+    tree_of(tmp_path, files)
     proofs = plan_repository(tmp_path, branch=None).plan.proofs
     asked = [proof for proof in proofs if proof.name == "the default command finds the modules of its imports"]
     assert [proof.command[3:] for proof in asked] == ([found] if found else [])
@@ -207,9 +203,7 @@ STARTS = "```\n{}\n```\n"
 def test_what_guesses_bring_to_the_files_of_the_command_is_told_where_it_is_not_there(
     tmp_path: Path, files: dict[str, str], found: tuple[str, ...]
 ) -> None:
-    for name, text in {**PROGRAMS, **files}.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(text)
+    tree_of(tmp_path, {**PROGRAMS, **files})
     proofs = plan_repository(tmp_path, branch=None).plan.proofs
     asked = [proof for proof in proofs if proof.name == "the default command finds what its files import"]
     assert [proof.command[3:] for proof in asked] == ([found] if found else [])

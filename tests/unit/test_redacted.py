@@ -8,6 +8,7 @@ import pytest
 
 from roslab.pipeline import plan_repository
 from roslab.values.redacted import redacted
+from trees import tree_of
 
 TOKEN = "ghp_" + "a1B2" * 9
 
@@ -48,8 +49,7 @@ def test_a_text_is_shown_without_secrets(text: str, shown: str) -> None:
 def test_a_plan_quotes_none(tmp_path: Path) -> None:
     page = "# Installation\n```\nwget https://me:s3cr3t@host.test/tool.deb\nsudo dpkg -i tool.deb\n```\n"
     files = {"README.md": page, "run.py": "import json\n", "requirements.txt": "numpy\n"}
-    for path, text in files.items():
-        (tmp_path / path).write_text(text)
+    tree_of(tmp_path, files)
     planned = plan_repository(tmp_path)
     told = [each.message for each in (*planned.plan.warnings, *planned.decision.warnings)]
     told += [f"{each.answer} {each.reason}" for each in planned.plan.reasons]

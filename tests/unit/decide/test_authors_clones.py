@@ -9,7 +9,7 @@ import pytest
 
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
-from trees import commit
+from trees import commit, tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 CLONE = "git clone {} https://github.com/others/shapes.git"
@@ -22,8 +22,7 @@ IMAGE = "FROM ros:noetic\nRUN cd /ws/src && {}\nCOPY . /ws/src/demo\nRUN cd /ws 
 
 
 def committed(folder: Path, step: str, day: str) -> Decision:
-    for name, text in (FILES | {"Dockerfile": IMAGE.format(step)}).items():
-        (folder / name).write_text(text, encoding="utf-8")
+    tree_of(folder, FILES | {"Dockerfile": IMAGE.format(step)})
     commit(folder, day)
     return plan_repository(folder).decision
 

@@ -10,7 +10,7 @@ from roslab.pipeline import plan_repository
 from roslab.plan.author_bases import Base
 from roslab.plan.plan import Plan
 from roslab.render import bases as rendered
-from trees import commit
+from trees import commit, tree_of
 
 IMAGE = "python:3.9-slim-bookworm"
 OLD, YOUNG = "2021-06-01", "2026-11-01"
@@ -24,8 +24,7 @@ def planned(folder: Path, steps: str, day: str = OLD, base: str = IMAGE, config:
         "roslab.yaml": f"format: 3\nkind: python\ndockerfile: Dockerfile\n{config}",
         **files,
     }
-    for path, text in written.items():
-        (folder / path).write_text(text, encoding="utf-8")
+    tree_of(folder, written)
     commit(folder, day)
     return plan_repository(folder).plan
 

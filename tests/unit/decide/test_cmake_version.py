@@ -13,15 +13,13 @@ from roslab.decide.decision import Decision
 from roslab.evidence.facts import Mention
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
+from trees import tree_of
 
 TOP = "cmake_minimum_required(VERSION {})\nproject(thing)\nadd_executable(thing main.cpp)\n"
 
 
 def decided(tmp_path: Path, files: dict[str, str]) -> Decision:
-    for path, text in files.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text)
-    return decide(gather(Repository.open(tmp_path)), Config(), folder_name="thing")
+    return decide(gather(tree_of(tmp_path, files)), Config(), folder_name="thing")
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from roslab.evidence.gather import gather
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
 from roslab.repository.checkout import Repository
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 FILE = "name: a\ndependencies:\n  - python=3.7\n  - pytorch=1.7\n  - pip:\n    - einops==0.3.0\n"
@@ -84,8 +85,7 @@ def test_a_list_of_conda_s_packages_is_the_environment_with_the_channels_of_the_
 def test_an_old_pip_of_such_a_list_is_the_newest(tmp_path: Path) -> None:
     """Nothing of the file is changed: it is not in the image."""
     files = {**CODE, "spec.txt": f"{LIST}pip=19.3.1=py37_0\n", "README.md": _page("conda create -n a --file spec.txt")}
-    for path, text in files.items():
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, files)
     plan = plan_repository(tmp_path).plan
     assert plan.python.conda_old_pip
     text = dockerfile(plan)
@@ -101,8 +101,7 @@ def test_a_list_of_files_is_installed_as_it_stands(tmp_path: Path) -> None:
         "spec-file.txt": f"@EXPLICIT\n{url}\n",
         "README.md": _page("conda create -n a --file spec-file.txt"),
     }
-    for path, text in files.items():
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, files)
     plan = plan_repository(tmp_path).plan
     assert (plan.python.version, plan.python.conda_file) == ("3.8", "spec-file.txt")
     assert "--prefix /opt/conda --file /tmp/manifests/spec-file.txt" in dockerfile(plan)
@@ -168,8 +167,7 @@ def test_a_torch_of_conda_from_before_mkl_2024_1_keeps_it_out(
     tmp_path: Path, channels: str, torch: str, limited: bool
 ) -> None:
     files = {"environment.yml": f"channels: {channels}\ndependencies:\n- python=3.9\n- {torch}\n", **CODE}
-    for path, text in files.items():
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, files)
     plan = plan_repository(tmp_path).plan
     assert plan.python.conda_limits == (*(("mkl<2024.1",) if limited else ()), "setuptools<82")
     assert ("MAMBA_PINNED_PACKAGES='mkl<2024.1,setuptools<82' " in dockerfile(plan)) is limited

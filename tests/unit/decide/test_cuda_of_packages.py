@@ -11,6 +11,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
+from trees import decided
 
 MANIFEST = (
     "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend></package>"
@@ -21,9 +22,7 @@ ARM = 'if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")\n'
 
 
 def _decided(root: Path, page: str, cmake: str = MADE, ros: str = "noetic") -> Decision:
-    for name, text in {"package.xml": MANIFEST, "CMakeLists.txt": cmake, "README.md": f"ROS {ros}\n\n{page}\n"}.items():
-        (root / name).write_text(text, encoding="utf-8")
-    return decide(gather(Repository.open(root)), Config(), folder_name="demo")
+    return decided(root, {"package.xml": MANIFEST, "CMakeLists.txt": cmake, "README.md": f"ROS {ros}\n\n{page}\n"})
 
 
 @pytest.mark.parametrize(

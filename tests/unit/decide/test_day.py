@@ -11,7 +11,7 @@ from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan, from_json, to_json
 from roslab.render.dockerfile import dockerfile
 from roslab.render.report import inspection_json, inspection_text
-from trees import commit
+from trees import commit, tree_of
 
 PACKAGE = """\
 <package format="2">
@@ -27,8 +27,7 @@ CPP = {"CMakeLists.txt": "project(robot CXX)\nadd_executable(robot main.cpp)\n",
 
 
 def plan(folder: Path, files: dict[str, str], config: str) -> Plan:
-    for path, text in {**files, "roslab.yaml": f"format: 3\n{config}"}.items():
-        (folder / path).write_text(text)
+    tree_of(folder, {**files, "roslab.yaml": f"format: 3\n{config}"})
     return plan_repository(folder).plan
 
 

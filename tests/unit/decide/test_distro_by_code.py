@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
-from roslab.decide import decide
-from roslab.evidence.facts import Mention
-from roslab.evidence.gather import gather
-from roslab.repository.checkout import Repository
+from trees import decided
 
 BASE = {
     "package.xml": "<package format='3'><name>mapper</name><exec_depend>rclpy</exec_depend><export>"
@@ -59,11 +54,5 @@ def test_without_a_date_an_old_one_is_an_example(tmp_path: Path, named: str, dis
 
 
 def _decided(folder: Path, files: dict[str, str], day: str) -> tuple[str | None, bool]:
-    for path, text in {**BASE, **files}.items():
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_text(text)
-    evidence = gather(Repository.open(folder))
-    date = Mention(topic="date", value=day, source="commit", file=".git/HEAD", line=1, text=day)
-    evidence = replace(evidence, mentions=(*evidence.mentions, date)) if day else evidence
-    decision = decide(evidence, Config(), folder_name="demo")
+    decision = decided(folder, {**BASE, **files}, day)
     return decision.ros_distro, any(UNNAMED in warning.message for warning in decision.warnings)

@@ -15,7 +15,7 @@ from roslab.evidence.gather import gather
 from roslab.pipeline import plan_repository
 from roslab.render import image_scripts
 from roslab.render.dockerfile import dockerfile
-from roslab.repository.checkout import Repository
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 MODULES = '[submodule "sub/knn"]\n\tpath = sub/knn\n\turl = https://github.com/somebody/knn.git\n'
@@ -119,10 +119,7 @@ def test_what_is_named_after_ros_is_no_wrapper(tmp_path: Path, name: str, kind: 
         "requirements.txt": "torch\n",
         "x/run.py": "import torch\n",
     }
-    for path, text in files.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    assert decide(gather(Repository.open(tmp_path)), Config(), folder_name=name).kind == kind
+    assert decide(gather(tree_of(tmp_path, files)), Config(), folder_name=name).kind == kind
 
 
 @pytest.mark.parametrize("file", ["environment.yml", "requirements.txt"])

@@ -10,6 +10,7 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 CODE = {
@@ -37,9 +38,7 @@ def test_a_project_that_a_page_installs(tree: Tree, page: str, installed: bool) 
 
 
 def test_it_is_installed_by_root_after_it_was_compiled(tmp_path: Path) -> None:
-    for path, text in {**CODE, "README.md": CLONED.format("make install")}.items():
-        (tmp_path / path).parent.mkdir(exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, {**CODE, "README.md": CLONED.format("make install")})
     lines = dockerfile(plan_repository(tmp_path).plan).splitlines()
     at = next(number for number, line in enumerate(lines) if line.startswith("RUN install-program "))
     assert any("make --jobs" in line for line in lines[:at])
@@ -61,9 +60,7 @@ def test_where_no_program_is_compiled_its_folder_is_not_on_the_path(
     tmp_path: Path, made: str, page: str, *, on_path: bool
 ) -> None:
     cmake = f"project(arm CXX)\n{made}install(TARGETS arm DESTINATION lib)\n"
-    for path, text in {**CODE, "CMakeLists.txt": cmake, "README.md": CLONED.format(page)}.items():
-        (tmp_path / path).parent.mkdir(exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, {**CODE, "CMakeLists.txt": cmake, "README.md": CLONED.format(page)})
     program = plan_repository(tmp_path).plan.workspace.program
     assert program is not None
     assert program.on_path is on_path

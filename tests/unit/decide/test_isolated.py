@@ -10,6 +10,7 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 OWN = "[project]\nname='acme'\nversion='1'\ndependencies=['{}']\n[build-system]\nrequires=[{}]\nbuild-backend='{}'\n"
@@ -36,9 +37,7 @@ def test_a_backend_that_is_asked_for_as_a_package_needs_nothing_first(tree: Tree
     ],
 )
 def test_only_who_needs_it_is_built_beside_the_others(tmp_path: Path, needs: str, backend: str, apart: bool) -> None:
-    for path, text in {"pyproject.toml": OWN.format("lap", needs, backend), **CODE}.items():
-        (tmp_path / path).parent.mkdir(exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, {"pyproject.toml": OWN.format("lap", needs, backend), **CODE})
     plan = plan_repository(tmp_path).plan
     assert plan.python.isolated == ((".",) if apart else ())
     beside = 'python3 -m pip install "$(pip-cache)" --no-build-isolation --editable .'

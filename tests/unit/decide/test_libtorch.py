@@ -13,7 +13,7 @@ from roslab.decide.platforms import AMD64, ARM64
 from roslab.knowledge.libtorch import libtorch_archive
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
-from trees import commit
+from trees import commit, tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 CMAKE = "project(demo CXX)\nfind_package(Torch REQUIRED)\nadd_executable(a a.cpp)\n"
@@ -38,8 +38,7 @@ def test_the_release_is_the_pages(tree: Tree, page: str, release: str) -> None:
 
 
 def test_without_a_name_it_is_of_the_last_commits_day(tmp_path: Path) -> None:
-    for name, text in CODE.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, CODE)
     commit(tmp_path, "2021-05-01")
     text = dockerfile(plan_repository(tmp_path).plan)
     assert libtorch_archive("1.8.0", None) in text

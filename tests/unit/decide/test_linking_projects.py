@@ -8,6 +8,7 @@ import pytest
 
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 PAGE = "# Arm\n\n## Use\n```\ncd arm/samples/one\n./build.bash\ncd bin\n./wave\n```\n"
 SCRIPT = "#!/bin/bash\ncd $(dirname $0)\nmkdir -p build\ncd build\ncmake ..\nmake\n"
@@ -30,14 +31,8 @@ FILES = {
 MESSAGE = "# What is compiled once all above is built: it may need that"
 
 
-def write(root: Path, files: dict[str, str]) -> None:
-    for path, text in files.items():
-        (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(text)
-
-
 def test_they_are_compiled_after_it_and_their_programs_are_there(tmp_path: Path) -> None:
-    write(tmp_path, FILES)
+    tree_of(tmp_path, FILES)
     planned = plan_repository(tmp_path)
     text = dockerfile(planned.plan)
     installs, compiles = text.index("RUN install-program"), text.index(f"{MESSAGE}\n")
@@ -55,7 +50,7 @@ FOUND = {
 
 
 def test_so_are_those_that_find_its_package(tmp_path: Path) -> None:
-    write(tmp_path, FILES | FOUND)
+    tree_of(tmp_path, FILES | FOUND)
     planned = plan_repository(tmp_path)
     assert MESSAGE in dockerfile(planned.plan)
     assert planned.decision.program_folders[-1:] == ("source/samples/one/build",)
@@ -71,5 +66,5 @@ def test_so_are_those_that_find_its_package(tmp_path: Path) -> None:
     ],
 )
 def test_others_are_not(tmp_path: Path, files: dict[str, str]) -> None:
-    write(tmp_path, FILES | files)
+    tree_of(tmp_path, FILES | files)
     assert MESSAGE not in dockerfile(plan_repository(tmp_path).plan)

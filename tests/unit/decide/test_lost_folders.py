@@ -8,6 +8,7 @@ import pytest
 
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 MANIFEST = (
     "<package format='2'><name>demo</name><version>0.1.0</version><description>d</description>"
@@ -26,9 +27,7 @@ def lost(folder: Path, files: dict[str, str], tool: str = "catkin") -> tuple[lis
         "demo/CMakeLists.txt": CMAKE.format(tool),
         "demo/src/demo.cpp": "int main() {}\n",
     }
-    for path, text in {**base, **files}.items():
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_text(text)
+    tree_of(folder, {**base, **files})
     planned = plan_repository(folder)
     told = [w.message.split()[5] for w in planned.decision.warnings if "its code has files there" in w.message]
     return told, dockerfile(planned.plan)

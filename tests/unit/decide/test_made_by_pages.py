@@ -11,6 +11,7 @@ from roslab.decide.decision import Decision
 from roslab.decide.platforms import AMD64, ARM64
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
@@ -71,9 +72,7 @@ def test_a_folder_that_the_page_makes_is_made(tree: Tree, page: str, makefile: s
 
 
 def test_it_is_made_once_the_workspace_is_built(tmp_path: Path) -> None:
-    for name, text in _files().items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    tree_of(tmp_path, _files())
     text = dockerfile(plan_repository(tmp_path).plan)
     made = text.index("/planner/salesman \\\n && { make || echo")
     assert text.index("headers-first catkin_make") < made

@@ -8,6 +8,7 @@ import pytest
 
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 CLONE = "cd src\ngit clone https://github.com/lab/{}\n"
 
@@ -25,9 +26,7 @@ def _package(name: str, *needed: str, required: bool = True) -> dict[str, str]:
 def planned(root: Path, files: dict[str, str], steps: str = "") -> tuple[tuple[str, ...], str]:
     """Return the folders of packages that may fail, and the Dockerfile."""
     page = f"ROS Noetic\n```\n{steps}catkin_make\nrosrun mine a\n```\n"
-    for path, text in {**files, "README.md": page}.items():
-        (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(text)
+    tree_of(root, {**files, "README.md": page})
     plan = plan_repository(root).plan
     return plan.workspace.may_fail, dockerfile(plan)
 

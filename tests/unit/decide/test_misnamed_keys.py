@@ -12,6 +12,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 
@@ -163,9 +164,7 @@ def test_a_repository_may_have_a_package_that_is_called_like_a_controller(
 
 def test_a_source_of_roslab_yaml_may_have_a_package_that_is_called_like_a_controller(tmp_path: Path) -> None:
     config = "arm_controller:\n  type: joint_trajectory_controller/JointTrajectoryController\n"
-    for path, text in {**_files("arm_controller"), "config/controllers.yaml": config}.items():
-        (tmp_path / path).parent.mkdir(exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, {**_files("arm_controller"), "config/controllers.yaml": config})
     stack = Source(name="stack", repo="https://github.com/me/stack", build="colcon")
     decision = decide(gather(Repository.open(tmp_path)), Config(source=(stack,)), folder_name="demo")
     assert "arm_controller" in decision.rosdep

@@ -11,7 +11,7 @@ from roslab.pipeline import plan_repository
 from roslab.plan.author_bases import Base
 from roslab.plan.plan import Plan
 from roslab.render import bases as rendered
-from trees import commit
+from trees import commit, tree_of
 
 IMAGE = "pytorch/pytorch:1.13.1-cuda11.6-cudnn8-devel"
 GIT = "git+https://github.com/facebookresearch/pytorch3d.git@v0.7.2"
@@ -28,9 +28,7 @@ def planned(folder: Path, steps: str, day: str | None = BEFORE, base: str = IMAG
         "roslab.yaml": "format: 3\nkind: python\ndockerfile: Dockerfile\npip_date: today\n",
         **files,
     }
-    for path, text in written.items():
-        (folder / path).parent.mkdir(exist_ok=True, parents=True)
-        (folder / path).write_text(text, encoding="utf-8")
+    tree_of(folder, written)
     if day:
         commit(folder, day)
     return plan_repository(folder).plan

@@ -10,6 +10,7 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.knowledge.apt_sources import added_sources
 from roslab.pipeline import plan_repository
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 CMAKE = "project(demo)\nfind_package(catkin REQUIRED)\nadd_executable(a a.cpp)\ntarget_link_libraries(a nvinfer)\n"
@@ -35,8 +36,7 @@ def test_ubuntu_18_04_has_a_source_too(tree: Tree) -> None:
 
 
 def test_what_the_author_lists_has_to_install(tmp_path: Path) -> None:
-    for name, text in {**FILES, "roslab.yaml": "format: 3\napt: [libnvinfer-dev]\n"}.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, {**FILES, "roslab.yaml": "format: 3\napt: [libnvinfer-dev]\n"})
     plan = plan_repository(tmp_path).plan
     assert "libnvinfer-dev" in plan.apt
     assert "libnvinfer-dev" not in plan.apt_guessed

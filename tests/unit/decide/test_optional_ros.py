@@ -7,10 +7,8 @@ from pathlib import Path
 import pytest
 
 from roslab.config.model import Base, Config
-from roslab.decide import decide
 from roslab.decide.decision import Decision
-from roslab.evidence.gather import gather
-from trees import tree_of
+from trees import decided
 
 HEADING = "# Arm\n\n### Preparation for ROS (only required if you want to use the real robot)\n\nInstall ROS Kinetic.\n"
 SETUP = "from setuptools import setup\nsetup(name='arm', packages=['arm'], install_requires=['numpy', 'pybullet'])\n"
@@ -39,9 +37,9 @@ FOR_ALL = (
 )
 
 
-def decided(folder: Path, page: str, more: dict[str, str] | None = None, config: Config | None = None) -> Decision:
+def _decided(folder: Path, page: str, more: dict[str, str] | None = None, config: Config | None = None) -> Decision:
     files = {**FILES, "README.md": page, **(more or {})}
-    return decide(gather(tree_of(folder, files)), config or Config(), folder_name="arm")
+    return decided(folder, files, config=config)
 
 
 @pytest.mark.parametrize(
@@ -57,7 +55,7 @@ def decided(folder: Path, page: str, more: dict[str, str] | None = None, config:
     ],
 )
 def test_plain_python(tmp_path: Path, page: str) -> None:
-    found = decided(tmp_path, page)
+    found = _decided(tmp_path, page)
     assert (found.kind, found.ros_distro, found.dockerfile) == ("python", None, None)
     apt = {*found.apt, *found.apt_guessed}
     assert not any(name.startswith("ros-") for name in apt)
@@ -77,7 +75,7 @@ def test_plain_python(tmp_path: Path, page: str) -> None:
     ],
 )
 def test_of_ros(tmp_path: Path, page: str, more: dict[str, str]) -> None:
-    found = decided(tmp_path, page, more)
+    found = _decided(tmp_path, page, more)
     assert "tmux" in {*found.apt, *found.apt_guessed}
     assert not any("says that not everybody needs ROS" in warning.message for warning in found.warnings)
 
@@ -89,13 +87,13 @@ PLAIN = "FROM nvidia/cuda:11.3.1-cudnn8-devel-ubuntu20.04\nRUN apt-get update &&
 @pytest.mark.parametrize("robot", [True, False])
 def test_a_dockerfile_without_ros_stays(tmp_path: Path, script: str, *, robot: bool) -> None:
     more = {"docker/Dockerfile": PLAIN + script} | ({} if robot else {"docker/robot.dockerfile": ""})
-    found = decided(tmp_path, HEADING, more)
+    found = _decided(tmp_path, HEADING, more)
     assert (found.ros_distro, found.cuda) == (None, "11.3")
     assert "gazebo7" not in {*found.apt, *found.apt_guessed}
 
 
 def test_who_chooses_ros_has_it(tmp_path: Path) -> None:
-    found = decided(tmp_path, HEADING, config=Config(base=Base(ros="kinetic")))
+    found = _decided(tmp_path, HEADING, config=Config(base=Base(ros="kinetic")))
     assert (found.kind, found.ros_distro) == ("ros1", "kinetic")
     assert "gazebo7" in found.apt_guessed
 
@@ -103,5 +101,5 @@ def test_who_chooses_ros_has_it(tmp_path: Path) -> None:
 def test_a_dockerfile_that_the_page_builds_is_kept(tmp_path: Path) -> None:
     page = f"{HEADING}\n## Docker\n```\ndocker build -f docker/Dockerfile -t arm .\n```\n"
     copies = 'FROM ros:noetic\nCOPY . /arm\nRUN pip3 install /arm\nCMD ["python3", "/arm/arm/real.py"]\n'
-    found = decided(tmp_path, page, {"docker/Dockerfile": copies})
+    found = _decided(tmp_path, page, {"docker/Dockerfile": copies})
     assert (found.kind, found.dockerfile) == ("ros1", "docker/Dockerfile")

@@ -2,28 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
-from roslab.decide import decide
-from roslab.decide.decision import Decision
-from roslab.evidence.facts import Mention
-from roslab.evidence.gather import gather
-from trees import tree_of
+from trees import decided
 
 CATKIN = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>rospy</depend></package>"
 CMAKE = "project(a)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
 CUDA = "FROM nvidia/cuda:11.3.0-devel-ubuntu18.04\nRUN apt-get update && apt-get install -y cmake python3-pip\n"
-
-
-def decided(folder: Path, files: dict[str, str], date: str = "2023-04-25") -> Decision:
-    """Return what is decided about files whose last commit is of a date, ``""`` for none."""
-    evidence = gather(tree_of(folder, files))
-    day = Mention(topic="date", value=date, source="commit", file=".git/HEAD", line=1, text=date)
-    return decide(replace(evidence, mentions=(*evidence.mentions, *([day] if date else ()))), Config(), folder_name="a")
+FILES = {"package.xml": CATKIN, "CMakeLists.txt": CMAKE, "Dockerfile": CUDA}
+DAY = "2023-04-25"
 
 
 @pytest.mark.parametrize(
@@ -40,17 +29,14 @@ def decided(folder: Path, files: dict[str, str], date: str = "2023-04-25") -> De
     ],
 )
 def test_the_ubuntu_of_an_image(tmp_path: Path, recipe: str, distro: str) -> None:
-    found = decided(tmp_path, {"package.xml": CATKIN, "CMakeLists.txt": CMAKE, "Dockerfile": recipe})
+    found = decided(tmp_path, {**FILES, "Dockerfile": recipe}, DAY)
     assert found.ros_distro == distro
 
 
 def test_it_tells_where_nothing_else_does(tmp_path: Path) -> None:
-    assert (
-        decided(tmp_path, {"package.xml": CATKIN, "CMakeLists.txt": CMAKE, "Dockerfile": CUDA}, "").ros_distro
-        == "melodic"
-    )
+    assert decided(tmp_path, FILES).ros_distro == "melodic"
 
 
 def test_a_page_tells_more(tmp_path: Path) -> None:
-    files = {"package.xml": CATKIN, "CMakeLists.txt": CMAKE, "Dockerfile": CUDA}
-    assert decided(tmp_path, {**files, "README.md": "Tested on Ubuntu 18.04.\n"}).ros_distro == "melodic"
+    files = {**FILES, "README.md": "Tested on Ubuntu 18.04.\n"}
+    assert decided(tmp_path, files, DAY).ros_distro == "melodic"

@@ -16,7 +16,7 @@ from roslab.plan.lock import use
 from roslab.plan.locked import Lock
 from roslab.render.dockerfile import dockerfile
 from roslab.render.report import inspection_text
-from trees import commit
+from trees import commit, tree_of
 
 PYTHON = {"main.py": "import numpy\n\nprint(numpy.zeros(3))\n", "requirements.txt": "numpy\nscipy\n"}
 TORCH = {"main.py": "import torch\n", "requirements.txt": "torch\n"}
@@ -25,9 +25,7 @@ TORCH = {"main.py": "import torch\n", "requirements.txt": "torch\n"}
 def committed(folder: Path, files: dict[str, str], day: str, config: str = "") -> Planned:
     """Plan a repository of one commit of a day."""
     said = {"roslab.yaml": f"format: 3\n{config}"} if config else {}
-    for path, text in {**files, **said}.items():
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_text(text)
+    tree_of(folder, {**files, **said})
     commit(folder, day)
     return plan_repository(folder)
 

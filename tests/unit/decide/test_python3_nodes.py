@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
-from roslab.decide import decide
-from roslab.decide.decision import Decision
-from roslab.evidence.facts import Mention
-from roslab.evidence.gather import gather
-from trees import tree_of
+from trees import decided
 
 CATKIN = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend><depend>rospy</depend></package>"
 CMAKE = "project(a)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
@@ -20,14 +14,8 @@ NODE = "#!/usr/bin/env python3\nimport rospy\nfrom cv_bridge import CvBridge\nro
 FILES = {"a/package.xml": CATKIN, "a/CMakeLists.txt": CMAKE, "a/scripts/node.py": NODE}
 OWN = {"cv_bridge/package.xml": CATKIN.replace(">a<", ">cv_bridge<"), "cv_bridge/CMakeLists.txt": CMAKE}
 CLONED = {".rosinstall": "- git: {local-name: vision_opencv, uri: https://github.com/ros-perception/vision_opencv}\n"}
+DAY = "2023-04-25"
 COMPILED = "is compiled for Python 2.7"
-
-
-def decided(folder: Path, files: dict[str, str], date: str = "2023-04-25") -> Decision:
-    """Return what is decided about files whose last commit is of a date, ``""`` for none."""
-    evidence = gather(tree_of(folder, files))
-    day = Mention(topic="date", value=date, source="commit", file=".git/HEAD", line=1, text=date)
-    return decide(replace(evidence, mentions=(*evidence.mentions, *([day] if date else ()))), Config(), folder_name="a")
 
 
 @pytest.mark.parametrize(
@@ -57,14 +45,14 @@ def test_the_distribution(tmp_path: Path, node: str, date: str, distro: str) -> 
     ],
 )
 def test_what_does_not_load_is_told(tmp_path: Path, page: str, more: dict[str, str], told: bool) -> None:
-    found = decided(tmp_path, {**FILES, "README.md": page, **more})
+    found = decided(tmp_path, {**FILES, "README.md": page, **more}, DAY)
     assert any(COMPILED in warning.message for warning in found.warnings) == told
 
 
 def test_a_python_that_the_page_names_and_ros_has_not_is_told(tmp_path: Path) -> None:
-    found = decided(tmp_path, {**FILES, "README.md": "Tested on ROS Melodic.\n\n- Python 3.8\n"})
+    found = decided(tmp_path, {**FILES, "README.md": "Tested on ROS Melodic.\n\n- Python 3.8\n"}, DAY)
     assert any(w.message.startswith("Python 3.8 is asked for") and "is 3.6" in w.message for w in found.warnings)
-    at_least = decided(tmp_path, {**FILES, "README.md": "Tested on ROS Melodic.\n\n- Python 3.6+\n"})
+    at_least = decided(tmp_path, {**FILES, "README.md": "Tested on ROS Melodic.\n\n- Python 3.6+\n"}, DAY)
     assert not any("is asked for" in warning.message for warning in at_least.warnings)
 
 
@@ -80,7 +68,7 @@ def test_what_modules_import_is_for_the_python_of_the_nodes(
 ) -> None:
     module = "import yaml\nimport scipy\nimport matplotlib\n"
     files = {**FILES, "a/scripts/node.py": node, "a/src/a/draw.py": module, "README.md": "Tested on ROS Melodic.\n"}
-    found = decided(tmp_path, files)
+    found = decided(tmp_path, files, DAY)
     assert found.ros_distro == "melodic"
     assert wanted <= {*found.apt_guessed}
     assert other.isdisjoint(found.apt_guessed)

@@ -6,23 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
-from roslab.decide import decide
-from roslab.decide.decision import Decision
-from roslab.evidence.gather import gather
-from roslab.repository.checkout import Repository
+from trees import decided
 
 GUARD = "\n\nif __name__ == '__main__':\n    main()\n"
 MANIFEST = (
     "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>rospy</build_depend></package>"
 )
-
-
-def _decided(root: Path, files: dict[str, str]) -> Decision:
-    for path, text in files.items():
-        (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(text, encoding="utf-8")
-    return decide(gather(Repository.open(root)), Config(), folder_name="demo")
 
 
 def _program(*arguments: str) -> str:
@@ -45,7 +34,7 @@ def _program(*arguments: str) -> str:
 def test_another_program_comes_first(tmp_path: Path, argument: str, page: str, command: str) -> None:
     show = {"show.py": _program()} if "show.py" in page else {}
     files = {"plan.py": _program(argument), **show, "README.md": f"# demo\n\n## Run\n```\n{page}\n```\n"}
-    assert _decided(tmp_path, files).command[:2] == ("python", command)
+    assert decided(tmp_path, files).command[:2] == ("python", command)
 
 
 def test_a_usage_text_is_no_run(tmp_path: Path) -> None:
@@ -58,7 +47,7 @@ def test_a_usage_text_is_no_run(tmp_path: Path) -> None:
         "a.csv": "",
         "README.md": f"# demo\nROS noetic\n```\n{usage}\n```\n\nExample:\n```\n{run}\n```\n",
     }
-    found = _decided(tmp_path, files)
+    found = decided(tmp_path, files)
     assert found.command == tuple(run.split())
     assert ("rosrun", "demo", "plan.py") not in found.command_candidates
 
@@ -71,7 +60,7 @@ def test_a_node_without_what_it_requires_is_behind_another(tmp_path: Path) -> No
         "scripts/show.py": "#!/usr/bin/env python\n" + _program(),
         "README.md": "# demo\nROS noetic\n```\nrosrun demo plan.py\nrosrun demo show.py\n```\n",
     }
-    assert _decided(tmp_path, files).command == ("rosrun", "demo", "show.py")
+    assert decided(tmp_path, files).command == ("rosrun", "demo", "show.py")
 
 
 MAIN = "int main(int argc, char **argv) {{ {} }}\n"
@@ -97,7 +86,7 @@ def test_a_compiled_program_that_is_given_too_few(tmp_path: Path, code: str, pag
         "launch/a.launch": "<launch><node pkg='demo' type='slam' name='slam' args='map.yaml'/></launch>",
         "README.md": f"# Demo\n## Usage\n```\n{page}\n```\n",
     }
-    assert " ".join(_decided(tmp_path, files).command) == command
+    assert " ".join(decided(tmp_path, files).command) == command
 
 
 def test_what_a_lone_program_needs_is_told(tmp_path: Path) -> None:
@@ -106,7 +95,7 @@ def test_what_a_lone_program_needs_is_told(tmp_path: Path) -> None:
         "slam.cpp": MAIN.format("if (argc < 3) { return 1; } run(argv[1]);"),
         "README.md": "# Demo\n## Usage\n```\n./build/slam <map> <bag>\n```\n",
     }
-    found = _decided(tmp_path, files)
+    found = decided(tmp_path, files)
     assert found.command == ("slam",)
     ((message, file, line),) = [(w.message, w.file, w.line) for w in found.warnings if "stops without" in w.message]
     assert "2 arguments, which its program reads (argc < 3)" in message

@@ -17,6 +17,7 @@ from roslab.evidence.gather import gather
 from roslab.plan.plan import make_plan
 from roslab.repository.checkout import Repository
 from roslab.values.origin import Place
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 CATKIN = (
@@ -31,10 +32,7 @@ CMAKE = "project({name})\nfind_package(catkin REQUIRED)\n"
 
 
 def decided(tmp_path: Path, files: dict[str, str], config: Config | None = None, branch: str | None = None) -> Decision:
-    for path, text in files.items():
-        target = tmp_path / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text, encoding="utf-8")
+    tree_of(tmp_path, files)
     evidence = gather(Repository.open(tmp_path, branch=branch))
     return decide(evidence, config or Config(), folder_name="demo")
 

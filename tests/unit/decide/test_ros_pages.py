@@ -12,6 +12,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
+from trees import tree_of
 
 CATKIN = (
     "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend>"
@@ -24,10 +25,7 @@ AMENT = (
 
 
 def decided(tmp_path: Path, files: dict[str, str], branch: str | None = None) -> Decision:
-    for path, text in files.items():
-        target = tmp_path / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text, encoding="utf-8")
+    tree_of(tmp_path, files)
     return decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="demo")
 
 
@@ -283,9 +281,7 @@ CI = "jobs:\n  build:\n    runs-on: ubuntu-latest\n    container: ros:noetic\n  
 def test_the_name_of_a_branch_yields_to_a_ci_that_tests_only_others(tmp_path: Path, ci: str, distro: str) -> None:
     package = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
     files = {"package.xml": package, "CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\n"}
-    for path, text in (files | ({".github/workflows/ci.yml": ci} if ci else {})).items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, files | ({".github/workflows/ci.yml": ci} if ci else {}))
     found = decide(gather(Repository.open(tmp_path, branch="kinetic-devel")), Config(), folder_name="a")
     assert found.ros_distro == distro
 
@@ -353,9 +349,7 @@ def test_a_branch_for_a_newer_distribution_than_ci_has_is_no_old_name(
     package += "<export><build_type>ament_cmake</build_type></export></package>"
     ci = f"jobs:\n  build:\n    strategy:\n      matrix:\n        distro: [{tested}]\n    runs-on: ubuntu-latest\n"
     cmake = "project(a)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
-    for path, text in {"package.xml": package, "CMakeLists.txt": cmake, ".github/workflows/ci.yml": ci}.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, {"package.xml": package, "CMakeLists.txt": cmake, ".github/workflows/ci.yml": ci})
     found = decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="a")
     assert found.ros_distro == distro
 

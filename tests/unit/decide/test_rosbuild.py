@@ -14,6 +14,7 @@ from roslab.evidence.gather import gather
 from roslab.plan.plan import Plan, make_plan
 from roslab.render.dockerfile import dockerfile
 from roslab.repository.checkout import Repository
+from trees import tree_of
 
 CMAKE = (
     "include($ENV{ROS_ROOT}/core/rosbuild/rosbuild.cmake)\nrosbuild_init()\nrosbuild_add_executable(track src/a.cpp)\n"
@@ -25,10 +26,7 @@ MANIFEST = (
 
 
 def decided(folder: Path, files: dict[str, str], branch: str | None = None) -> Decision:
-    for path, text in files.items():
-        target = folder / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text, encoding="utf-8")
+    tree_of(folder, files)
     return decide(gather(Repository.open(folder, branch=branch)), Config(), folder_name="Tracker")
 
 

@@ -12,7 +12,7 @@ from roslab.decide import decide
 from roslab.decide.brought_archives import in_its_place
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
-from roslab.repository.checkout import Repository
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
@@ -124,10 +124,7 @@ def test_a_clone_of_the_origin_is_the_repository(tmp_path: Path) -> None:
     files = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, ".git/HEAD": "ref: refs/heads/noetic"}
     files["README.md"] = "```\ngit clone https://github.com/me/robots\ngit clone https://github.com/me/odd\n```\n"
     files[".git/config"] = '[remote "origin"]\n\turl = git@github.com:me/robots.git\n'
-    for path, text in files.items():
-        (tmp_path / path).parent.mkdir(exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="checkout")
+    found = decide(gather(tree_of(tmp_path, files)), Config(), folder_name="checkout")
     said = [w.message.split(",")[0] for w in found.warnings if w.message.startswith("not cloned")]
     assert said == ["not cloned: https://github.com/me/odd"]
 

@@ -12,7 +12,7 @@ from roslab.decide import decide
 from roslab.decide.decision import Decision
 from roslab.evidence.gather import gather
 from roslab.repository.checkout import Repository
-from trees import commit
+from trees import commit, tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 START = "from setuptools import setup, find_packages\n"
@@ -89,9 +89,7 @@ def test_below_the_root_where_a_page_installs_it(tree: Tree, page: str, stopped:
 
 
 def test_setuptools_of_the_day_of_an_old_commit_looks_for_no_packages(tmp_path: Path) -> None:
-    for path, text in {"setup.py": BARE.format(more=""), "train.py": "import core\n", **FOLDERS}.items():
-        (tmp_path / path).parent.mkdir(exist_ok=True)
-        (tmp_path / path).write_text(text)
+    tree_of(tmp_path, {"setup.py": BARE.format(more=""), "train.py": "import core\n", **FOLDERS})
     commit(tmp_path, "2020-06-01")
     found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
     assert found.python.projects == (".",)

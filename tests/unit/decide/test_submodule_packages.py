@@ -8,6 +8,7 @@ import pytest
 
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 MODULES = '[submodule "arm"]\n\tpath = stack/arm\n\turl = https://github.com/lab/arm.git\n'
 
@@ -22,9 +23,7 @@ MODULES = '[submodule "arm"]\n\tpath = stack/arm\n\turl = https://github.com/lab
 )
 def test_a_workspace_of_submodules(tmp_path: Path, page: str, built: str | None) -> None:
     root = tmp_path / "demo"
-    for path, text in {".gitmodules": MODULES, "README.md": page}.items():
-        (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(text, encoding="utf-8")
+    tree_of(root, {".gitmodules": MODULES, "README.md": page})
     plan = plan_repository(root).plan
     assert plan.workspace.folder == ("ws/src/demo" if built else "demo")
     assert plan.workspace.may_fail == (("stack/arm",) if built else ())

@@ -6,13 +6,11 @@ from pathlib import Path
 
 from roslab.pipeline import plan_repository
 from roslab.render.report import inspection_text
+from trees import tree_of
 
 
 def replaced(tmp_path: Path, files: dict[str, str], *, branch: str | None = None) -> dict[str, str]:
-    for name, text in files.items():
-        path = tmp_path / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+    tree_of(tmp_path, files)
     planned = plan_repository(tmp_path, branch=branch)
     said = inspection_text(planned.decision, planned.plan)
     for each in planned.plan.upstreams:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roslab.evidence.native import fetching
-from roslab.repository.checkout import Repository
+from trees import tree_of
 
 CLONING = "# git clone it by hand\nExternalProject_Add(sophus GIT_REPOSITORY git://code.example.org/a/sophus.git)\n"
 CHECKOUT = (
@@ -16,10 +16,7 @@ CHECKOUT = (
 
 
 def _read(root: Path, files: dict[str, str]) -> fetching.Fetching:
-    for path, text in files.items():
-        (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(text, encoding="utf-8")
-    return fetching.read(Repository.open(root))
+    return fetching.read(tree_of(root, files))
 
 
 def test_a_makefile_of_rosbuild_clones_with_the_program_of_the_file_that_it_includes(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from roslab.evidence.ros import launch
 from roslab.repository.checkout import Repository
+from trees import tree_of
 
 LAUNCH = (
     "from launch import LaunchDescription\n\ndef generate_launch_description():\n    return LaunchDescription([])\n"
@@ -53,9 +54,7 @@ GLOB = "(os.path.join('share', name, 'launch'), glob('launch/*.launch.py'))"
 def test_what_a_build_names(tmp_path: Path, folder: str, place: str, build: str, *, text: str, installed: bool) -> None:
     files = {"package.xml": "<package><name>eye</name></package>", "eye/__init__.py": ""}
     files |= {build: text, place: LAUNCH}
-    for path, written in files.items():
-        (tmp_path / folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / folder / path).write_text(written)
+    tree_of(tmp_path / folder, files)
     (found,) = launch.read(Repository.open(tmp_path))
     assert found.installed is installed
 
@@ -87,9 +86,7 @@ def test_a_build_that_installs_programs_alone(
     tmp_path: Path, folder: str, place: str, build: str, *, text: str, by_path: bool
 ) -> None:
     files = {"package.xml": "<package><name>eye</name></package>", "CMakeLists.txt": CMAKE.format(build), place: text}
-    for path, written in files.items():
-        (tmp_path / folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / folder / path).write_text(written)
+    tree_of(tmp_path / folder, files)
     (found,) = launch.read(Repository.open(tmp_path))
     assert found.by_path is by_path
 

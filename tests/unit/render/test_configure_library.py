@@ -11,6 +11,7 @@ import pytest
 from roslab.pipeline import plan_repository
 from roslab.render import image_scripts
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 SCRIPT = Path(image_scripts.__path__[0]) / "configure-library.sh"
 CACHE = """\
@@ -192,8 +193,7 @@ def test_it_is_for_a_library_that_no_author_configures(tmp_path: Path, asked: st
     files = {"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": PAGE} | (
         {"roslab.yaml": yaml} if yaml else {}
     )
-    for name, text in files.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
+    tree_of(tmp_path, files)
     text = dockerfile(plan_repository(tmp_path).plan)
     assert f"AS library-1-{asked.lower().replace('_', '-')}" in text
     assert ("\nCOPY --from=scripts /configure-library /usr/local/bin/\n" in text) == called

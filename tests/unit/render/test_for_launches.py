@@ -10,6 +10,7 @@ import pytest
 
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 PACKAGE = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend>{}</package>"
 LAUNCH = '<launch><include file="$(find rotors_description)/launch/a.launch"/></launch>'
@@ -22,9 +23,7 @@ def _tree(tmp_path: Path, needs: str, page: str = "ROS Noetic\n") -> str:
         "launch/demo.launch": LAUNCH,
         "README.md": page,
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    tree_of(tmp_path, files)
     return dockerfile(plan_repository(tmp_path).plan)
 
 
