@@ -12,7 +12,7 @@ from roslab.evidence.lex.dockerfile import instructions
 from roslab.plan.author_bases import Base
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import caches, scripts, shell
+from roslab.render.layers import building, caches, scripts, shell
 from roslab.render.layers.base import renewal
 from roslab.render.layers.secrets import Secrets
 from roslab.render.output import Beside
@@ -91,10 +91,9 @@ def _rosdep(tag: str) -> str:
 
 def _of_day(day: str) -> str:
     """Have the author's steps run by a shell that gives pip the index of a day."""
-    why = f"# What pip installs without a version is of {day}: `pip_date` in roslab.yaml says which day\n"
     copied = "".join(map(shell.copy_script, ("index-as-of", "shell-as-of")))
     tables = shell.copy_data(("released-together.txt",))
-    return f'{why}{copied}{tables}SHELL ["/usr/local/bin/shell-as-of", "{day}"]'
+    return f'{building.of_day(day)}\n{copied}{tables}SHELL ["/usr/local/bin/shell-as-of", "{day}"]'
 
 
 def _pip(installers: Sequence[str]) -> str:

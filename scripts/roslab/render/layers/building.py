@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.plan.plan import Plan
-from roslab.plan.python import installs as of_python
+from roslab.plan.python import installs
 from roslab.render import quote
 from roslab.render.layers import shell
 
@@ -19,10 +19,10 @@ def settings(plan: Plan) -> str:
     if plan.compatible:
         return ""
     if python.day:
-        lines.append(f"# What pip installs without a version is of {python.day}: `pip_date` in roslab.yaml says which")
+        lines.append(of_day(python.day))
     if python.clones and (python.day or plan.as_of):
         lines.append(shell.copy_script("git-as-of").rstrip())
-    if python.manager != "system" or installs(plan):
+    if python.manager != "system" or installs(python):
         lines += ["# An older wheel is taken before the source of a newer release", "ENV PIP_PREFER_BINARY=1"]
     if python.cuda_architectures:
         lines.append("# No GPU is seen while an image is built: extensions are compiled for all of these")
@@ -33,6 +33,11 @@ def settings(plan: Plan) -> str:
         lines += [text] if (text := older_names(plan)) else []
         lines.append("ENV " + " \\\n    ".join(f"{name}={quote.docker(flags)}" for name, flags in macros(plan)))
     return "\n".join(lines)
+
+
+def of_day(day: str) -> str:
+    """Return the comment that says of which day it is what pip installs."""
+    return f"# What pip installs without a version is of {day}: `pip_date` in roslab.yaml says which"
 
 
 def macros(plan: Plan) -> tuple[tuple[str, str], ...]:
@@ -79,11 +84,6 @@ def _value(name: str, value: str, plan: Plan) -> str:
         return quote.docker(value)
     placed = ":".join(f"/home/{quote.USER}/{plan.workspace.folder}/{part[2:]}".rstrip("/") for part in parts)
     return f'"{quote.docker_path(placed)}"'
-
-
-def installs(plan: Plan) -> bool:
-    """Tell whether pip installs anything for the image's own Python."""
-    return of_python(plan.python)
 
 
 def also_with_what_is_there(plan: Plan, pip: str, words: str) -> str:

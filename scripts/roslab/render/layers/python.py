@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from roslab.knowledge.tools import OLD_METADATA, python2_installers, tool_image
 from roslab.plan.plan import Plan
+from roslab.plan.python import installs
 from roslab.render import quote
 from roslab.render.layers import building, caches, conda_lines, locks, manifests, secrets, shell
 from roslab.values.version import Version, minor_of
@@ -38,13 +39,13 @@ def environment(plan: Plan) -> str:
             )
         )
     lines = []
-    installs = building.installs(plan)
-    if installs or plan.rosdep or plan.compatible:
+    installed = installs(plan.python)
+    if installed or plan.rosdep or plan.compatible:
         lines.append("# The image is the environment: packages go beside the distribution's own")
         lines.append("ENV PIP_BREAK_SYSTEM_PACKAGES=1")
     if plan.compatible:
         return "\n".join((*lines, _both_pips(plan)))
-    if installs and plan.python_tools.pinned:
+    if installed and plan.python_tools.pinned:
         # An old distribution's pip knows no wheels of today, and today's pip does not run on its Python
         lines.append(shell.run(secrets.REPEATABLE, *_upgrades(plan), around=locks.constraints(plan)))
     return "\n".join(lines)

@@ -57,12 +57,10 @@ def projects(plan: Plan) -> str:
     alone = [folder for folder in folders if folder in plan.python.alone and folder not in lost]
     copied = frozenset(plan.python.copied)
     commands = [_if_there(folder, f"{pip}{_own([folder], copied)}{_or_not(folder, plan)}") for folder in unseen]
-    together = f"{pip}{_own(whole, copied)}"
-    if isolation and set(whole) <= set(
-        plan.python.isolated
-    ):  # a package that these require may build beside the others
-        together = f"{{ {together.replace(isolation, '', 1)} \\\n      || {together}; }}"
-    commands += [together] if whole else []
+    if whole and set(whole) <= set(plan.python.isolated):  # a package that they require may build beside the others
+        commands.append(building.also_with_what_is_there(plan, pip.replace(isolation, "", 1), _own(whole, copied)))
+    elif whole:
+        commands.append(f"{pip}{_own(whole, copied)}")
     commands += [f"{pip} --no-deps{_own(alone, copied)}"] if alone else []
     commands += [_or_its_needs(folder, pip, f"{pip}{_own([folder], copied)}", lines) for folder, lines in lost.items()]
     run = shell.run(*commands, secrets=secrets.for_pip(plan))

@@ -6,7 +6,8 @@ They are installed once pip has installed all packages, which alone say what the
 from __future__ import annotations
 
 from roslab.plan.plan import Plan
-from roslab.render.layers import building, locks, python, secrets, shell
+from roslab.plan.python import installs
+from roslab.render.layers import locks, python, secrets, shell
 
 
 def before_source(plan: Plan) -> str:
@@ -20,7 +21,7 @@ def after_projects(plan: Plan) -> str:
 
 
 def _install(plan: Plan) -> str:
-    if not (building.installs(plan) or plan.workspace.python_projects) or plan.compatible:
+    if not (installs(plan.python) or plan.workspace.python_projects) or plan.compatible:
         return ""
     return shell.call(
         "install-wheel-libraries",
