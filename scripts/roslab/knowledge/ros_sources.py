@@ -6,7 +6,7 @@ import re
 from functools import cache
 
 from roslab.knowledge.distros import distros
-from roslab.knowledge.record import record
+from roslab.knowledge.record import grouped, record
 from roslab.knowledge.released import released
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
@@ -53,18 +53,23 @@ def ros_sources(package: str, ros: int, distro: str = "") -> tuple[RosSource, ..
 
 
 @cache
-def _held() -> dict[tuple[str, str], tuple[str, ...]]:
-    found: dict[tuple[str, str], tuple[str, ...]] = {}
-    for (package, ros), row in _table().items():
-        key = row["repo"].removesuffix(".git").lower(), ros
-        found[key] = (*found.get(key, ()), package)
-    return found
+def _held() -> dict[str, tuple[str, ...]]:
+    return grouped((_address(row["repo"]), row["package"]) for row in rows("ros_sources"))
+
+
+def _address(repo: str) -> str:
+    return repo.removesuffix(".git").lower()
+
+
+def packages_at(repo: str) -> frozenset[str]:
+    """Return the packages that the table knows in a repository."""
+    return frozenset(_held().get(_address(repo), ()))
 
 
 def held_by(repo: str, ros: int, distro: str = "") -> frozenset[str]:
     """Return the packages that the table finds in a repository, for a distribution that did not release them."""
-    packages = _held().get((repo.removesuffix(".git").lower(), str(ros)), ())
-    return frozenset(package for package in packages if ros_sources(package, ros, distro))
+    found = {package: ros_sources(package, ros, distro)[-1:] for package in packages_at(repo)}
+    return frozenset(name for name, own in found.items() if any(_address(each.repo) == _address(repo) for each in own))
 
 
 def day_of(source: RosSource, distro: str, day: str) -> str:
@@ -90,9 +95,3 @@ def alone() -> frozenset[str]:
 def collections() -> frozenset[str]:
     """Return the repositories that may hold others beside the packages that the table knows of them."""
     return frozenset(row["repo"] for row in rows("ros_sources")) - alone()
-
-
-@cache
-def packages_at(repo: str) -> frozenset[str]:
-    """Return the packages that the table knows in a repository."""
-    return frozenset(row["package"] for row in rows("ros_sources") if row["repo"] == repo)
