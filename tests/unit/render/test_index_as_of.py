@@ -23,6 +23,7 @@ from pathlib import Path
 import pip
 import pytest
 
+from roslab.evidence.prose.python_steps import MAY_CALL_PIP
 from roslab.knowledge.build_limits import build_limits
 from roslab.knowledge.build_programs import build_programs
 
@@ -521,6 +522,11 @@ def test_an_authors_step_that_calls_pip_has_the_index_of_the_day(
 ) -> None:
     said = ran(step, tmp_path, index, f"cd {tmp_path}\nexec shell-as-of {DAY} {shlex.quote(run)}", start=":")
     assert said.strip().startswith(got.format(index=index))
+
+
+def test_a_step_that_may_call_pip_is_known_alike_to_the_plan_and_to_the_shell() -> None:
+    text = (SCRIPTS / "shell-as-of.sh").read_text(encoding="utf-8")
+    assert f"grep --quiet --extended-regexp '{MAY_CALL_PIP.pattern}' " in text
 
 
 def test_an_authors_step_that_fails_fails(step: list[subprocess.Popen[str]], tmp_path: Path, index: str) -> None:

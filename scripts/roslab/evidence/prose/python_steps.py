@@ -16,8 +16,8 @@ _PROGRAM = pattern(r"(?:.*/)?(?:pip|python|pypy)[\d.]*")
 _UPGRADE = pattern(r"--upgrade|-[a-zA-Z]*U[a-zA-Z]*")
 _OPTIONS = pattern(r"^(?:--\S+\s+)+")
 """Options of RUN."""
-_MAY_CALL_PIP = pattern(r"\bpip|\bconda\b|\bmamba\b|\bsetup\.py\b|\.sh\b")
-"""As ``shell-as-of`` knows a step that may call pip."""
+MAY_CALL_PIP = pattern(r"\bpip|\bconda\b|\bmamba\b|\bsetup\.py\b|\.sh\b")
+"""As ``shell-as-of`` knows a step that may call pip; a test holds them to each other."""
 _CHANGES = pattern(r"\bsed\b[^\n]*\bsetup\.py\b|\bis_available\b|\bpatch\b|\bgit\s+(?:apply|am)\b")
 
 
@@ -50,7 +50,7 @@ def own_shell(written: Sequence[Instruction]) -> bool:
     """
     started = (step.text for step in written if step.name in {"CMD", "ENTRYPOINT", "HEALTHCHECK"})
     shelled = (text for text in started if not text.lstrip().startswith("["))
-    return any(step.name == "SHELL" for step in written) or any(map(_MAY_CALL_PIP.search, shelled))
+    return any(step.name == "SHELL" for step in written) or any(map(MAY_CALL_PIP.search, shelled))
 
 
 def _upgrades(steps: str, first: int) -> Iterator[int]:
