@@ -29,6 +29,8 @@ class NotOnIndex:
     """conda's channels that have it."""
     needs: tuple[str, ...]
     """What its modules import, where its own list has what pip cannot install: it is installed without that list."""
+    unpacked: str
+    """The folder that pip installs of an archive which nobody can fetch without an account, as the archive has it."""
     source: str
     """Where its author tells how to install it."""
 
@@ -46,10 +48,13 @@ def of_ros(name: str) -> NotOnIndex | None:
         return found
     if not _ONLY_OF_ROS.fullmatch(name) or not ever_released(name.replace("-", "_")):
         return None
-    return NotOnIndex(instead="", releases="", why=_WHY, conda=(), needs=(), source="https://github.com/ros/rosdistro")
+    return _row_of_ros("https://github.com/ros/rosdistro")
 
 
 @cache
 def _of_ros() -> dict[str, NotOnIndex]:
-    others = {"instead": "", "releases": "", "why": _WHY, "conda": (), "needs": ()}
-    return {canonicalize_name(row["pip"]): record(NotOnIndex, row, **others) for row in rows("of_ros")}
+    return {canonicalize_name(row["pip"]): _row_of_ros(row["source"]) for row in rows("of_ros")}
+
+
+def _row_of_ros(source: str) -> NotOnIndex:
+    return NotOnIndex(instead="", releases="", why=_WHY, conda=(), needs=(), unpacked="", source=source)

@@ -20,7 +20,7 @@ from roslab.evidence import places
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence, Mention, RequirementFile
 from roslab.evidence.python_project import PythonProject
-from roslab.knowledge.unpacked_archives import unpacked_archives
+from roslab.knowledge.not_on_index import not_on_index
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -215,8 +215,8 @@ def projects(
 
 def _unpacked(project: PythonProject) -> bool:
     """Tell whether a project is of an archive behind a login: who has unpacked it in the tree needs it."""
-    archive = unpacked_archives().get(canonicalize_name(project.name or ""))
-    return archive is not None and f"/{project.folder}".endswith(f"/{archive}")
+    row = not_on_index().get(canonicalize_name(project.name or ""))
+    return row is not None and bool(row.unpacked) and f"/{project.folder}".endswith(f"/{row.unpacked}")
 
 
 def _with_needed(
