@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 
-from roslab.knowledge.never_released import never_released
 from roslab.knowledge.record import grouped, record
 from roslab.knowledge.table import cells, rows
 from roslab.values.dataclass import dataclass
@@ -107,9 +106,26 @@ def framework_on_cuda(package: str) -> str | None:
     return name if on_cuda and any(series.cuda for _, series in _series(name)) else None
 
 
+def never_released(package: str, release: str) -> bool:
+    """Tell whether a release (``0.7.0``, ``0.7``) is between two that follow each other: there never was such a one.
+
+    A page that names one of them means another package, or has a slip.
+    """
+    gaps = _gaps().get(tabled(package), ())
+    version = version_of(release) if gaps else None
+    numbers = Version(version.base_version) if version else None
+    return numbers is not None and any(first <= numbers < before for first, before in gaps)
+
+
+@cache
+def _gaps() -> dict[str, tuple[tuple[Version, Version], ...]]:
+    """Return the numbers that each package left out: from the first, and up to the next release."""
+    return grouped((row["package"], (Version(row["first"]), Version(row["before"]))) for row in rows("never_released"))
+
+
 def framework(package: str, release: str) -> Framework | None:
     """Return the row for a release, ``None`` if the table has none, or there never was such a release."""
-    numbers = None if never_released(tabled(package), release) else _numbers(release)
+    numbers = None if never_released(package, release) else _numbers(release)
     series = _series(tabled(package))
     return next((row for first, row in series if numbers and first <= numbers), None)
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.knowledge.frameworks import framework_on_cuda, tabled
+from roslab.knowledge.frameworks import framework_on_cuda, never_released, tabled
 from roslab.knowledge.guesses import same_module, tooling
-from roslab.knowledge.never_released import never_released
 from roslab.knowledge.table import rows
 from roslab.knowledge.tools import for_old_packages, python2_installers, python_tools, tool_image, why_bounded
 
@@ -83,5 +82,6 @@ def test_numbers_that_were_left_out_lie_between_two_releases_of_the_table() -> N
 def test_a_candidate_of_a_release_is_of_that_release() -> None:
     assert not never_released("torch", "1.0rc0")
     assert never_released("torch", "0.7.0+cu92")
+    assert never_released("tensorflow-gpu", "1.17")
     assert not never_released("torch", "latest")
     assert not never_released("numpy", "0.7")

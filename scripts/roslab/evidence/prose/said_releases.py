@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence.prose import mentions
-from roslab.knowledge.frameworks import Framework, framework, tabled
-from roslab.knowledge.never_released import never_released
+from roslab.knowledge.frameworks import Framework, framework, never_released
 from roslab.values.pattern import pattern
 
 _OR = pattern(r"\s*(?:/|\bor\b)\s*v?(\d{1,2}(?:\.\d{1,3}){1,2})(?![\w.]*\d)")
@@ -21,7 +20,7 @@ def release_of(package: str, number: str, text: str, end: int) -> str | None:
     Of several, the first that there is and that has wheels for the Python and the CUDA that the text names.
     """
     named = (number, *_others(text, end))
-    there = [each for each in named if not never_released(tabled(package), each)]
+    there = [each for each in named if not never_released(package, each)]
     if len(there) < 2:
         return next(iter(there), None)
     known = {each: row for each in there if (row := framework(package, each))}

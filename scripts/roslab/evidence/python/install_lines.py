@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Literal
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
-from roslab.knowledge.frameworks import conda_names, tabled
-from roslab.knowledge.never_released import never_released
+from roslab.knowledge.frameworks import conda_names, never_released
 from roslab.values.conda import CondaPackage, conda_package
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
@@ -109,7 +108,7 @@ def _readable(asked: Requirement) -> Requirement:
     No pip finds such a one (https://peps.python.org/pep-0440/), while the name is what is needed.
     """
     named = asked.name + (f"[{','.join(asked.extras)}]" if asked.extras else "")
-    if asked.release and never_released(tabled(asked.key), asked.release):
+    if asked.release and never_released(asked.key, asked.release):
         return stated(named, asked.origin, asked.file, asked.line, role=asked.role)
     unread = not (asked.url or asked.specifier) and asked.name and asked.package and asked.marker is None
     return replace(asked, written=named) if unread else asked
@@ -182,7 +181,7 @@ def _packages(command: Command, file: str) -> Iterator[Requirement | Version]:
             package = conda_names().get(asked.name, asked.name)
             exact = f"=={asked.version}" if asked.release and _EXACT.fullmatch(asked.version) else ""
             exact += ".*" if exact and _begins(package, asked) else ""
-            exact = "" if package and never_released(tabled(package), asked.version) else exact
+            exact = "" if package and never_released(package, asked.version) else exact
             if package:
                 yield stated(package + exact, "prose", file, line, role="conda")
 
