@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.render.layers import shell
 from roslab.render.layers.called import with_called
-from roslab.render.layers.workspace import WITHOUT_DOUBLES, WS, words
+from roslab.render.layers.workspace import WITHOUT_DOUBLES, WS, without_doubles
 
 
 def before_rosdep(plan: Plan) -> str:
@@ -14,9 +14,9 @@ def before_rosdep(plan: Plan) -> str:
     Nothing where only one repository is cloned: rosdep reads the repository's own manifests apart from it.
     """
     place = plan.workspace
-    unsure = place.ros.unsure if place.ros else ()
-    if plan.rosdep is None or not unsure or len(place.sources) + len(place.submodules) == 1:
+    alone = len(place.sources) + len(place.submodules) == 1
+    if plan.rosdep is None or place.ros is None or not place.ros.unsure or alone:
         return ""
     scripts = "".join(map(shell.copy_script, with_called([WITHOUT_DOUBLES])))
-    run = shell.run(f"cd {WS}", f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in unsure)}")
+    run = shell.run(f"cd {WS}", without_doubles(place.ros))
     return f"# Packages that two clones have\nUSER ${{NB_USER}}\n{scripts}{run}\nUSER root"

@@ -241,11 +241,16 @@ def tree_mount(plan: Plan) -> str:
 
 def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     source = source_folder(plan)
-    unsure = [f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in build.unsure)}"] if build.unsure else []
+    unsure = [without_doubles(build)] if build.unsure else []
     declared = [f"{DECLARED} src"] if build.undeclared else []
     before = [*prepared.not_there(source, build), *prepared.ignoring(source, build), *unsure]
     before += [*prepared.lacking(source, build), *prepared.of_clones(plan, build), *declared]
     return [*before, *prepared.raised(plan.workspace, build), *_building(plan, build, again)]
+
+
+def without_doubles(build: RosBuild) -> str:
+    """Return the command that hides packages of clones which others have too."""
+    return f"{WITHOUT_DOUBLES}{words(f'src/{name}' for name in build.unsure)}"
 
 
 def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
