@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from roslab.knowledge.code_limits import limits
+from roslab.knowledge.code_limits import OF_ROS2, limits
 from roslab.values.pattern import pattern
 
 HAS_INCLUDE = "__has_include"
 _HEADER = pattern(r"__has_include(?:_next)?\s*\(\s*[<\"]([\w./+-]+)[>\"]")
-_OF_ROS2 = "ros 2: "
 _COMPILER = "GCC"
 """Of which release a standard header asks, the code around it needs all the same."""
 
@@ -34,7 +33,7 @@ def _begins() -> dict[str, frozenset[str]]:
     found: dict[str, set[str]] = {}
     for limit in limits():
         if limit.library != _COMPILER:
-            begins = found.setdefault(limit.library, {limit.library.lower().removeprefix(_OF_ROS2)})
+            begins = found.setdefault(limit.library, {limit.library.removeprefix(OF_ROS2).lower()})
             if limit.where == "include":
                 begins.update(part.lower().partition("/")[0] for part in limit.hints.each)
     return {library: frozenset(filter(None, begins)) for library, begins in found.items()}
