@@ -1,6 +1,6 @@
-"""What is measured is the program that lies beside these benchmarks, whichever is installed."""
+"""What is measured is the program beside these benchmarks, whichever is installed, in the lab beside its tests."""
 
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "scripts"))
+sys.path[:0] = [str(Path(__file__).resolve().parent.parent / name) for name in ("scripts", "tests")]

@@ -17,6 +17,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from lab.laboratory import current
 from roslab.explain.answer import explain
 
 if sys.version_info >= (3, 11):
@@ -62,9 +63,6 @@ def main() -> int:
     options.add_argument("names", nargs="*", metavar="CASE")
     options.add_argument("--keep", type=Path, metavar="FOLDER")
     given = options.parse_args()
-    sys.path.insert(0, str(HERE.parent / "tests"))
-    from lab.laboratory import current  # noqa: PLC0415 - found beside the benchmarks
-
     environment = current().environment
     for name, base in BASES.values():
         make = ["docker", "build", "--quiet", "--tag", name, "--build-arg", f"BASE={base}", str(RECIPE)]

@@ -16,14 +16,12 @@ from pathlib import Path
 from benchmarks.running import page
 from benchmarks.running.measure import Way, measure
 from benchmarks.running.rows import chosen, due, dump, listed, read, write
+from lab import laboratory
+from lab.command import LabError
 from roslab.engine.docker import output, say
 
 HERE = Path(__file__).resolve().parent
 RESULTS = HERE.parent / "results" / "running"
-sys.path.insert(0, str(HERE.parent.parent / "tests"))
-
-from lab import laboratory  # noqa: E402 - found beside the benchmarks
-from lab.command import LabError  # noqa: E402
 
 
 def make_base(name: str) -> bool:
