@@ -8,13 +8,10 @@ from pathlib import Path
 import pytest
 
 from roslab.config.model import Config
-from roslab.decide import decide
 from roslab.decide.decision import Decision
-from roslab.evidence.gather import gather
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
-from roslab.repository.checkout import Repository
-from trees import tree_of
+from trees import decided, tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 FILE = "name: a\ndependencies:\n  - python=3.7\n  - pytorch=1.7\n  - pip:\n    - einops==0.3.0\n"
@@ -251,15 +248,17 @@ def test_an_environment_without_a_python_gets_the_one_that_the_rest_asks_for(
     tmp_path: Path, packages: list[str | dict[str, str]], page: str, limits: tuple[str, ...]
 ) -> None:
     listed = "".join(f"- {each}\n" if isinstance(each, str) else f"- pip:\n  - {each['pip']}\n" for each in packages)
-    (tmp_path / "lab.yml").write_text(f"name: a\nchannels: [conda-forge]\ndependencies:\n{listed}")
-    (tmp_path / "README.md").write_text(f"# Lab\n\n{page}\n```\nconda env create --file lab.yml\n```\n")
-    (tmp_path / "train.py").write_text("import numpy\n")
+    files = {
+        "lab.yml": f"name: a\nchannels: [conda-forge]\ndependencies:\n{listed}",
+        "README.md": f"# Lab\n\n{page}\n```\nconda env create --file lab.yml\n```\n",
+        "train.py": "import numpy\n",
+    }
+    tree_of(tmp_path, files)
     assert plan_repository(tmp_path).plan.python.conda_limits == limits
 
 
 def test_an_environment_without_a_python_gets_that_of_its_day(tmp_path: Path) -> None:
-    (tmp_path / "environment.yml").write_text("dependencies:\n- numpy\n- pip:\n  - einops\n")
-    config = Config(pip_date="2020-06-01")
-    found = decide(gather(Repository.open(tmp_path)), config, folder_name="a").python
+    files = {"environment.yml": "dependencies:\n- numpy\n- pip:\n  - einops\n"}
+    found = decided(tmp_path, files, config=Config(pip_date="2020-06-01")).python
     assert found.conda_limits[:1] == (f"python={found.version}",)
     assert found.version == "3.7"

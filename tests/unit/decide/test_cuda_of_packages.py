@@ -6,11 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
-from roslab.decide import decide
 from roslab.decide.decision import Decision
-from roslab.evidence.gather import gather
-from roslab.repository.checkout import Repository
 from trees import decided
 
 MANIFEST = (
@@ -56,14 +52,12 @@ def test_the_versions_of_a_page_decide(tmp_path: Path, page: str, cuda: str) -> 
 
 def test_the_toolkit_of_a_newer_ubuntu_is_for_both_platforms(tmp_path: Path) -> None:
     manifest = MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
-    (tmp_path / "package.xml").write_text(manifest, encoding="utf-8")
-    for name, text in {
+    files = {
         "package.xml": manifest,
         "CMakeLists.txt": MADE.replace("catkin", "ament_cmake") + "ament_package()\n",
         "README.md": "ROS 2 humble, CUDA 11.4 or newer\n",
-    }.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    }
+    found = decided(tmp_path, files)
     assert (found.ros_distro, TOOLKIT in found.apt) == ("humble", True)
     assert found.platforms == ("linux/amd64", "linux/arm64")
 

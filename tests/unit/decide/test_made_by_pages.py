@@ -51,18 +51,8 @@ def _program(folder: Path, *, machine: bytes = b"\x3e\x00", kind: bytes = b"\x03
         ("make\n", MAKEFILE, ""),
     ],
     ids=[
-        *(
-            "below",
-            "above",
-            "target",
-            "clean",
-            "serve",
-            "started",
-            "compiled and started",
-            "of others",
-            "by a variable",
-        ),
-        *("sim", "CMake", "no Makefile", "root"),
+        *("below", "above", "target", "clean", "serve", "started", "compiled and started", "of others"),
+        *("by a variable", "sim", "CMake", "no Makefile", "root"),
     ],
 )
 def test_a_folder_that_the_page_makes_is_made(tree: Tree, page: str, makefile: str, command: str) -> None:

@@ -8,11 +8,8 @@ from pathlib import Path
 import pytest
 
 from roslab.config.model import Config, Source
-from roslab.decide import decide
 from roslab.decide.decision import Decision
-from roslab.evidence.gather import gather
-from roslab.repository.checkout import Repository
-from trees import tree_of
+from trees import decided
 
 Tree = Callable[[dict[str, str]], Decision]
 
@@ -164,9 +161,9 @@ def test_a_repository_may_have_a_package_that_is_called_like_a_controller(
 
 def test_a_source_of_roslab_yaml_may_have_a_package_that_is_called_like_a_controller(tmp_path: Path) -> None:
     config = "arm_controller:\n  type: joint_trajectory_controller/JointTrajectoryController\n"
-    tree_of(tmp_path, {**_files("arm_controller"), "config/controllers.yaml": config})
+    files = {**_files("arm_controller"), "config/controllers.yaml": config}
     stack = Source(name="stack", repo="https://github.com/me/stack", build="colcon")
-    decision = decide(gather(Repository.open(tmp_path)), Config(source=(stack,)), folder_name="demo")
+    decision = decided(tmp_path, files, config=Config(source=(stack,)))
     assert "arm_controller" in decision.rosdep
 
 

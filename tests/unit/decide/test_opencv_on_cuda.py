@@ -8,10 +8,8 @@ from pathlib import Path
 import pytest
 
 from roslab.config.model import Config, Source
-from roslab.decide import decide
 from roslab.decide.decision import Decision
-from roslab.evidence.gather import gather
-from trees import tree_of
+from trees import decided
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
@@ -96,9 +94,9 @@ def test_the_package_of_an_ubuntu_is_compiled_without_it(tree: Tree) -> None:
 
 
 def test_an_opencv_of_roslab_yaml_is_the_authors_matter(tmp_path: Path) -> None:
-    repository = tree_of(tmp_path, _files(USES, find="OpenCV", page="ROS Noetic\n"))
     own = Source(name="opencv", repo="https://github.com/opencv/opencv", ref="4.2.0")
-    assert not _told(decide(gather(repository), Config(source=(own,)), folder_name="demo"))
+    files = _files(USES, find="OpenCV", page="ROS Noetic\n")
+    assert not _told(decided(tmp_path, files, config=Config(source=(own,))))
 
 
 @pytest.mark.parametrize(

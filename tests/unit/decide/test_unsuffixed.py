@@ -10,7 +10,7 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.evidence.python.modules import modules
 from roslab.evidence.python.through_modules import of_tree
-from roslab.repository.checkout import Repository
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 NODE = "import torch\nimport rospy\n\nif __name__ == '__main__':\n    rospy.init_node('mapper')\n"
@@ -49,13 +49,10 @@ def test_a_framework_of_such_a_node_is_not_called_one_of_code_beside_them(tree: 
     ],
 )
 def test_the_first_line_tells_python(tmp_path: Path, path: str, first: str, *, read: bool) -> None:
-    (tmp_path / path).parent.mkdir(parents=True)
-    (tmp_path / path).write_text(f"{first}\nimport numpy\n", encoding="utf-8")
-    found = modules(Repository.open(tmp_path))
+    found = modules(tree_of(tmp_path, {path: f"{first}\nimport numpy\n"}))
     assert [each.file.path for each in found] == ([path] if read else [])
 
 
 def test_nothing_imports_such_a_program(tmp_path: Path) -> None:
-    (tmp_path / "numeric").write_text("#!/usr/bin/env python3\nimport scipy\n", encoding="utf-8")
-    (tmp_path / "main.py").write_text("import numeric\n", encoding="utf-8")
-    assert of_tree(Repository.open(tmp_path)).graph.imports("main.py", None) == ()
+    files = {"numeric": "#!/usr/bin/env python3\nimport scipy\n", "main.py": "import numeric\n"}
+    assert of_tree(tree_of(tmp_path, files)).graph.imports("main.py", None) == ()

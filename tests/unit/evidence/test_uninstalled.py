@@ -92,9 +92,7 @@ def test_a_build_that_installs_programs_alone(
 
 
 def test_no_build_of_ament_tells_nothing(tmp_path: Path) -> None:
-    (tmp_path / "launch").mkdir()
-    (tmp_path / "package.xml").write_text("<package><name>eye</name></package>")
-    (tmp_path / "CMakeLists.txt").write_text("project(eye)\ninstall(TARGETS node DESTINATION lib/eye)\n")
-    (tmp_path / "launch/a.launch.py").write_text(LAUNCH)
-    (found,) = launch.read(Repository.open(tmp_path))
+    cmake = "project(eye)\ninstall(TARGETS node DESTINATION lib/eye)\n"
+    files = {"package.xml": "<package><name>eye</name></package>", "CMakeLists.txt": cmake}
+    (found,) = launch.read(tree_of(tmp_path, {**files, "launch/a.launch.py": LAUNCH}))
     assert not found.by_path
