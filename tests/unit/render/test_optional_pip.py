@@ -163,9 +163,9 @@ def test_what_is_bare_is_installed_without_what_it_asks_for(tmp_path: Path) -> N
     (tmp_path / "left-out.txt").touch()
     calls = _run(tmp_path, f"--no-deps={clone}", "--no-build-isolation=--no-deps=sdf==1.0", refused=f"{clone}\n")
     assert calls == [
-        "--no-cache-dir --no-build-isolation --no-deps sdf==1.0",
+        "--no-cache-dir --no-deps --no-build-isolation sdf==1.0",
         f"--no-cache-dir --no-deps {clone}",
-        f"--no-cache-dir --no-build-isolation --no-deps {clone}",
+        f"--no-cache-dir --no-deps --no-build-isolation {clone}",
     ]
     assert (tmp_path / "left-out.txt").read_text() == f"pip {clone}\n"
 
@@ -174,7 +174,7 @@ def test_another_version_of_what_is_bare_is_installed_so_too(tmp_path: Path) -> 
     calls = _run(tmp_path, "--no-deps=sdf==1.0", refused="sdf==1.0\nsdf==1.0.*\n")
     assert [call for call in calls if "list" not in call] == [
         "--no-cache-dir --no-deps sdf==1.0",
-        "--no-cache-dir --no-build-isolation --no-deps sdf==1.0",
+        "--no-cache-dir --no-deps --no-build-isolation sdf==1.0",
         "--no-cache-dir --no-deps sdf==1.0.*",
         "--no-cache-dir --no-deps sdf",
     ]

@@ -65,6 +65,8 @@ by_name() {
   fi
   echo "pip ${module}" | tee --append /usr/local/share/roslab/left-out.txt
 }
+alone=() # what --no-deps=PACKAGE adds
+install() { "${pip[@]}" ${alone[@]+"${alone[@]}"} "$@"; }
 for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[@]}"}; do
   tries=("" --no-build-isolation)
   case "${package}" in --no-build-isolation=*) tries=(--no-build-isolation "") ;; esac
@@ -78,7 +80,7 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
     package="${package#--editable=}"
     if folder="$(clone-editable "${package}")"; then
       for try in "${tries[@]}"; do
-        if "${pip[@]}" ${try:+"${try}"} ${alone[@]+"${alone[@]}"} --editable "${folder}"; then
+        if install ${try:+"${try}"} --editable "${folder}"; then
           clone-editable --installed "${package}"
           continue 2
         fi
@@ -92,27 +94,25 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
     *://*) limits=() ;;
     *[\<=\>]*)
       keep # what is there may have the release that a list limits it to, of which this call of pip knows nothing
-      beside=(${tries[0]:+"${tries[0]}"} ${alone[@]+"${alone[@]}"} --constraint "${kept}")
-      if [ -s "${kept}" ] && "${pip[@]}" "${beside[@]}" "${package}"; then continue; fi
+      if [ -s "${kept}" ] && install ${tries[0]:+"${tries[0]}"} --constraint "${kept}" "${package}"; then continue; fi
       limits=()
       ;;
     *) limits=(--constraint "${kept}") ;;
   esac
-  arguments=(${alone[@]+"${alone[@]}"} ${limits[@]+"${limits[@]}"} "${package}")
   for try in "${tries[@]}"; do
-    if "${pip[@]}" ${try:+"${try}"} "${arguments[@]}"; then continue 2; fi
+    if install ${try:+"${try}"} ${limits[@]+"${limits[@]}"} "${package}"; then continue 2; fi
   done
   name="${package%%==*}"
   case "${package#"${name}"}" in
     == | *[!0-9.=]*) ;;
     ==*)
-      if "${pip[@]}" ${alone[@]+"${alone[@]}"} "${package}.*"; then
+      if install "${package}.*"; then
         echo "roslab: pip cannot install ${package} here: a version of ${package}.* is taken" >&2
         continue
       fi
       ;;
   esac
-  if [ "${name}" != "${package}" ] && "${pip[@]}" ${alone[@]+"${alone[@]}"} "${name}"; then
+  if [ "${name}" != "${package}" ] && install "${name}"; then
     echo "roslab: pip cannot install ${package} here: another version is taken" >&2
     continue
   fi
