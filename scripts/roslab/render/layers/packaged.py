@@ -8,21 +8,23 @@ from roslab.render import quote
 from roslab.render.layers import secrets, shell
 
 
-def unless_packaged(library: Source, commands: list[str]) -> list[str]:
-    """Return the commands that build a library as one that asks apt first whether it would install the packages."""
-    if not library.instead or not commands:
-        return commands
+def run(plan: Plan, library: Source, commands: list[str], others: secrets.Secrets, *last: str) -> str:
+    """Return one RUN of the commands that build a library, and of the ``last`` ones in any case.
+
+    Of a library with packages it asks apt first whether it would install them, with apt's lists and login beside
+    ``others``, which the commands themselves need.
+    """
+    if not library.instead:
+        return shell.run(*commands, *last, secrets=others)
+    apt = secrets.for_apt(plan)
+    mounts = tuple(dict.fromkeys((*apt.mounts, *others.mounts)))
+    both = secrets.Secrets(mounts=mounts, commands=(*apt.commands, *others.commands))
+    return shell.run(*(_unless_packaged(library, commands) if commands else ()), *last, secrets=both)
+
+
+def _unless_packaged(library: Source, commands: list[str]) -> tuple[str, str]:
     names = shell.words(library.instead)
     said = quote.shell(f"roslab: {library.name} is not compiled: apt has{names} of a source that the page adds")
     built = " \\\n && ".join(commands)
     asked = f"apt-get install --simulate --yes --no-install-recommends{names} >/dev/null"
-    return ["apt-get update", f"if {asked}; then echo {said}; else {built}; fi"]
-
-
-def asking_apt(library: Source, plan: Plan, others: secrets.Secrets) -> secrets.Secrets:
-    """Return what the step of these commands mounts: what they need themselves, and apt's lists and login."""
-    if not library.instead:
-        return others
-    apt = secrets.for_apt(plan)
-    mounts = dict.fromkeys((*apt.mounts, *others.mounts))
-    return secrets.Secrets(mounts=tuple(mounts), commands=(*apt.commands, *others.commands))
+    return "apt-get update", f"if {asked}; then echo {said}; else {built}; fi"

@@ -9,9 +9,7 @@ from roslab.config.model import Source
 from roslab.plan.packages import asked_files, own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import caches, locks, patches, required, secrets, shell
-from roslab.render.layers.packaged import asking_apt, unless_packaged
-from roslab.values.dataclass import replace
+from roslab.render.layers import caches, locks, packaged, patches, required, secrets, shell
 from roslab.values.pattern import pattern
 from roslab.values.secret import NETRC, SSH
 
@@ -129,26 +127,23 @@ def library_stages(plan: Plan) -> str:
         unpacks = ("curl", "unzip") if library.zip else ()  # as `fetch` does
         depends = ("build-essential", "ca-certificates", "cmake", "git", *ssh, *unpacks, *library.depends)
         lines.append(shell.apt_install(tuple(dict.fromkeys(depends)), secrets.for_apt(plan)))
-        packaged = tuple(name for earlier in plan.libraries[:index] for name in earlier.instead)
-        lines += _offered(plan, library, (*packaged, *library.offered), depends)
-        lines += [
-            f"COPY --from={stage_name(i, earlier)} /installed/ /" for i, earlier in enumerate(plan.libraries[:index])
-        ]
+        earlier = plan.libraries[:index]
+        offered = (*(name for each in earlier for name in each.instead), *library.offered)
+        lines += _offered(plan, library, offered, depends)
+        lines += [f"COPY --from={stage_name(i, each)} /installed/ /" for i, each in enumerate(earlier)]
         fetched, given = _fetch(plan, library), secrets.for_git(plan)
         reads = required.reads(library)
         if given.mounts or reads or library.patches:  # what is compiled has no part in them
-            cloned = unless_packaged(library, _told(library, fetched, "cloned"))
-            mounted = asking_apt(library, plan, patches.mounted(library, given))
-            lines.append(shell.run(*cloned, secrets=mounted))
+            cloned = _told(library, fetched, "cloned")
+            lines.append(packaged.run(plan, library, cloned, patches.mounted(library, given)))
             fetched = []
         if reads:
             lines.append(required.of_library(plan, library, f"{SOURCES}/{library.name}"))
-        for script in (CONFIGURE,) * _by_script(library) + (INSTALL_BY_MAKE,) * library.by_make:
+        for script in (CONFIGURE,) * _by_script(plan, library) + (INSTALL_BY_MAKE,) * library.by_make:
             lines.append(shell.copy_script(script).rstrip())
         compiled = _told(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")], "compiled")
         needed = secrets.for_pip(plan) if library.build == "pip" else secrets.NONE
-        commands = (*unless_packaged(library, compiled), "mkdir --parents /installed")
-        lines.append(shell.run(*commands, secrets=asking_apt(library, plan, needed)))
+        lines.append(packaged.run(plan, library, compiled, needed, "mkdir --parents /installed"))
         stages.append("\n".join(lines))
     return "\n\n".join(stages)
 
@@ -213,7 +208,7 @@ def _in_place(plan: Plan, library: Source) -> str:
     comment = f"{library.name}, from its source"
     return depends + shell.run(
         *_fetch(plan, library),
-        *_compile(plan, replace(library, tabled=False)),  # an old format's call is made as it is
+        *_compile(plan, library),
         "ldconfig",
         *keep,
         f"rm -rf {_folder(library)}",
@@ -265,9 +260,9 @@ def clone(source: Source, folder: str) -> list[str]:
     return [*commands, f"git -C {folder} submodule update --init --recursive"]
 
 
-def _by_script(library: Source) -> bool:
-    """Tell whether a failed call of CMake is made once more: an author's own call in roslab.yaml is made as it is."""
-    return library.unread or library.tabled
+def _by_script(plan: Plan, library: Source) -> bool:
+    """Tell whether a failed call of CMake is made once more; an author's own, and an old format's, is made as it is."""
+    return not plan.compatible and (library.unread or library.tabled)
 
 
 def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
@@ -284,7 +279,7 @@ def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
     return [
         f"mkdir --parents {folder}/build",
         f"cd {folder}/build",
-        f"{CONFIGURE if _by_script(library) else 'cmake'}{options} {quote.shell(library.cmake_folder or '../')}",
+        f"{CONFIGURE if _by_script(plan, library) else 'cmake'}{options} {quote.shell(library.cmake_folder or '../')}",
         *first,
         f"{{ {make}; }}" if library.make_command else make,
     ]
