@@ -28,8 +28,8 @@ def tried(plan: Plan) -> str:
     folders += [f"{own}{folder}" for folder in dict.fromkeys((*place.apart, *place.may_fail))]
     spare = f" --most {place.most_spare}" if place.spare else ""
     spare += "".join(f" --spare {quote.shell(f'{own}{folder}')}" for folder in place.spare)
-    most = f" --own {quote.shell(own.rstrip('/'))}" if in_src and place.may_fail and not kept else ""
-    without = f"{WITHOUT_FAILED}{kept}{spare}{most}{''.join(f' {quote.shell(folder)}' for folder in folders)} -- "
+    stops = f" --own {quote.shell(own.rstrip('/'))}" if in_src and place.may_fail and not kept else ""
+    without = f"{WITHOUT_FAILED}{kept}{spare}{stops}{''.join(f' {quote.shell(folder)}' for folder in folders)} -- "
     return f"{without}{_needed(plan, kept)}" if in_src and (place.sources or place.apart) else without
 
 
