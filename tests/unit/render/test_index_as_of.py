@@ -380,29 +380,42 @@ def test_what_a_setup_script_imports_is_what_is_installed(
 NEW_PIP = """\
 import os, pathlib, sys
 older = pathlib.Path(__file__).with_name("older")
-if "pip<24.1" in sys.argv:
-    older.touch()
+if any(each.startswith("pip<") for each in sys.argv):
+    older.write_text(sys.argv[-1])
 elif not older.exists():
-    said = "Please use pip<24.1 if you need to use this version."
+    said = "SAID"
     lost = "ERROR: No matching distribution found for a"
     pathlib.Path(os.environ["PIP_LOG"]).write_text(f"2026-11-27T10:00:00,000 {said}\\n{lost}")
     sys.exit(1)
 """
+REFUSED = "Please use pip<24.1 if you need to use this version."
+NO_EDITABLE = (
+    "ERROR: Project file:///home/r uses a build backend that is missing the 'build_editable' hook, so it cannot be"
+)
 
 
-@pytest.mark.parametrize("said", ["pip<24.1", "another pip"])
-def test_a_package_that_a_new_pip_refuses_gets_the_pip_that_it_names(
-    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, said: str
+@pytest.mark.parametrize(
+    ("said", "older"),
+    [
+        (REFUSED, "pip<24.1"),
+        (REFUSED.replace("pip<24.1", "another pip"), ""),
+        (NO_EDITABLE, "pip<25.3"),
+        (NO_EDITABLE.replace("build_editable", "build_wheel"), ""),
+    ],
+)
+def test_a_package_that_a_new_pip_refuses_gets_an_older_pip(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, said: str, older: str
 ) -> None:
-    """With the words of pip 24.2; with that pip itself it was tried by hand (gym 0.18.0)."""
+    """With the words of pip 24.2 (gym 0.18.0) and 25.3 (setuptools 52), both of which were tried by hand."""
     first, packages = own_python(tmp_path / "own")
     (packages / "pip").unlink()
     (packages / "pip").mkdir()
-    (packages / "pip/__main__.py").write_text(NEW_PIP.replace("use pip<24.1 if", f"use {said} if"))
+    (packages / "pip/__main__.py").write_text(NEW_PIP.replace("SAID", said))
     install = f"{first}\npython3 -m pip install a || echo failed"
     output = ran(step, tmp_path, f"{index}/simple/", install, start=TODAY)
-    assert ("failed" in output.split()) == (said != "pip<24.1")
-    assert (packages / "pip/older").exists() == (said == "pip<24.1")
+    assert ("failed" in output.split()) == (not older)
+    got = packages / "pip/older"
+    assert (got.read_text() if got.exists() else "") == older
 
 
 def test_what_another_installer_put_there_is_covered(

@@ -6,8 +6,8 @@
 # builds it: where packages are built apart, by a constraint; where that did not help, pip installs it beside them. A program
 # or module that a package is built with and does not ask pip for (build-programs.txt) is installed by pip. Where its setup
 # script imports what is installed and pip hides from it, it is built beside what is installed. What apt installed and pip
-# cannot remove stays, and pip's own comes before it. Where pip says that an older pip takes a package, it gets that pip. An
-# exact version that is gone from the index becomes the next one with the same first two numbers, if there is one. Where
+# cannot remove stays, and pip's own comes before it. Where an older pip takes a package, as pip's message says, it gets that
+# pip. An exact version that is gone from the index becomes the next one with the same first two numbers, if there is one. Where
 # index-as-of serves the index of a day (--or-today) and a lower bound is newer than it, that package's newer versions are
 # there the next time.
 # What a package prints while it is built is shown at the end: a pip that writes a log has it there alone.
@@ -121,13 +121,17 @@ roslab_beside() { # PYTHON
   command "$1" -m pip install --no-cache-dir setuptools wheel </dev/null || return 1
   call+=(--no-build-isolation)
 }
-# Takes the pip that reads a package's metadata, which newer ones refuse
+# Takes the pip that reads a package's metadata, which newer ones refuse, or that installs in place by an old setuptools: from
+# 25.3 on pip calls no `setup.py develop` (https://pip.pypa.io/en/stable/news/)
 roslab_older_pip() { # PYTHON
-  local older
+  local older said='has metadata that this pip refuses'
   older="$(sed -n 's/.*Please use \(pip<[0-9.]*[0-9]\) if you need to use this version.*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
+  if grep -q "missing the 'build_editable' hook" "${log}" 2>/dev/null; then
+    older='pip<25.3' said='has a setuptools by which this pip installs nothing in place'
+  fi
   if [ -z "${older}" ] || grep -q -x -F "${older}" "${notes}.pip" 2>/dev/null; then return 1; fi
   echo "${older}" >>"${notes}.pip"
-  echo "roslab: the metadata of a package are refused by this pip: ${older} is taken" >&2
+  echo "roslab: a package ${said}: ${older} is taken" >&2
   command "$1" -m pip install --no-cache-dir "${older}" </dev/null
 }
 # Installs before what apt installed the version of it that pip wants, each once: pip cannot remove apt's
