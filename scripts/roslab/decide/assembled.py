@@ -13,6 +13,7 @@ from roslab.decide.cuda.on_gpu import needs_gpu, told_of_no_gpu
 from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript
 from roslab.decide.foreign_interpreters import decide_interpreters
+from roslab.decide.goes_without import goes_without
 from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.nodes_without_ros import decide_nodes
 from roslab.decide.old_compiler import decide_compiler
@@ -29,7 +30,7 @@ from roslab.decide.python_in_scripts import decide_python_in_scripts
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.in_tree import apart
-from roslab.decide.ros.keys import by_pip, once, stopping
+from roslab.decide.ros.keys import by_pip
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
@@ -39,16 +40,13 @@ from roslab.decide.stops_without import decide_stops
 from roslab.decide.system.header_definitions import header_definitions_of
 from roslab.decide.system.inside import installed_inside
 from roslab.decide.system.linked_headers import linked_headers
-from roslab.decide.system.may_fail import may_fail
 from roslab.decide.system.missing import Missing, marked
-from roslab.decide.system.must_build import must_build
 from roslab.decide.system.names import Target
 from roslab.decide.system.needs import host_options
-from roslab.decide.system.of_vendors import what_stops
 from roslab.decide.system.own_options import options_of_program, own_compilers, own_options, where_built
 from roslab.decide.system.own_packages import own_packages
 from roslab.decide.system.packages import SystemPackages
-from roslab.decide.system.spare import most, spare
+from roslab.decide.system.spare import most
 from roslab.decide.uncopied_packages import copied_names
 from roslab.decide.unknown_packages import decide_unknown_packages
 from roslab.evidence.facts import Evidence
@@ -117,22 +115,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     folders = decide_author_folders(
         evidence, config, of.packages, of.layout.answer, of.build_tool.answer, image=of.base.answer.image
     )
-    failing = may_fail(
-        evidence, of.packages, of.target, of.sources.answer, of.left_out, stopping=of.missing.answer.stopping
-    )
-    needed = must_build(
-        evidence,
-        of.command.answer.command,
-        of.packages,
-        of.sources.answer,
-        left_out={*of.left_out, *failing},
-        ros_distro=distro,
-    )
-    whole = of.own.answer or config.compatible or not ros
-    alone = () if whole else spare(evidence, config, of.command.answer, of.packages, {*of.left_out, *failing})
-    told = stopping(once(of.system.warnings, of.missing.warnings), of.packages, needed, evidence)
-    told = what_stops(told, of.packages, {*alone, *failing, *of.left_out}, of.build_tool.answer)
-    system = of.system if of.own.answer else replace(of.system, warnings=tuple(told))
+    without = goes_without(of, evidence, config)
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),
@@ -151,12 +134,12 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             of.platforms,
         ),
         of.sources,
-        *((replace(choice, warnings=()) if of.own.answer else choice) for choice in (system, of.inside)),
+        *((replace(choice, warnings=()) if of.own.answer else choice) for choice in (without.system, of.inside)),
         *(
             ()
             if of.own.answer
             else (
-                *(of.repositories, of.scripts, of.missing, not_there),
+                *(of.repositories, of.scripts, without.missing, not_there),
                 *(of.steps, of.variables, of.downloads, of.clones_day),
             )
         ),
@@ -173,6 +156,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
                     ros_distro=distro,
                     linked=interpreters.answer,
                     folders=folders.answer,
+                    left_out=of.left_out,
                 ),
                 *(interpreters, folders),
             )
@@ -213,10 +197,10 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         vcs=of.sources.answer.vcs,
         submodules=() if of.own.answer else of.sources.answer.submodules,
         apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),
-        may_fail=() if of.own.answer or config.compatible else may_fail_in(evidence, of.packages, failing),
-        spare=alone,
-        most_spare=most(alone),
-        must_build=needed,
+        may_fail=() if of.own.answer or config.compatible else may_fail_in(evidence, of.packages, without.failing),
+        spare=without.alone,
+        most_spare=most(without.alone),
+        must_build=without.needed,
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,
         inside_installed=() if of.own.answer else installed_inside(evidence, of.inside.answer),
@@ -236,7 +220,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             left_out=of.left_out,
             sources=of.sources.answer.sources,
             ros_distro=distro,
-            needed=needed,
+            needed=without.needed,
         ),
         left_out=of.left_out,
         ignored=() if of.own.answer else marked(of.build_tool.answer, of.missing.answer, of.packages, evidence),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import Config
 from roslab.decide.author_folders import absent_paths
@@ -44,11 +44,12 @@ def decide_launch_needs(
     ros_distro: str | None,
     linked: Iterable[tuple[str, str]] = (),
     folders: Iterable[tuple[str, str]] = (),
+    left_out: Collection[str] = (),
 ) -> Choice[None]:
     """Return a warning for each variable, package, interpreter and launch file without which the default command stops.
 
     ``there``: the variables that it has, ``sources``: what is cloned, ``linked`` and ``folders``: the interpreters and
-    the folders of the author's that links stand for.
+    the folders of the author's that links stand for, ``left_out``: the packages of the tree that are not built.
     For its packages and interpreters, what it starts is read too. One more for the packages of its other launch files.
     """
     if config.compatible:
@@ -73,6 +74,7 @@ def decide_launch_needs(
         if name not in given and not of_every_image(name)
     ]
     told += _packages(evidence, launch, sources, ros_distro)
+    told += _not_built(launch, left_out)
     told += [
         Warning_(
             message=f"the default command starts {file}, whose first line names {named}, which the image does not "
@@ -182,6 +184,18 @@ def _of_others(evidence: Evidence, launch: LaunchFile | None, sources: Sources, 
 def _listed(names: Iterable[str]) -> str:
     names = [*names]
     return ", ".join(names[:MOST]) + (", …" if len(names) > MOST else "")
+
+
+def _not_built(launch: LaunchFile, left_out: Collection[str]) -> Iterator[Warning_]:
+    """Yield a warning for each package of the tree that a launch file needs and that is left out of the build."""
+    told: set[str] = set()
+    for asked in (*launch.dependencies, *launch.reached):
+        if asked.namespace == "ros" and asked.strength != "optional" and asked.name in {*left_out} - told:
+            told.add(asked.name)
+            message = (
+                f"the default command needs {asked.name}, which is left out of the build, and goes at most in part"
+            )
+            yield warn(f"{message}: give what it lacks, or set `command` in roslab.yaml", asked)
 
 
 def _packages(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_distro: str | None) -> Iterator[Warning_]:

@@ -76,7 +76,7 @@ class CMakeProject:
     without: tuple[tuple[str, int], ...] = ()
     """Of these the ones that are not there and that it names in any case, each with its line: CMake stops at them."""
     parts: tuple[tuple[str, int], ...] = ()
-    """Folders of its author's computer that it adds or includes in any case, each with its line: CMake stops there."""
+    """Folders and files of its author's computer that it adds, includes or links in any case, each with its line."""
     guards: tuple[tuple[str, str], ...] = ()
     """Programs that are built only where a package was found, each with the package's name in lower case."""
     optional: tuple[tuple[str, str], ...] = ()

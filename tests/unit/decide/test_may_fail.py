@@ -127,3 +127,35 @@ def test_what_requires_a_submodule_that_is_not_there_may_be_missing_too(
     module = f'[submodule "grasp_net"]\n\tpath = grasp_net\n\turl = {url}\n'
     files |= {".gitmodules": module} if url else _package("grasp_net")
     assert planned(tmp_path, files)[0] == found
+
+
+CHECK = "find_package(PkgConfig REQUIRED)\n"
+
+
+@pytest.mark.parametrize(
+    ("call", "more", "told"),
+    [
+        ("pkg_check_modules(ACME REQUIRED acme-sdk)", {}, True),
+        ("pkg_check_modules(ACME REQUIRED IMPORTED_TARGET acme-sdk>=1.2)", {}, True),
+        ("pkg_check_modules(ACME acme-sdk)", {}, False),
+        ("if(WITH)\npkg_check_modules(ACME REQUIRED acme-sdk)\nendif()", {}, False),
+        ("pkg_check_modules(EIGEN REQUIRED eigen3)", {}, False),
+        ("pkg_search_module(ACME REQUIRED acme-sdk eigen3)", {}, False),
+        (
+            "pkg_check_modules(ACME REQUIRED acme-sdk)",
+            {"sdk/CMakeLists.txt": "project(sdk)\nadd_library(acme a.c)\n", "sdk/a.c": ""},
+            False,
+        ),
+        ("pkg_check_modules(ACME REQUIRED acme-sdk)", _package("acme_sdk"), False),
+    ],
+)
+def test_a_module_of_pkg_config_that_nothing_brings(
+    tmp_path: Path, call: str, more: dict[str, str], *, told: bool
+) -> None:
+    files = {**_package("mine", "roscpp"), **_package("arm", "roscpp"), **more}
+    files["arm/CMakeLists.txt"] += f"{CHECK}{call}\n"
+    assert planned(tmp_path, files)[0] == (("arm",) if told else ())
+    warnings = [each for each in plan_repository(tmp_path).plan.warnings if "pkg-config looks for" in each.message]
+    assert [(each.file, "arm is left out" in each.message) for each in warnings] == [
+        ("arm/CMakeLists.txt", True)
+    ] * told

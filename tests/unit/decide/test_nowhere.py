@@ -55,7 +55,6 @@ def test_a_package_that_includes_what_nothing_makes_stops_no_others(tree: Tree, 
         ("other/version.h", {"other/cmake/version.h.in": "\n"}),
         ("other/made.h", _package("other", "add_custom_command(OUTPUT made.h COMMAND make_it)\n")),
         ("other/Lost.h", {"other/msg/Some.msg": "", "other/CATKIN_IGNORE": ""}),  # another one than that of the tree
-        ("third/Lost.h", {}),
         ("third/Lost.h", _package("third")),  # it makes no messages
         (
             "../../lost/src/lost.h",
@@ -137,9 +136,22 @@ def test_a_library_that_nothing_names_or_brings_is_told(
 ) -> None:
     files = _including("other/Some.h", {"mine/src/b.cpp": "int main() {}\n", "mine/src/a.cpp": code, **more})
     decision = tree(files)
-    assert decision.may_fail == ()
+    assert decision.may_fail == (("mine",) if told else ())
     said = [each for each in decision.warnings if "and nothing is known that brings acmelib" in each.message]
     assert [each.file for each in said] == (["mine/src/a.cpp"] if told else [])
+
+
+@pytest.mark.parametrize(
+    ("started", "then"), [("other", "mine is left out of the build"), ("mine", "will most likely")]
+)
+def test_the_build_goes_on_without_what_includes_such_a_library_unless_it_is_started(
+    tree: Tree, started: str, then: str
+) -> None:
+    page = {"README.md": f"ROS Noetic\n```\ncatkin_make\nrosrun {started} a\n```\n"}
+    decision = tree({**_including("acmelib/acmelib.h"), **page})
+    assert ("mine" in decision.must_build) == (started == "mine")
+    (said,) = [each.message for each in decision.warnings if "nothing is known that brings acmelib" in each.message]
+    assert then in said
 
 
 CPP = {"CMakeLists.txt": "project(demo)\nadd_executable(demo a.cpp)\n", "README.md": "Tested on Ubuntu 22.04\n"}

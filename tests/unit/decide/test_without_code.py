@@ -76,6 +76,52 @@ def test_a_package_that_adds_a_folder_of_its_authors_computer(
     assert all(each.endswith(what) for each in told)
 
 
+LINKED = "target_link_libraries(eye {})"
+
+
+@pytest.mark.parametrize(
+    ("lines", "left"),
+    [
+        ((LINKED.format(f"pthread {HOME}/lib/librpc.so"),), True),
+        ((f"set(RPC {HOME}/lib/librpc.so.1)", LINKED.format("${RPC}")), True),
+        ((f"link_libraries({HOME}/lib/librpc.a)",), True),
+        ((f"set(RPC {HOME}/lib/librpc.so CACHE PATH where)", LINKED.format("${RPC}")), False),
+        ((f"if(RPC)\n{LINKED.format(f'{HOME}/lib/librpc.so')}\nendif()",), False),
+        ((LINKED.format(f"-L{HOME}/lib"),), False),
+        ((LINKED.format(f"{HOME}/lib"),), False),
+        ((LINKED.format("/home/mia/ws/src/eye/lib/librpc.so"),), False),
+        ((LINKED.format("/usr/lib/librpc.so"),), False),
+    ],
+)
+def test_a_package_that_links_a_library_of_its_authors_computer(
+    tree: Tree, lines: tuple[str, ...], *, left: bool
+) -> None:
+    code = package("eye", "add_executable(eye src/eye.cpp)", *lines)
+    decision = tree({**ARM, **code, "eye/lib/librpc.so": ""})
+    assert decision.left_out == (("eye",) if left else ())
+    told = [
+        each.message for each in decision.warnings if each.message.startswith("CMake links /home/mia/sim/lib/librpc")
+    ]
+    what = "a file of its author's computer: eye is left out of the build; add the library to the tree"
+    assert len(told) == left
+    assert all(each.endswith(what) for each in told)
+
+
+def test_a_command_that_needs_what_is_left_out_is_told(tree: Tree) -> None:
+    def nodes(*names: str) -> str:
+        return "".join(f'<node name="{each}" pkg="{each}" type="{each}"/>' for each in names)
+
+    told = "the default command needs eye, which is left out of the build"
+    for names in (("arm",), ("arm", "eye")):
+        arm = catkin("arm", "add_executable(arm src/arm.cpp)", all=nodes(*names))
+        eye = catkin("eye", "find_package(AcmeSight REQUIRED)", "add_executable(eye src/eye.cpp)")
+        code = {"arm/src/arm.cpp": "int main() {}\n", "eye/src/eye.cpp": "int main() {}\n"}
+        decision = tree({**arm, **eye, **code, "README.md": "ROS Noetic\n```\nroslaunch arm all.launch\n```\n"})
+        assert decision.left_out == ("eye",)
+        places = [each.file for each in decision.warnings if each.message.startswith(told)]
+        assert places == (["arm/launch/all.launch"] if "eye" in names else [])
+
+
 def test_headers_of_what_is_left_out_are_not_told(tree: Tree) -> None:
     code = {"eye/src/eye.cpp": '#include "simulator/rpc.hpp"\nint main() {}\n'}
     compiled = "add_executable(eye src/eye.cpp)"

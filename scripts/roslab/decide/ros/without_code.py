@@ -1,6 +1,7 @@
 """Packages that CMake cannot configure.
 
-They compile files of code which the tree does not have, or add a folder of their author's computer.
+They compile files of code which the tree does not have, or add a folder of their author's computer, or link a library
+in one.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import SKIP, needing
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
+from roslab.evidence.native.authors_parts import LIBRARY
 from roslab.values.origin import Place
 
 
@@ -58,6 +60,8 @@ def stopping(project: CMakeProject) -> tuple[str, int, str] | None:
         return f"CMake compiles {path}, which the tree does not have", line, "add the file, or correct the path"
     if project.parts:
         path, line = project.parts[0]
+        if LIBRARY.fullmatch(path):
+            return f"CMake links {path}, a file of its author's computer", line, "add the library to the tree"
         return f"CMake adds {path}, a folder of its author's computer", line, "add the folder to the tree"
     return None
 

@@ -24,8 +24,8 @@ _SHORTEST = 3
 
 def without_library(
     evidence: Evidence, packages: Packages, provided: Collection[str], build_tool: str, *, unread: bool
-) -> Iterator[Warning_]:
-    """Yield a warning for each such header that a built package or the program includes.
+) -> Iterator[tuple[str, Warning_]]:
+    """Yield the file, with a warning, of each such header that a built package or the program includes.
 
     ``provided``: names in one spelling.
 
@@ -51,7 +51,7 @@ def without_library(
             told.add(name)
             what = f"{package} includes {each.name}, and nothing is known that brings {name}"
             then = "give its package under `apt` or its repository under `source` in roslab.yaml"
-            yield warn(f"{what}: {build_tool} will most likely stop there; {then}", each)
+            yield each.file, warn(f"{what}: {build_tool} will most likely stop there; {then}", each)
 
 
 def _with_others(evidence: Evidence, folders: Mapping[str, str]) -> Iterator[str]:

@@ -46,6 +46,7 @@ from roslab.decide.system.switches import given, switch_of
 from roslab.decide.system.tests_left_out import of_package_tests, of_tests
 from roslab.decide.system.too_old import too_old
 from roslab.decide.system.tried_headers import without_tried
+from roslab.decide.system.without_modules import without_modules
 from roslab.decide.system.without_programs import without_programs
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -92,8 +93,8 @@ class Missing:
     tests: tuple[str, ...] = ()
     """Those of the options that are for the tests."""
     stopping: tuple[str, ...] = ()
-    """Files of CMake that look for a library or a program, or link one, which nothing brings; and manifests of packages
-    outside of the workspace that the page builds."""
+    """Files of CMake that look for a library or a program, or link one, which nothing brings, and files of code that
+    include one; and manifests of packages outside of the workspace that the page builds."""
     extensions: tuple[str, ...] = ()
     """Folders of projects of Python whose extension requires what nothing brings: pip stops there."""
     strays: tuple[str, ...] = ()
@@ -192,13 +193,13 @@ def decide_missing(
         there = names | known | {asked.name for _, asked in unmet}
         warnings += without_headers(evidence, still, there, tried, build_tool=build_tool, cloned=cloned)
         warnings += without_own(evidence, still, lambda name: plain(name) in names, build_tool)
-    warnings += without_library(evidence, still, names, build_tool, unread=cloned or custom)
     warnings += other_than_carried(evidence, packages, target, made)
     warnings += without_tried(evidence, packages, target, provided, build_tool)
     aside = dict(strays(evidence, packages, target, names, build_tool) if not (cloned or custom) else ())
     warnings += aside.values()
     of_build = Built(target=target, names=names, build_tool=build_tool, kind=kind, out=found.packages)
     unfound = (
+        *without_library(evidence, still, names, build_tool, unread=cloned or custom),
         *not_found(evidence, packages, target, names, build_tool, built=made),
         *(() if custom else _lost(evidence, packages, of_build, may_hold, tried)),
     )
@@ -243,6 +244,7 @@ def _lost(
     """Yield the libraries and programs that CMake looks for or links and nothing brings, each with its file."""
     yield from lost_libraries(evidence, packages, of_build.build_tool)
     yield from without_programs(evidence, packages, of_build)
+    yield from without_modules(evidence, packages, of_build, may_hold)
     yield from without_linked(evidence, packages, of_build, may_hold, tried)
 
 
