@@ -20,6 +20,8 @@ from roslab.decide.author_command import (
     there_in,
 )
 from roslab.decide.brought_launches import brought
+from roslab.decide.by_name import by_name, in_bin
+from roslab.decide.by_name import told as said_by_name
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of, there
 from roslab.decide.candidates import candidates_of, once
 from roslab.decide.contained import only_contained
@@ -115,7 +117,8 @@ def decide_command(
             by_argv.setdefault(candidate.argv, candidate)
     found = behind_whole(by_argv.values(), evidence)
     by_image = (listed_in(each, authored) if authored else each.argv for each in once(by_argv.values()))
-    candidates = tuple(dict.fromkeys(by_image))[:MAX_CANDIDATES]
+    named = in_bin(evidence, kind) if authored is None else {}
+    candidates = tuple(dict.fromkeys(by_name(argv, named, kind) for argv in by_image))[:MAX_CANDIDATES]
     volumes = volumes_of(authored, config)
     mounts = (*volumes, *config.volume)
     if config.command is not None:
@@ -134,6 +137,8 @@ def decide_command(
     ports = ports or (ports_of_page(page, evidence) if page and not dockerfile else ()) or ports_in(command, evidence)
     whole = launched(inside or page, evidence) if page else None
     command = as_mounted(whole.argv if whole else command, evidence)
+    called = by_name(command, named, kind)
+    why, command = said_by_name(why, command, called), called
     within = folder_of(page, authored) if page and authored and not started(authored) else None
     chosen = Command(
         command=there(whole or inside or page, within) if page and (inside or within) else command,

@@ -59,6 +59,8 @@ class CMakeProject:
     the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, ``build/…`` to the build folder."""
     placed: tuple[tuple[str, str], ...] = ()
     """Programs that are written to another folder than most, each with it."""
+    in_bin: tuple[str, ...] = ()
+    """Programs that it always installs into ``bin``, and nowhere else."""
     made: tuple[str, ...] = ()
     """Libraries that are targets of it, but for imported ones."""
     targets: tuple[str, ...] = ()

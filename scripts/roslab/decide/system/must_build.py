@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from roslab.decide.launch_calls import started_launch
+from roslab.decide.programs import in_packages
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.sought import tried
 from roslab.decide.ros.workspace import Packages
@@ -44,7 +45,12 @@ def must_build(
         if name not in left_out and (name in there or (name not in has and sources.may_hold(name)))
     )
     said = (name for name in of_pages(evidence) if line == _SHELL and name in own)
-    return tuple(dict.fromkeys((*_STARTED.findall(line), *_called(evidence, line, packages), *launched, *said)))
+    by_name = in_packages(evidence).get(line.partition(" ")[0])
+    return tuple(
+        dict.fromkeys(
+            (*filter(None, (by_name,)), *_STARTED.findall(line), *_called(evidence, line, packages), *launched, *said)
+        )
+    )
 
 
 def of_pages(evidence: Evidence) -> Iterator[str]:

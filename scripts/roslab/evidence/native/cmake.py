@@ -8,7 +8,7 @@ from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.hidden import hidden
 from roslab.evidence.lex.cmake import PROJECT, WHOLE, Call, calls
-from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, own_project
+from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, installed_programs, own_project
 from roslab.evidence.native.added import Added
 from roslab.evidence.native.authors_parts import authors_parts
 from roslab.evidence.native.bare_links import with_bare
@@ -205,6 +205,7 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
         untested=reading.untested,
         programs_in=reading.written.folder,
         placed=tuple(reading.written.elsewhere()),
+        in_bin=tuple(map(reading.written.file, installed_programs.in_bin(reading.placed, reading.executables))),
         made=tuple(reading.made),
         targets=tuple(reading.targets) if above.always or file.folder not in added else (),
         not_there=not_there(reading.installed, text, repository) if above.always or file.folder not in added else (),
@@ -246,6 +247,8 @@ def _note(call: Call, path: str, reading: Reading) -> None:
     reading.targets |= target(call) if name in _TARGETS else {}
     reading.installed += installed(call, path.rpartition("/")[0])
     reading.configs |= configs(call)
+    for target_name, folder in installed_programs.placed(call):
+        reading.placed.setdefault(target_name, set()).add(folder)
     if name == "project" and words:
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]

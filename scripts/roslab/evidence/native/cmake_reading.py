@@ -44,6 +44,8 @@ class Reading:
     libraries: set[str] = field(default_factory=set)
     targets: dict[str, None] = field(default_factory=dict)
     installed: list[InstalledPath] = field(default_factory=list)
+    placed: dict[str, set[str]] = field(default_factory=dict)
+    """The folders into which it always installs each target."""
     configs: dict[str, None] = field(default_factory=dict)
     made: dict[str, None] = field(default_factory=dict)
     """Those that it makes by itself, not what lies elsewhere (``IMPORTED``)."""
