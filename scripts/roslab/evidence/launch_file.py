@@ -17,6 +17,10 @@ class When(NamedTuple):
     value: str
     """What it is compared with, ``""`` where it has to be true."""
     holds_if: bool
+    expression: str = ""
+    """One of Python that several values may decide; ``default`` and ``value`` then say nothing."""
+    defaults: tuple[tuple[str, str], ...] = ()
+    """Of the arguments that it asks for, and those of which these have their values: what each has by itself."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

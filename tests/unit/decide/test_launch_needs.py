@@ -76,6 +76,16 @@ def test_that_of_another_launch_file_is_not_told(tree: Tree) -> None:
             [],
         ),
         (
+            """<arg name="b" default="n"/><include if="$(eval (b in ['y', 'n']))" file="$(find extras)/a.launch"/>\n""",
+            "",
+            [("extras", 2)],
+        ),
+        (
+            """<arg name="b" default="off"/><include if="$(eval (b == 'on'))" file="$(find extras)/a.launch"/>\n""",
+            "",
+            [],
+        ),
+        (
             '<include file="$(find demo_extras)/a.launch"/>\n',
             "cd src\ngit clone https://github.com/lab/demo_extras\n",
             [],

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from hanging import ends
-from roslab.evidence.ros.launch_conditions import started
+from roslab.evidence.ros.launch_conditions import decided_by, holds, kept_by, started
 
 ARG = '<arg name="gui" default="{}"/>'
 NODE = '<node pkg="rviz" type="rviz" name="a" {}/>'
@@ -26,7 +26,8 @@ DECLARED = "DeclareLaunchArgument('gui', default_value='{}')\n"
         (ARG.format("true") + NODE.format('if="$(arg gui)"'), True),
         (ARG.format("true") + NODE.format('unless="$(arg gui)"'), False),
         ('<arg name="gui"/>' + NODE.format('if="$(arg gui)"'), None),
-        (ARG.format("$(eval 1)") + NODE.format('if="$(arg gui)"'), None),
+        (ARG.format("$(eval 1)") + NODE.format('if="$(arg gui)"'), True),
+        (ARG.format("$(eval 1 + x)") + NODE.format('if="$(arg gui)"'), None),
         (ARG.format("true") + ARG.format("false") + NODE.format('if="$(arg gui)"'), None),
         (ARG.format("false") + '<group if="$(var gui)"><group ns="a">' + NODE.format("") + "</group></group>", False),
         (ARG.format("false") + '<group if="$(arg gui)"></group>' + NODE.format(""), True),
@@ -57,7 +58,11 @@ def test_by_defaults(text: str, expected: bool | None) -> None:
     assert started(text, begin, begin + 4) is expected
 
 
-SIM = '<arg name="sim" default="False"/><arg name="real" default="true"/><arg name="arm" default="ur5"/><arg name="x"/>'
+SIM = (
+    '<arg name="sim" default="False"/><arg name="real" default="true"/><arg name="arm" default="ur5"/><arg name="x"/>'
+    '<arg name="number" default="3"/><arg name="empty" default=""/><arg name="other" value="$(arg arm)"/>'
+    """<arg name="derived" value="$(eval arg('arm') == 'ur5')"/><arg name="loop" value="$(eval not arg('loop'))"/>"""
+)
 
 
 @pytest.mark.parametrize(
@@ -77,7 +82,30 @@ SIM = '<arg name="sim" default="False"/><arg name="real" default="true"/><arg na
         ("sim or x", None),
         ("sim or arm == 'ur3'", False),
         ("sim and x or arm == 'ur5'", True),
-        ("not (sim or real)", None),
+        ("not (sim or real)", False),
+        ("not (sim or x)", None),
+        ("(sim or arm == 'ur5') and not (x and sim)", True),
+        ("arg('arm') in ['ur3', 'ur5']", True),
+        ("arm not in ('ur3', 'ur5')", False),
+        ("number == 3", True),
+        ("arg('number') != 3 or 1 < number <= 2.5", False),
+        ("empty == ''", True),
+        ("empty != '' and real", False),
+        ("len(arg('arm')) &gt; 2", True),
+        ("arm == other", True),
+        ("'on' if x else 'off'", None),
+        ("true if real else false", True),
+        ("arm", None),
+        ("derived", True),
+        ("not derived or sim", False),
+        ("loop", None),
+        ("&quot;'$(var arm)' == 'ur5'&quot;", True),
+        (r"'\'$(var arm)\' == \'ur3\''", False),
+        ("'$(var arm)' == 'ur5' and $(var real)", True),
+        ("env('HOME') == ''", None),
+        ("().__class__", None),
+        ("real and", None),
+        ("9 ** 9 ** 9", None),
         ("x", None),
         ("nowhere", None),
     ],
@@ -88,6 +116,56 @@ def test_what_is_evaluated(condition: str, expected: bool | None) -> None:
         begin = text.index("rviz")
         wanted = expected if expected is None or not turned else not expected
         assert started(text, begin, begin + 4) is wanted
+
+
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("$(not $(var sim))", True),
+        ("$(and $(var real) $(not $(var sim)))", True),
+        ("$(or $(var sim) $(var x))", None),
+        ("$(any $(var x) $(var real))", True),
+        ("$(all $(var sim) $(var x))", False),
+        ("$(equals $(var arm) ur5)", True),
+        ("$(not-equals $(var arm) 'UR5')", False),
+        ("$(equals $(var sim) false)", True),
+        ("$(not $(var derived))", False),
+        ("$(not)", None),
+        ("$(and $(var real) $(not $(var sim))", None),
+        ("$(not $(find sim))", None),
+    ],
+)
+def test_substitutions_of_ros_2(condition: str, expected: bool | None) -> None:
+    text = SIM + NODE.format(f'if="{condition}"')
+    begin = text.index("rviz")
+    assert started(text, begin, begin + 4) is expected
+
+
+def test_what_a_command_gives_decides() -> None:
+    text = SIM + """<group if="$(eval (arg('arm') == 'ur3' or derived) and not sim)"><node pkg="rviz"/></group>"""
+    (when,) = decided_by(text, text.index("rviz"), text.index("rviz"))
+    cases: tuple[tuple[dict[str, str], bool], ...] = (
+        ({}, True),
+        ({"arm": "ur3"}, True),
+        ({"arm": "ur10"}, False),
+        ({"sim": "true"}, False),
+    )
+    assert [holds(when, given) for given, _ in cases] == [expected for _, expected in cases]
+    assert kept_by(text, text.index("rviz"), text.index("rviz")) == ()
+    for condition in ("not (derived)", "number in [1, 2]"):
+        text = SIM + NODE.format(f'if="$(eval {condition})"')
+        place = text.index("rviz")
+        names = dict(kept_by(text, place, place))
+        assert names == ({"number": "3"} if "number" in condition else {})
+
+
+def test_deep_and_long_expressions_end() -> None:
+    chained = "".join(f"<arg name='a{n}' value='$(eval a{n + 1} and a{n + 1} or a{n + 1})'/>" for n in range(3000))
+    for condition in ("a0", "(" * 190 + "x" + ")" * 190, "not " * 90 + "x", "[" * 300):
+        text = chained + NODE.format(f'if="$(eval {condition})"')
+        place = text.index('"rviz"')
+        with ends():
+            assert started(text, place, place + 4) is None
 
 
 @pytest.mark.parametrize(

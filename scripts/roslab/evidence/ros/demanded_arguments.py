@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from roslab.evidence.launch_file import Demand
 from roslab.evidence.lex.lines import matches_at
-from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES, decided_by
+from roslab.evidence.ros.argument_defaults import ARGUMENT, ATTRIBUTES
+from roslab.evidence.ros.launch_conditions import decided_by
 from roslab.values.pattern import pattern
 
 _DECLARED = pattern(

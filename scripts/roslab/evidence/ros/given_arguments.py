@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES
+from roslab.evidence.ros.argument_defaults import ARGUMENT, ATTRIBUTES
 from roslab.values.pattern import pattern
 
 Given = tuple[tuple[str, str], ...]

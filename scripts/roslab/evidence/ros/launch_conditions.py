@@ -14,6 +14,8 @@ from typing import NamedTuple
 
 from roslab.evidence.launch_file import When
 from roslab.evidence.lex.lines import matches_at
+from roslab.evidence.ros import launch_expressions as expressions
+from roslab.evidence.ros.argument_defaults import REFERENCE, declared, defaults, exact, variables
 from roslab.values.pattern import pattern
 
 NEAR = 300
@@ -22,24 +24,15 @@ _IF = pattern(r"(?<=\s)(if|unless)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')?")
 _IFS = ("if", "unless")
 """What its matches begin with."""
 _GROUP = pattern(r"<group\b[^>]{0,600}>|</group\b")
-_INCLUDE = pattern(r"<include\b[^>]{0,600}>|</include\b")
 _TOKEN = pattern(
     r"\"\"\"[\s\S]*?\"\"\"|'''[\s\S]*?'''|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)*'|#[^\n]*|[()]|"
     r"condition(?<!\wcondition)\s?=(?!=)"
 )
 """What tells where a call of Python ends and what condition it has; brackets in strings and comments do not."""
-ARGUMENT = pattern(r"<arg\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
-ATTRIBUTES = pattern(r"([\w-]{1,40})\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
-_REFERENCE = pattern(r"\$\(\s?(?:arg|var)\s+(\w+)\s?\)")
-_DECLARED = pattern(
-    r"DeclareLaunchArgument\(\s{0,99}(?:name\s?=\s?)?[\"']([\w.-]{1,60})[\"']\s?,[^()]{0,600}?"
-    r"\bdefault_value\s?=\s?(?:[\"']([^\"']{0,60})[\"'](?=\s{0,99}[,)])|\w)"
-)
 _CALLED = pattern(
     r"\bcondition\s?=\s?(?:\w+\.)?(If|Unless)Condition\(\s{0,99}"
     r"(?:LaunchConfiguration\(\s{0,99}[\"'](\w+)[\"']\s{0,99}\)|(\w+)|[\"'](\w+)[\"'])\s{0,99},?\s{0,99}\)"
 )
-_VARIABLE = pattern(r"\b(\w+)\s?=\s?LaunchConfiguration\(\s{0,99}[\"'](\w+)[\"']")
 _EVAL = pattern(r"\$\(\s?eval\s+([^\n]{1,400})\)")
 _TERM = pattern(
     r"((?:not\s+)*)(?:arg\(\s?[\"'](\w+)[\"']\s?\)|(\w+)|[\"']\$\(\s?(?:arg|var)\s+(\w+)\s?\)[\"'])"
@@ -60,6 +53,8 @@ class _Condition(NamedTuple):
     holds_if: bool
     written: str
     defaults: Mapping[str, str]
+    exact: Mapping[str, str]
+    """The same without those that are not known: an empty one is known here."""
 
 
 _Around = tuple[_Condition, ...]
@@ -83,8 +78,8 @@ def kept_by(text: str, begin: int, end: int) -> tuple[tuple[str, str], ...]:
     found: dict[str, str] = {}
     for each in _around(text, begin, end):
         if _holds(each) is False:
-            *names, value = _followed(each.written, each.defaults)
-            found |= dict.fromkeys(names, value)
+            when = _when(each)
+            found |= dict.fromkeys(when.arguments, when.default)
     return tuple(found.items())
 
 
@@ -95,6 +90,9 @@ def decided_by(text: str, begin: int, end: int) -> tuple[When, ...]:
 
 def holds(when: When, given: Mapping[str, str]) -> bool | None:
     """Tell whether a condition holds for arguments with these values, ``None`` where they do not tell."""
+    if when.expression:
+        truth = expressions.truth(expressions.result(when.expression, _Values(given, dict(when.defaults)).of))
+        return truth if truth is None or when.holds_if else not truth
     value = next((given[name] for name in when.arguments if name in given), when.default).lower()
     truth = _TRUTH.get(value) if not when.value else value == when.value if value else None
     return truth if truth is None or when.holds_if else not truth
@@ -107,12 +105,62 @@ def _holds(condition: _Condition) -> bool | None:
 def _when(condition: _Condition) -> When:
     said = _EVAL.fullmatch(condition.written.strip())
     term = _TERM.fullmatch(said[1].strip()) if said else None
+    if by_expression := _of_expression(condition, plain=term is not None):
+        return by_expression
     if term is None:
         *names, value = _followed(condition.written, condition.defaults)
         return When((*names,), value, "", condition.holds_if)
     holds_if = condition.holds_if ^ (term[1].count("not") % 2 == 1) ^ (term[5] == "!=")
     *names, value = _followed(f"$(arg {term[2] or term[3] or term[4]})", condition.defaults)
     return When((*names,), value, (term[6] or "").lower(), holds_if)
+
+
+def _of_expression(condition: _Condition, *, plain: bool) -> When | None:
+    """Return a condition that an expression decides, itself or by the default of an argument; ``None`` for others.
+
+    ``plain``: it asks for one argument alone, whose default decides.
+    """
+    named = REFERENCE.fullmatch(condition.written.strip())
+    text = f"arg({named[1]!r})" if named else expressions.expression(condition.written)
+    asked = [*expressions.names(text)] if text else []
+    defaults: dict[str, str] = {}
+    whole = not (named or plain)
+    for name in asked:
+        if name in defaults or name not in condition.exact or len(defaults) >= _DEEPEST:
+            continue
+        defaults[name] = written = condition.exact[name]
+        inner = expressions.expression(written)
+        follows = REFERENCE.fullmatch(written.strip())
+        asked += expressions.names(inner) if inner else (follows[1],) if follows else ()
+        whole = whole or bool(inner)
+    if not (text and whole):
+        return None
+    alone = tuple(dict.fromkeys(asked)) if len({*asked}) == 1 else ()
+    return When(alone, defaults.get("".join(alone), ""), "", condition.holds_if, text, tuple(defaults.items()))
+
+
+class _Values:
+    """The values of arguments that are ``given`` or have ``defaults``."""
+
+    def __init__(self, given: Mapping[str, str], defaults: Mapping[str, str]) -> None:
+        self._defaults = defaults
+        self._known: dict[str, str | None] = dict(given)
+
+    def of(self, name: str) -> str | None:
+        """Return the value of an argument, ``None`` where nothing tells it."""
+        if name not in self._known:
+            self._known[name] = None  # one that has its value from itself has none
+            self._known[name] = self._default(self._defaults.get(name))
+        return self._known[name]
+
+    def _default(self, written: str | None) -> str | None:
+        if written is None:
+            return None
+        if named := REFERENCE.fullmatch(written.strip()):
+            return self.of(named[1])
+        if text := expressions.expression(written):
+            return expressions.result(text, self.of)
+        return None if "$(" in written else written
 
 
 def _terms(condition: _Condition) -> Iterator[_Condition]:
@@ -162,7 +210,7 @@ def _of_tag(text: str, begin: int, end: int) -> Iterator[_Condition]:
 
 def _ifs(tag: str, text: str) -> Iterator[_Condition]:
     for said in matches_at(_IF, tag, *_IFS):
-        yield from _terms(_Condition(said[1] == "if", said[2] or said[3] or "", _defaults(text)))
+        yield from _terms(_Condition(said[1] == "if", said[2] or said[3] or "", defaults(text), exact(text)))
 
 
 def _at(places: _Places, begin: int) -> _Around:
@@ -220,53 +268,15 @@ def _of_call(text: str, begin: int) -> _Condition:
     """Return a condition of a call."""
     said = _CALLED.match(text, begin)
     if said is None:
-        return _Condition(True, "", {})
-    name = said[2] or _variables(text).get(said[3] or "", "")
-    return _Condition(said[1] == "If", f"$(arg {name})" if name else said[4] or "", _declared(text))
+        return _Condition(True, "", {}, {})
+    name = said[2] or variables(text).get(said[3] or "", "")
+    return _Condition(said[1] == "If", f"$(arg {name})" if name else said[4] or "", declared(text), {})
 
 
 def _followed(written: str, defaults: Mapping[str, str]) -> tuple[str, ...]:
     """Return the arguments that give a value, and it."""
     names: list[str] = []
-    while len(names) < _MOST and (named := _REFERENCE.fullmatch(written.strip())):
+    while len(names) < _MOST and (named := REFERENCE.fullmatch(written.strip())):
         names.append(named[1])
         written = defaults.get(named[1], "")
     return (*names, written.strip().lower())
-
-
-@cache
-def _defaults(text: str) -> dict[str, str]:
-    """Return the default or value of each argument of an XML file that has one alone."""
-    return _alone((said.get("name", ""), said.get("default", said.get("value", ""))) for said in _arguments(text))
-
-
-def _arguments(text: str) -> Iterator[dict[str, str]]:
-    """Yield the attributes of each argument that is the file's own, and not given to a file that it includes."""
-    parts = (*matches_at(ARGUMENT, text, "<arg"), *matches_at(_INCLUDE, text, "<include", "</include"))
-    included = False
-    for match in sorted(parts, key=lambda match: match.start()):
-        if not match[0].startswith("<arg"):
-            included = match[0].startswith("<include") and not match[0].endswith("/>")
-        elif not included:
-            yield {name: one or other for name, one, other in ATTRIBUTES.findall(match[1])}
-
-
-@cache
-def _declared(text: str) -> dict[str, str]:
-    """Return the default of each argument that a file in Python declares once."""
-    return _alone((match[1], match[2] or "") for match in matches_at(_DECLARED, text, "DeclareLaunchArgument("))
-
-
-@cache
-def _variables(text: str) -> dict[str, str]:
-    """Return the argument whose value each variable of a file in Python has."""
-    return dict(_VARIABLE.findall(text))
-
-
-def _alone(said: Iterable[tuple[str, str]]) -> dict[str, str]:
-    found: dict[str, str] = {}
-    for name, value in said:
-        if (named := _REFERENCE.fullmatch(value.strip())) and named[1] == name:
-            continue  # passed on: it has the value that another line gives it
-        found[name] = value if found.get(name, value) == value else ""
-    return found

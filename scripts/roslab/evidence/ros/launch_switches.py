@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from roslab.evidence.ros.launch_conditions import ARGUMENT, ATTRIBUTES
+from roslab.evidence.ros.argument_defaults import ARGUMENT, ATTRIBUTES
 from roslab.values.pattern import pattern
 
 _INCLUDE = pattern(r"<include\s([^<>]{0,900})>")
