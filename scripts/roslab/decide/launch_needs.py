@@ -94,6 +94,7 @@ def decide_launch_needs(
         )
         for package, name, file, line in launch.gone
     ]
+    told += _of_windows(evidence, launch, sources, ros_distro)
     told += _elsewhere(evidence, launch, ros_distro)
     told += absent
     told += unmade_nodes(evidence, launch)
@@ -196,6 +197,16 @@ def _not_built(launch: LaunchFile, left_out: Collection[str]) -> Iterator[Warnin
                 f"the default command needs {asked.name}, which is left out of the build, and goes at most in part"
             )
             yield warn(f"{message}: give what it lacks, or set `command` in roslab.yaml", asked)
+
+
+def _of_windows(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_distro: str | None) -> Iterator[Warning_]:
+    """Yield a warning for the packages of plugins that rviz is to load and that nothing is known to bring."""
+    there = packages_of(evidence).names | released(ros_distro or "") | sources.names
+    plugins = {d.name: d for d in reversed(launch.reached) if d.file.endswith(".rviz") and d.name not in there}
+    if lost := [plugins[name] for name in sorted(plugins) if not sources.may_hold(name)]:
+        message = f"rviz is to load plugins of {_listed(each.name for each in lost)}, which nothing is known to bring"
+        hint = "give their repositories under `source` in roslab.yaml"
+        yield warn(f"{message}: it shows errors in their places; {hint}", lost[0])
 
 
 def _packages(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_distro: str | None) -> Iterator[Warning_]:

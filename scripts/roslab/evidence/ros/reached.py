@@ -13,6 +13,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.always_run import always_run
 from roslab.evidence.lex.xml_comments import without_xml_comments
+from roslab.evidence.ros import rviz_plugins
 from roslab.evidence.ros.given_arguments import Given, filled, given_to
 from roslab.evidence.ros.gone import included_elsewhere
 from roslab.evidence.ros.read_descriptions import always_read
@@ -183,7 +184,7 @@ class _Follow:
         if path.endswith(".py"):
             found = _LOOKED_UP.finditer(text) if any(call in text for call in _LOOK_UP) else ()
             return (), tuple(_asked(m[1], m, text, path) for m in found if always_run(text, m.start()))
-        return (), ()
+        return (), tuple(_shown(text, path) if path.endswith(".rviz") else ())
 
     def _description(self, path: str) -> str | None:
         """Return the text of a robot description without its comments, ``None`` for another file."""
@@ -220,6 +221,13 @@ class _Follow:
                 there = tuple(each for each in there if each.path.startswith(own))
             if len(there) == 1 and not self.conditional(text, match.start(), match.end()):
                 yield there[0].path
+
+
+def _shown(text: str, path: str) -> Iterator[Dependency]:
+    """Yield the packages of the plugins of a configuration of rviz, which goes on without them."""
+    for name, place in rviz_plugins.named(text):
+        line = text.count("\n", 0, place) + 1
+        yield Dependency(namespace="ros", name=name, strength="optional", file=path, line=line, role="exec")
 
 
 def _asked(name: str, match: re.Match[str], text: str, path: str) -> Dependency:
