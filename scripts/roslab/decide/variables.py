@@ -170,7 +170,8 @@ def _installed(value: str, mention: Mention, evidence: Evidence) -> bool:
 def _why(name: str, value: str, place: Mention) -> str:
     if place.file.endswith("CMakeLists.txt"):
         return "CMake stops without it"
-    return "the program stops without it" if place.source == "code" else f"a page sets it{_reader(name, value)}"
+    who = "a script of the tree" if place.source == "script" else "a page"
+    return "the program stops without it" if place.source == "code" else f"{who} sets it{_reader(name, value)}"
 
 
 def _reader(name: str, value: str) -> str:

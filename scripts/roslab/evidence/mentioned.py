@@ -13,6 +13,7 @@ from roslab.evidence.prose import (
     named_ports,
     of_other_indexes,
     optional_ros,
+    simulator_folders,
 )
 from roslab.evidence.python import (
     from_above,
@@ -32,7 +33,7 @@ MENTIONED = (
     *(cuda_paths.read, container_scripts.read),
 )
 """What pages, code and files of a project tell by themselves."""
-BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read)
+BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, simulator_folders.read)
 """What code and files tell beside what pages say."""
 OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read)
 """What launch files, scripts and lists tell of a workspace of ROS."""

@@ -25,13 +25,13 @@ def read(repository: Repository, file: File, text: str, *, deepest: int = DEEPES
     """Yield each variable with the folders of the tree that its path has: ``GAZEBO_MODEL_PATH=./models``."""
     if file.path.count("/") > deepest or not any(name in text for name in search_paths()):
         return
-    for match in _SET.finditer(text):
+    for match in _SET.finditer(text.replace("`pwd`", "$(pwd)")):
         value = _END.split(_BLANK.sub("…", _FOUND.sub(r"\1", match[2].lstrip("\"'"))), maxsplit=1)[0]
         parts = (part for part in value.split(":") if not part.startswith(_SYSTEM))
         folders = [folder for folder in dict.fromkeys(folder_of(part, repository) for part in parts) if folder]
         if match[1] in search_paths() and folders:
             said = ":".join(HERE if folder == "." else f"{HERE}{folder}" for folder in folders)
-            line = text.count("\n", 0, match.start(1)) + 1
+            line = match.string.count("\n", 0, match.start(1)) + 1
             yield Mention(
                 topic="variable",
                 value=f"{match[1]}={said}",
