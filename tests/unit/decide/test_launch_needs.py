@@ -119,6 +119,42 @@ FOUND = '<xacro:include filename="$(find demo_arms)/a.xacro"/>'
 MACRO = f'<xacro:macro params="x" name="b">{FOUND}</xacro:macro>'
 CALLED = '<xacro:b x="1"><origin/></xacro:b>'
 INDIRECT = f'<xacro:macro name="c" params="x">{CALLED}</xacro:macro>'
+IF = f'<xacro:if value="{{}}">{FOUND}</xacro:if>'
+ARG = '<xacro:arg name="sim" default="{}"/>' + IF.format("$(arg sim)")
+PROPERTY = '<xacro:property name="on" value="{}"/>'
+SWITCHED = '<xacro:macro name="d" params="a on:=true kind:=\'ur5\' *o">{}</xacro:macro>'
+IN_MACRO = SWITCHED.format(IF.format("${on}"))
+DECIDED = [
+    (IF.format("true"), True),
+    (IF.format("0"), False),
+    (f'<xacro:unless value="false">{FOUND}</xacro:unless>', True),
+    (f'<xacro:unless value="${{lost}}">{FOUND}</xacro:unless>', False),
+    (ARG.format("true"), True),
+    (ARG.format("false"), False),
+    (PROPERTY.format("true") + IF.format("${on}"), True),
+    (PROPERTY.format("false") + PROPERTY.format("true") + IF.format("${on}"), False),
+    (PROPERTY.format("$(arg lost)") + IF.format("${on}"), False),
+    (PROPERTY.format("a") + IF.format("${on == 'a' and not 1 == 2}"), True),
+    (IN_MACRO, False),
+    (IN_MACRO + '<xacro:d a="1"/>', True),
+    (IN_MACRO + '<xacro:d a="1" on="false"/>', False),
+    (IN_MACRO + '<xacro:d a="1" on="false"/><xacro:d a="2" on="true"/>', True),
+    (IN_MACRO + '<xacro:d a="1" on="${lost}"/>', False),
+    (PROPERTY.format("true") + IN_MACRO + '<xacro:d a="1" on="${on}"/>', True),
+    (SWITCHED.format(IF.format("${kind == 'ur5'}")) + '<xacro:d a="1"/>', True),
+    (SWITCHED.format(IF.format("${kind == 'ur5'}")) + '<xacro:d a="1" kind="ur3"/>', False),
+    (SWITCHED.format(IF.format("${a == 1}")) + '<xacro:d a="1"/>', True),
+    (SWITCHED.format('<xacro:if value="${on}"><xacro:if value="$(arg x)">' + FOUND) + '<xacro:d a="1"/>', False),
+    (
+        SWITCHED.format('<xacro:if value="${on}"><xacro:e/></xacro:if>') + MACRO.replace('"b"', '"e"') + "<xacro:d/>",
+        True,
+    ),
+    (IN_MACRO + '<xacro:if value="$(arg x)"><xacro:d a="1"/></xacro:if>', False),
+    (
+        '<xacro:macro name="r" params="n"><xacro:if value="1"><xacro:r n="${n}1"/></xacro:if></xacro:macro><xacro:r/>',
+        False,
+    ),
+]
 LOADED = '<xacro:include filename="$(find demo)/urdf/b.xacro"/>'
 ASKS = "import rospkg\ndef main():\n    {before}rospkg.RosPack().get_path('demo_arms')\n"
 
@@ -144,6 +180,8 @@ ASKS = "import rospkg\ndef main():\n    {before}rospkg.RosPack().get_path('demo_
         (GAZEBO, {"urdf/a.xacro": MACRO + INDIRECT}, ""),
         (GAZEBO, {"urdf/a.xacro": f'{MACRO}<xacro:if value="$(arg b)">{CALLED}</xacro:if>'}, ""),
         (GAZEBO, {"urdf/a.xacro": LOADED + CALLED, "urdf/b.xacro": MACRO}, "urdf/b.xacro"),
+        *((GAZEBO, {"urdf/a.xacro": text}, "urdf/a.xacro" if read else "") for text, read in DECIDED),
+        (GAZEBO.replace(".xacro", ".xacro sim:=$(arg s)"), {"urdf/a.xacro": ARG.format("true")}, ""),
         (GAZEBO, {"urdf/a.xacro": LOADED, "urdf/b.xacro": MACRO}, ""),
         (GAZEBO, {"urdf/a.xacro": LOADED + MACRO, "urdf/b.xacro": CALLED}, "urdf/a.xacro"),
         (GAZEBO, {"urdf/a.xacro": f"<robot><!-- {FOUND} --></robot>"}, ""),

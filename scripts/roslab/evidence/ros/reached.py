@@ -44,6 +44,8 @@ _IMPORTED = pattern(
     r"^[ \t]{0,80}(?:from[ \t]{1,9}([\w.]{1,200})[ \t]{1,9}import\b|import[ \t]{1,9}([\w., \t]{1,400}))", re.MULTILINE
 )
 """What a program of Python imports from, or a list of modules that it imports."""
+_GIVEN = pattern(r"(\w{1,60}):=|[\"'](\w{1,60})[\"']\s{0,9}:(?!=)")
+"""What a launch file gives xacro: ``sim:=true``, or a mapping of Python."""
 _DESCRIPTIONS = (".xacro", ".urdf")
 _PARAMETERS = (".yaml", ".yml", ".rviz")
 
@@ -84,6 +86,7 @@ class _Follow:
         self.repository, self.conditional = repository, conditional
         self.launch = {each.file: each for each in launch}
         self.packages = {name: folder for folder, name in folders.items()}
+        self.given: frozenset[str] | None = None
         self.read: dict[tuple[str, Given], tuple[tuple[tuple[str, Given], ...], tuple[Dependency, ...]]] = {}
 
     def needs(self, start: LaunchFile) -> Iterator[Dependency]:
@@ -177,7 +180,8 @@ class _Follow:
             named = self.launch[path].dependencies
             return tuple(loads), tuple(d for d in named if d.namespace == "ros" and d.strength != "optional")
         if path.endswith(_DESCRIPTIONS):
-            parts = tuple(always_read(path, self._description, lambda part: (each for each, _ in self._files(part))))
+            included = lambda part: (each for each, _ in self._files(part))  # noqa: E731 - as short as its use
+            parts = tuple(always_read(path, self._description, included, self._given()))
             return tuple((each, ()) for _, part in parts for each, _ in self._files(part)), tuple(
                 _asked(match[1], match, part, name) for name, part in parts for match in _FOUND.finditer(part)
             )
@@ -185,6 +189,13 @@ class _Follow:
             found = _LOOKED_UP.finditer(text) if any(call in text for call in _LOOK_UP) else ()
             return (), tuple(_asked(m[1], m, text, path) for m in found if always_run(text, m.start()))
         return (), tuple(_shown(text, path) if path.endswith(".rviz") else ())
+
+    def _given(self) -> frozenset[str]:
+        """Return the arguments of descriptions that launch files set, whatever they are."""
+        if self.given is None:
+            texts = (self.repository.read(file) for file in filter(None, map(self._file, self.launch)))
+            self.given = frozenset(one or other for text in texts for one, other in _GIVEN.findall(text))
+        return self.given
 
     def _description(self, path: str) -> str | None:
         """Return the text of a robot description without its comments, ``None`` for another file."""
