@@ -55,8 +55,10 @@ def decide_build_tool(evidence: Evidence, config: Config, kind: Kind, python: Py
 
         return tool_of_ros1(evidence)
     if kind == "ros2":
+        from roslab.decide.ros.build_tool import alone  # noqa: PLC0415 - as above
+
         why = because("build_tool", "colcon", "ROS 2 is built by colcon", weight=Weight.ROS2)
-        return Choice(answer="colcon", reasons=(why,))
+        return alone(evidence) or Choice(answer="colcon", reasons=(why,))
     if kind == "cpp":
         return _of_cpp(evidence, said=config.kind is not None)
     from roslab.decide.python.build_tool import tool_of_python  # noqa: PLC0415 - as above

@@ -16,6 +16,7 @@ from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.purposes import names_of_whole
 from roslab.decide.reasons import page_of
+from roslab.decide.ros.without_manifest import by_cmake
 from roslab.decide.ros.workspace import packages_of, types
 from roslab.decide.scripts import NOTEBOOK
 from roslab.decide.sessions import in_sessions
@@ -44,7 +45,9 @@ _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?)(?:[_-]|$)", re.IGNORECASE)
 def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     """Yield what could be run; what the README runs comes first."""
     ros = kind in {"ros1", "ros2"}
-    compiled = kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
+    apart = ros and not evidence.launch and by_cmake(evidence) is not None  # its programs are no nodes of a package
+    ros = ros and not apart
+    compiled = apart or kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
     calls = launch_calls(evidence)
     files = {calls[each.file]: each for each in evidence.launch if each.file in calls}
     said = written(evidence, kind, ros=ros, compiled=compiled)

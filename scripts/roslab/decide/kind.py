@@ -14,7 +14,7 @@ from roslab.decide.last_signs import OTHER_BUILDER, last_signs
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, page_of, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import beside_catkin, built_by_cmake_alone, built_together, parts_of_cmake
-from roslab.decide.ros.without_manifest import CLIENTS, by_catkin, client_of, installed_by_author
+from roslab.decide.ros.without_manifest import CLIENTS, by_cmake, client_of, installed_by_author
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import run_by_page, wraps
@@ -114,9 +114,9 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
         why = f"a package of plain CMake, built beside catkin's: it needs {needed.name}, which ROS 1 alone brings"
         weight = Weight.CATKIN_ALONE if stops else Weight.NEVER_CALLED
         reasons.append(because("kind", "ros1", why, needed, weight=weight))
-    if not (reasons or rosbuild) and (made := by_catkin(evidence)):
+    if not (reasons or rosbuild) and (made := by_cmake(evidence)):
         why = "its CMake requires packages of ROS, and nothing is a package"
-        reasons.append(because("kind", "ros1", why, made, weight=Weight.CATKIN_ALONE))
+        reasons.append(because("kind", made[1], why, made[0], weight=Weight.CATKIN_ALONE))
     if not reasons and called_optional(evidence):
         return []
     if not reasons and (client := client_of(evidence)):

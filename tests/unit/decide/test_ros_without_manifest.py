@@ -86,6 +86,38 @@ def test_cmake_that_always_requires_packages_of_ros(tree: Tree, top: str, node: 
     assert (found.kind, found.build_tool) == built
 
 
+ROSCPP = "find_package(roscpp REQUIRED)\nadd_executable(talk a.cpp)\n"
+RCLCPP = ROSCPP.replace("roscpp", "rclcpp")
+
+
+@pytest.mark.parametrize(
+    ("files", "built", "command"),
+    [
+        ({"CMakeLists.txt": f"project(a)\n{ROSCPP}"}, ("ros1", "cmake"), "talk"),
+        ({"CMakeLists.txt": f"project(a)\n{RCLCPP}"}, ("ros2", "cmake"), "talk"),
+        (
+            {"CMakeLists.txt": "project(a)\nadd_subdirectory(n)\n", "n/CMakeLists.txt": RCLCPP},
+            ("ros2", "cmake"),
+            "talk",
+        ),
+        ({"CMakeLists.txt": f"project(a)\n{ROSCPP.replace(' REQUIRED', '')}"}, ("cpp", "cmake"), "talk"),
+        ({"CMakeLists.txt": f"project(a)\nif(ROS)\n{ROSCPP}endif()\n"}, ("cpp", "cmake"), "talk"),
+        (
+            {"CMakeLists.txt": "project(a)\nadd_executable(map a.cpp)\n", "n/CMakeLists.txt": f"project(n)\n{ROSCPP}"},
+            ("cpp", "cmake"),
+            "map",
+        ),
+        ({"CMakeLists.txt": f"project(a)\n{ROSCPP}".replace("roscpp", "std_msgs")}, ("cpp", "cmake"), "talk"),
+    ],
+)
+def test_cmake_that_finds_what_one_ros_alone_has(
+    tree: Tree, files: dict[str, str], built: tuple[str, str], command: str
+) -> None:
+    found = tree({"a.cpp": "int main() {}\n", "README.md": "# A\n```\ncmake ..\nmake\n```\n", **files})
+    assert (found.kind, found.build_tool) == built
+    assert " ".join(found.command) == command
+
+
 ON_CUDA = {
     **CODE,
     "setup.py": "from setuptools import setup\nsetup(name='demo', install_requires=['torch'])\n",

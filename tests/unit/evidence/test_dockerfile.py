@@ -203,6 +203,21 @@ def test_copied_packages_are_built(tmp_path: Path, base: str, text: str, *, prob
     assert (found is not None and "builds none of them" in found) is problem
 
 
+@pytest.mark.parametrize(
+    ("files", "problem"),
+    [
+        ({"CMakeLists.txt": "project(me)\n"}, True),
+        ({"CMakeLists.txt": "project(me)\n", "setup.py": ""}, False),
+        ({"tools/CMakeLists.txt": "project(me)\n", "a.py": ""}, False),
+    ],
+)
+def test_a_project_without_packages_is_built_on_a_base_of_ros(
+    tmp_path: Path, files: dict[str, str], *, problem: bool
+) -> None:
+    found = read(tmp_path, {"Dockerfile": "FROM ros:melodic-robot\nCOPY . /me\n", **files})["Dockerfile"].problem
+    assert (found is not None and "builds none of them" in found) is problem
+
+
 GAPS = """\
 FROM ubuntu:20.04
 RUN apt-get install -y libone-dev && \\

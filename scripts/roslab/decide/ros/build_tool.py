@@ -10,7 +10,7 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.programs import configured_by
 from roslab.decide.reasons import because, ranked, strongest
 from roslab.decide.ros.source_names import wraps
-from roslab.decide.ros.without_manifest import by_catkin
+from roslab.decide.ros.without_manifest import by_cmake
 from roslab.decide.ros.workspace import of_one_ros, of_rosbuild, packages_of, ros_versions, types
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -49,9 +49,8 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
     if old := next(filter(of_rosbuild, packages_of(evidence).built), None):
         why = "its packages have a manifest.xml, from before catkin"
         return Choice(answer="rosmake", reasons=(because("build_tool", "rosmake", why, old, weight=Weight.ROSBUILD),))
-    if made := by_catkin(evidence):
-        why = "no package.xml, so that catkin finds no package: CMake alone"
-        return Choice(answer="cmake", reasons=(because("build_tool", "cmake", why, made, weight=Weight.PLAIN_CMAKE),))
+    if by_itself := alone(evidence):
+        return by_itself
     copied = {authored.file for authored in evidence.dockerfiles if authored.purpose == "vendored"}
     reasons = [
         because("build_tool", mention.value, mention.text[:120], mention, weight=_weight(mention, copied))
@@ -76,6 +75,16 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
     best = strongest(reasons).answer
     answer: BuildTool = next((tool for tool in OF_ROS1 if tool == best), "catkin_make")
     return Choice(answer=answer, reasons=ranked(reasons, answer))
+
+
+def alone(evidence: Evidence) -> Choice[BuildTool] | None:
+    """Return CMake for a tree without a package.xml whose CMake requires packages of ROS, ``None`` for others."""
+    made = by_cmake(evidence)
+    if made is None:
+        return None
+    why = f"no package.xml, so that {'catkin' if made[1] == 'ros1' else 'colcon'} finds no package: CMake alone"
+    said = because("build_tool", "cmake", why, made[0], weight=Weight.PLAIN_CMAKE)
+    return Choice(answer="cmake", reasons=(said,))
 
 
 def same_targets(evidence: Evidence) -> tuple[str, CMakeProject] | None:

@@ -42,7 +42,7 @@ def beside_catkin(evidence: Evidence) -> tuple[Dependency, bool] | None:
         file = f"{folder}/CMakeLists.txt".lstrip("/")
         asked = [d for project in evidence.cmake if project.file == file for d in project.dependencies if _always(d)]
         said = any(d.name == "catkin" and d.role == "exec" and not d.condition for d in manifest.dependencies)
-        names = _of_ros() if said else _of_ros_1()
+        names = _of_ros() if said else of_one_ros_alone(1)
         if found := next(_among(asked, names), None):
             return found, True
         needs = [d for d in manifest.dependencies if d.role in {"build", "exec"} and not d.condition]
@@ -70,9 +70,9 @@ def _of_ros() -> frozenset[str]:
 
 
 @cache
-def _of_ros_1() -> frozenset[str]:
-    """Return the packages that every image of ROS 1 has, and no distribution of ROS 2 ever released."""
-    return base_holds(1) - frozenset().union(*(released(d.name) for d in distros().values() if d.ros == 2))
+def of_one_ros_alone(version: int) -> frozenset[str]:
+    """Return the packages that every image of that ROS has, and no distribution of the other ever released."""
+    return base_holds(version) - frozenset().union(*(released(d.name) for d in distros().values() if d.ros != version))
 
 
 def built_by_cmake_alone(evidence: Evidence, made: list[PackageManifest]) -> bool:

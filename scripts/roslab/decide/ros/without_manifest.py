@@ -5,8 +5,11 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
+from roslab.config.model import Kind
 from roslab.decide.cuda.signs import sign_of_cuda
+from roslab.decide.programs import top_of
 from roslab.decide.reasons import page_of
+from roslab.decide.ros.plain_workspace import of_one_ros_alone
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
@@ -18,15 +21,32 @@ from roslab.values.pattern import pattern
 _PACKAGE = pattern(r"ros-([a-z]+)-[a-z0-9]")
 CLIENTS = {"rospy": "ros1", "rclpy": "ros2"}
 """ROS's own libraries, which pip's index has not, and the kind of what needs each."""
+_KINDS: dict[int, Kind] = {1: "ros1", 2: "ros2"}
 
 
-def by_catkin(evidence: Evidence) -> CMakeProject | None:
-    """Return a CMakeLists.txt that always requires packages of ROS 1, of a tree without a package.xml."""
-    for project in evidence.cmake if not evidence.manifests else ():
-        aside = places.aside(project.file) or places.documentation(project.file)
+def by_cmake(evidence: Evidence) -> tuple[CMakeProject | Dependency, Kind] | None:
+    """Return what always requires packages of ROS in a tree without a package.xml, and the kind that brings them.
+
+    That is a CMakeLists.txt with components of catkin, or what the project of the tree finds by its own name and only
+    one ROS has: roscpp, rclcpp.
+    """
+    if evidence.manifests:
+        return None
+    always = [
+        project
+        for project in evidence.cmake
+        if (project.top_level or project.always)
+        and not (places.aside(project.file) or places.documentation(project.file))
+    ]
+    for project in always:
         asks = any(each.namespace == "ros" and each.strength == "declared" for each in project.dependencies)
-        if asks and "catkin" in project.macros and (project.top_level or project.always) and not aside:
-            return project
+        if asks and "catkin" in project.macros:
+            return project, "ros1"
+    top = top_of(evidence)
+    for each in (d for p in always if top and p.top == top.top for d in p.dependencies if d.required):
+        for version, kind in _KINDS.items():
+            if not each.condition and each.namespace == "cmake" and each.name in of_one_ros_alone(version):
+                return each, kind
     return None
 
 

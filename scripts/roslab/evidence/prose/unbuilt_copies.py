@@ -34,12 +34,13 @@ def unbuilt(
 ) -> str | None:
     """Return why an image has nothing compiled though a Dockerfile copies packages into it, ``None`` where it may have.
 
-    On a base of ROS that are those with a package.xml, on others the project of CMake at the top, where no Python is
-    beside it. ``copied``: what it copies of its ``context``, each with its line; ``service``: how Docker Compose starts
-    it. What is commented out builds nothing. Where apt installs one of the packages, that is what the image starts.
+    On a base of ROS that are those with a package.xml; on others, and where there are none, the project of CMake at the
+    top, where no Python is beside it. ``copied``: what it copies of its ``context``, each with its line; ``service``:
+    how Docker Compose starts it. What is commented out builds nothing. Where apt installs one of the packages, that is
+    what the image starts.
     """
-    of_ros = bool(_OF_ROS.search(base))
-    holding = _manifests(repository, of_ros=of_ros)
+    packages = frozenset(file.path for file in repository.named("package.xml") if _OF_ROS.search(base))
+    holding = packages or _project(repository)
     first = next((line for source, line in copied if _holds(f"{context}/{source}", holding)), None)
     if first is None:
         return None
@@ -49,14 +50,12 @@ def unbuilt(
     texts = [*(each.text for each in steps), *(service.command if service else ())]
     if any(_BUILDS.search(_OF_SYSTEM.sub(" ", text)) for text in texts):
         return None
-    what = "the packages" if of_ros else "the project of CMake"
+    what = "the packages" if packages else "the project of CMake"
     return f"it copies {what} (line {first}) and builds none of them: it sets up an environment"
 
 
-def _manifests(repository: Repository, *, of_ros: bool) -> frozenset[str]:
-    """Return the files that tell what would be compiled."""
-    if of_ros:
-        return frozenset(file.path for file in repository.named("package.xml"))
+def _project(repository: Repository) -> frozenset[str]:
+    """Return the file that tells what CMake would compile, if that is the whole tree."""
     alone = repository.has("CMakeLists.txt") and not any(map(repository.has, _OF_PYTHON))
     return frozenset({"CMakeLists.txt"}) if alone else frozenset()
 
