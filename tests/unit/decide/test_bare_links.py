@@ -97,3 +97,24 @@ def test_the_package_of_a_header_brings_the_library_of_its_name(tree: Tree, head
 def test_the_libraries_of_graphviz(tree: Tree, name: str) -> None:
     decision = tree(cpp(LINK.replace("acme_line", name)))
     assert "libgraphviz-dev" in (*decision.apt, *decision.apt_guessed)
+
+
+@pytest.mark.parametrize(
+    ("name", "package"),
+    [
+        ("lua5.1", "liblua5.1-0-dev"),
+        ("lua5.3", "liblua5.3-dev"),
+        ("popt", "libpopt-dev"),
+        ("tcmalloc", "libgoogle-perftools-dev"),
+    ],
+)
+def test_a_submodule_that_is_not_there_brings_no_library_of_the_system(tree: Tree, name: str, package: str) -> None:
+    body = f"set(libs m {name})\ntarget_link_libraries(demo ${{libs}})"
+    decision = tree(ros1(body, **{".gitmodules": MODULE}))
+    assert package in (*decision.apt, *decision.apt_guessed)
+
+
+def test_the_module_of_cmake_for_an_old_lua_finds_its_package(tree: Tree) -> None:
+    decision = tree(cpp("find_package(Lua51 REQUIRED)\n"))
+    assert "liblua5.1-0-dev" in (*decision.apt, *decision.apt_guessed)
+    assert not any("Lua51" in warning.message for warning in decision.warnings)
