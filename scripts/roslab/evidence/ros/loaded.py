@@ -1,4 +1,4 @@
-"""What robots, worlds, launch files and parameters load and shell scripts start, which few package.xml name."""
+"""What robots, worlds, launch files, parameters and programs load and shell scripts start: few package.xml name it."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from roslab.evidence.ros import (
     gazebo_plugins,
     hardware_plugins,
     image_transports,
+    looked_up,
     ros2_verbs,
     started_by_scripts,
 )
@@ -22,6 +23,7 @@ _READERS = (
     image_transports.read,
     ros2_verbs.read,
     started_by_scripts.read,
+    looked_up.read,
 )
 
 
