@@ -93,3 +93,25 @@ def test_what_the_script_has_from_the_root_comes_before_what_lies_beside_it(tree
     page = "# Demo\n\nThe script you need to run is `./test/test_plan.py`.\n"
     decision = tree({**files, "requirements.txt": "numpy\n", "README.md": page})
     assert decision.command == ("python", "test/test_plan.py")
+
+
+IN_BIN = "project(a)\nset(EXECUTABLE_OUTPUT_PATH ${PROJECT_SOURCE_DIR}/bin)\n"
+TWO = f"{IN_BIN}add_executable(go a.cpp)\nadd_executable(see a.cpp)\n"
+COMPILED = {"CMakeLists.txt": TWO, "a.cpp": "int main() {}\n"}
+
+
+@pytest.mark.parametrize(
+    ("text", "command"),
+    [
+        ("Run `./bin/go`", ("go",)),
+        ("To see it, execute the program `bin/see --fast`.", ("see", "--fast")),
+        ("Run `./bin/other`", ("bash",)),
+        ("Do not run `./bin/go`", ("bash",)),
+        ("Run `./bin/go` for the unit tests", ("bash",)),
+        ("Run `./bin/go` to begin.", ("go",)),
+        ("The map is in `./bin/go`", ("bash",)),
+        ("```\n./bin/go --all\n```\n\nThen run `./bin/go`", ("go", "--all")),
+    ],
+)
+def test_a_sentence_runs_what_is_compiled_by_its_path(tree: Tree, text: str, command: tuple[str, ...]) -> None:
+    assert tree({**COMPILED, "README.md": f"# Demo\n\n## Use\n\n{text}\n"}).command == command

@@ -1,4 +1,4 @@
-"""Scripts of the tree that a sentence says are to be run, without a command: ``The script to run is `demo/a.py```."""
+"""What a sentence says is to be run, without a command: ``The script to run is `demo/a.py` ``, ``Run `./bin/a` ``."""
 
 from __future__ import annotations
 
@@ -30,6 +30,12 @@ _SAID = tuple(
     )
 )
 """A sentence that runs a script by its path."""
+_COMPILED = pattern(
+    r"\b(?:run|start|launch|execute)\b(?:\s+(?:the|a|program|executable|binary|our|file)){0,3}\s+(?<!`)`"
+    r"(?P<path>(?:\./)?(?:[\w.-]+/)*(?:bin|build|Release)/(?:[\w.-]+/)*[\w+-]+)(?P<rest>(?: [^`<\n]{1,200})?)`(?!`)",
+    re.IGNORECASE,
+)
+"""A sentence that runs by its path what is compiled: ``Run `./bin/navigation` ``."""
 _TESTS = pattern(r"\b(?:unit)?tests?\b|\bCI\b", re.IGNORECASE)
 """What such a sentence runs for those who work on the code."""
 _NO_MORE = pattern(r"\b(?:not|never|no longer|used to|old|deprecated|obsolete)\b|n't\b", re.IGNORECASE)
@@ -55,9 +61,9 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
     """Yield the command that starts each such script: by its path from the root, or in its folder.
 
     It starts in its folder where it, or a module beside it, names a path that is in the tree from there alone.
-    ``mentions``: what the page runs by commands.
+    ``mentions``: what the page runs by commands. What is compiled starts by the path that the sentence has.
     """
-    if "`" not in text or not (".py" in text or ".sh" in text):
+    if "`" not in text or not (".py" in text or ".sh" in text or _COMPILED.search(text)):
         return
     commands = [m for m in mentions if m.topic == "command"]
     known = {word for m in commands for word in m.value.split()}
@@ -67,6 +73,9 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
         named = () if line.fenced or line.heading or "`" not in line.text else _named(line.text)
         for written, rest in named:
             _keep(found, _mention(written, rest, line, page, repository), known)
+        for each in () if line.fenced or line.heading or "`" not in line.text else _compiled(line, page):
+            if not {each.value.split()[0], each.value.split()[0].removeprefix("./")} & known:
+                found.setdefault(each.value, each)
     taken = {m.heading for m in (*commands, *found.values())}
     for line, written, rest in _alone(lines, taken, page, repository):
         _keep(found, _mention(written, rest, line, page, repository), known)
@@ -89,6 +98,24 @@ def _named(text: str) -> Iterator[tuple[str, str]]:
             said = _SPAN.sub("", match[0])
             if not (_TESTS.search(said) or _NO_MORE.search(text[max(0, match.start() - 30) : match.start()] + said)):
                 yield match["path"], match["rest"]
+
+
+def _compiled(line: Line, page: File) -> Iterator[Mention]:
+    """Yield the command of each compiled program that a line says is to be run."""
+    for match in _COMPILED.finditer(line.text):
+        around = line.text[max(0, match.start() - 30) : match.start()] + line.text[match.end() : match.end() + 40]
+        if not (_TESTS.search(around) or _NO_MORE.search(around)):
+            value = joined((f"./{match['path'].removeprefix('./')}", *match["rest"].split()))
+            heading = " / ".join(line.titles.values())
+            yield Mention(
+                topic="command",
+                value=value,
+                source="readme",
+                file=page.path,
+                line=line.number,
+                text=value,
+                heading=heading,
+            )
 
 
 def _alone(
