@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslab.evidence import git_folder, matlab, started_programs
-from roslab.evidence.native import cloned_heads, cuda_paths, shared_objects, templates
+from roslab.evidence.native import cloned_heads, copied_headers, cuda_paths, shared_objects, templates
 from roslab.evidence.prose import (
     asked_options,
     branch_tables,
@@ -30,7 +30,7 @@ MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
     *(asked_options.read, matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
     *(optional_ros.read, own_spelling.read, started_by_scripts.calls, started_programs.read, templates.read),
-    *(cuda_paths.read, container_scripts.read),
+    *(cuda_paths.read, container_scripts.read, copied_headers.read),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, simulator_folders.read)

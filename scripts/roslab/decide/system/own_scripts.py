@@ -15,6 +15,7 @@ from roslab.decide.reasons import because, page_of, warn
 from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.by_make import builds_all
+from roslab.decide.system.copied_headers import with_copied_headers
 from roslab.decide.system.inside import meant
 from roslab.decide.system.made_by_pages import with_made_by_pages
 from roslab.decide.system.names import Target
@@ -51,6 +52,27 @@ def decide_scripts(
     *,
     target: Target,
 ) -> Choice[tuple[OwnScript, ...]]:
+    """Return the steps that compile beside the project, after the copies of headers from their templates.
+
+    ``projects``: folders that pip installs editable, which compiles what their setup.py does. None where the author
+    builds by commands of his own.
+    """
+    if by_author(config):
+        return Choice(answer=())
+    compiled = frozenset((*(folder for folder, _ in inside.answer), *(reason.file for reason in inside.reasons)))
+    choice = _compiling(evidence, config, kind, compiled, projects, target=target)
+    return choice if kind == "python" else with_copied_headers(choice, evidence)
+
+
+def _compiling(
+    evidence: Evidence,
+    config: Config,
+    kind: Kind,
+    compiled: frozenset[str | None],
+    projects: Collection[str],
+    *,
+    target: Target,
+) -> Choice[tuple[OwnScript, ...]]:
     """Return the scripts that the pages nearest to the root run to compile, in their order; none where ROS does it.
 
     Catkin does not build what has no package.xml: a project that its packages find by its name is installed before.
@@ -60,16 +82,13 @@ def decide_scripts(
     What has CMakeLists.txt in a folder beside Python's code, and a page that compiles it, is compiled there.
 
     Of a C++ project only those of copied libraries and submodules: CMake compiles the project itself, and the folders
-    ``inside`` too. ``projects``: folders that pip installs editable, which compiles what their setup.py does.
+    that are ``compiled`` inside of it too.
     """
-    if by_author(config):
-        return Choice(answer=())
     if kind not in {"python", "cuda", "cpp"}:
         return with_made_by_pages(_of_packages(evidence, target) if kind == "ros1" else Choice(answer=()), evidence)
     listed = evidence.python or evidence.requirements or evidence.conda
     if by_make_alone(evidence, kind):
         return _made(evidence, kind)
-    compiled = {folder for folder, _ in inside.answer} | {reason.file for reason in inside.reasons}
     chosen = [
         (script, mention)
         for script, mention in run_by_pages(evidence, config, kind)
