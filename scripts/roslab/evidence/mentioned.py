@@ -10,6 +10,7 @@ from roslab.evidence.prose import (
     container_scripts,
     for_reference,
     laid_as_sources,
+    libtorch,
     named_ports,
     of_other_indexes,
     optional_ros,
@@ -30,7 +31,7 @@ MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
     *(asked_options.read, matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
     *(optional_ros.read, own_spelling.read, started_by_scripts.calls, started_programs.read, templates.read),
-    *(cuda_paths.read, container_scripts.read, copied_headers.read),
+    *(cuda_paths.read, container_scripts.read, copied_headers.read, libtorch.in_scripts),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, simulator_folders.read)

@@ -37,6 +37,30 @@ def test_the_release_is_the_pages(tree: Tree, page: str, release: str) -> None:
     assert dict(decision.platforms_refused).keys() == {ARM64}
 
 
+CPU = "https://download.pytorch.org/libtorch/{}libtorch-cxx11-abi-shared-with-deps-{}%2Bcpu.zip"
+
+
+@pytest.mark.parametrize(
+    ("files", "release"),
+    [
+        (
+            {".github/workflows/a.yml": f"jobs:\n  a:\n    steps:\n    - run: wget {CPU.format('cpu/', '1.9.1')}\n"},
+            "1.9.1",
+        ),
+        ({"scripts/get.sh": f"wget {CPU.format('lts/1.8/cpu/', '1.8.2')}\n"}, "1.8.2"),
+        ({"Dockerfile": f"FROM ubuntu:20.04\nRUN wget {CPU.format('cpu/', '1.13.1')}\n"}, "1.13.1"),
+        ({"get.sh": f"wget {CPU.format('cpu/', '1.9.1')}\n", "README.md": "- libtorch 1.10.0\n"}, "1.10.0"),
+        ({"README.md": f"Get {CPU.format('lts/1.8/cpu/', '1.8.2')}\n"}, "1.8.2"),
+        ({"get.sh": f"wget {CPU.format('cpu/', '1.9.1').replace('cxx11-abi', 'win')}\n", "README.md": "2021\n"}, None),
+    ],
+)
+def test_an_archive_that_scripts_download_is_of_their_release(
+    tree: Tree, files: dict[str, str], release: str | None
+) -> None:
+    (source,) = tree(CODE | files).source
+    assert (source.zip == libtorch_archive(release or "1.9.1", None)) is bool(release)
+
+
 def test_without_a_name_it_is_of_the_last_commits_day(tmp_path: Path) -> None:
     tree_of(tmp_path, CODE)
     commit(tmp_path, "2021-05-01")
@@ -58,6 +82,7 @@ def test_an_archive_for_the_cuda_of_the_image_only_where_there_is_one() -> None:
     assert "/cu118/libtorch-cxx11-abi-shared-with-deps-2.1.0%2Bcu118.zip" in libtorch_archive("2.1.0", "11.8")
     assert "/cu126/libtorch-shared-with-deps-2.8.0%2Bcu126.zip" in libtorch_archive("2.8.0", "12.6")
     assert "/cpu/" in libtorch_archive("2.1.0", "12.4")
+    assert "/lts/1.8/cu111/libtorch-cxx11-abi-shared-with-deps-1.8.2%2Bcu111.zip" in libtorch_archive("1.8.2", "11.1")
     assert "/cpu/" in libtorch_archive("1.7.1", "10.2")
     with pytest.raises(ValueError, match=r"1\.0\.1"):
         libtorch_archive("1.0.1", None)
