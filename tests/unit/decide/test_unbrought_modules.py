@@ -50,6 +50,7 @@ def test_a_package_that_nothing_in_it_installs(tree: Tree, steps: str, *, believ
         "README.md": PAGE,
         "requirements.txt": "numpy\n",
         "install.sh": "true\n",
+        "install": "true\n",
     }
     files |= {"viewer.txt": "open3d\n", "environment.yml": "dependencies:\n  - open3d\n"}
     found = tree({**files, "Dockerfile": DOCKER.format(base="python:3.10", steps=steps)})

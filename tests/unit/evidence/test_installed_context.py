@@ -12,7 +12,14 @@ from roslab.evidence.prose.installed_context import context_of
 from roslab.repository.checkout import Repository
 
 FILE = "lab/docker/gpu/Dockerfile"
-TREE = ("lab/pyproject.toml", "lab/requirements/gpu.txt", "lab/src/lab/main.py", "robot/setup.py", "README.md")
+TREE = (
+    "lab/pyproject.toml",
+    "lab/setup.py",
+    "lab/requirements/gpu.txt",
+    "lab/src/lab/main.py",
+    "robot/setup.py",
+    "README.md",
+)
 
 
 def read(tmp_path: Path, steps: str, more: tuple[str, ...] = ()) -> AuthorDockerfile:

@@ -205,11 +205,12 @@ class _Reading:
 
 def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.lex.dockerfile import instructions  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.absent_in_steps import stops_at_absent  # noqa: PLC0415 - as above
     from roslab.evidence.prose.author_variables import set_for_ros  # noqa: PLC0415 - as above
     from roslab.evidence.prose.build_context import build_context  # noqa: PLC0415 - as above
     from roslab.evidence.prose.built_packages import built  # noqa: PLC0415 - as above
     from roslab.evidence.prose.composed import services  # noqa: PLC0415 - as above
-    from roslab.evidence.prose.dockerfile_purpose import purpose_of, removes_absent, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
+    from roslab.evidence.prose.dockerfile_purpose import purpose_of, removes_its_copy  # noqa: PLC0415 - many trees have no Dockerfile
     from roslab.evidence.prose.entry_scripts import entry_script, started_by  # noqa: PLC0415 - as above
     from roslab.evidence.prose.hidden_installs import hides  # noqa: PLC0415 - as above
     from roslab.evidence.prose.python_steps import changes_setup, newest_pips, own_shell  # noqa: PLC0415 - as above
@@ -234,9 +235,6 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         missing = missing or f"it starts {started} and does not copy it: the repository is mounted when it is run"
     if removes_its_copy((each.text for each in written if each.name == "RUN"), start.source):
         missing = missing or f"it removes its copy of the repository and installs nothing of it: {start.source}"
-    last = reading.copied[-1][1] if reading.copied else 0
-    if last and start.source and start.source == posixpath.normpath(start.workdir):
-        missing = missing or removes_absent(repository, written, last)
     if other_dockerfiles.named_otherwise(file):
         missing = missing or "it has a name of its own: it tells what the image needs, and none is made with it"
     service, taken_there = services(repository).get(file.path), taken(written, known)
@@ -248,6 +246,8 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     def of_image(line: int) -> bool:
         return not any(line in stage for stage in apart)
 
+    used = [each for each in written if of_image(each.line)]
+    missing = missing or stops_at_absent(repository, used, known, context or "", copied=reading.copied, start=start)
     itself = any(is_itself(repository, clone) for clone in collector.sources)
     return AuthorDockerfile(
         file=file.path,

@@ -7,10 +7,8 @@ from collections.abc import Iterable
 from typing import Literal
 
 from roslab.evidence import places
-from roslab.evidence.lex.dockerfile import Instruction
 from roslab.evidence.prose.definitions import is_definition
 from roslab.evidence.service import Service
-from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _MACHINE = pattern(r"jetson|l4t|tegra|raspberry|\brpi\b|arm64|aarch64|armhf|\bursim\b", re.IGNORECASE)
@@ -26,7 +24,6 @@ _INSTALLS = pattern(
     r"\b(?:make|ninja|setup\.py|pip\d?|catkin_make)\b[^;&|\n]*\binstall\b|--install\b|\b(?:cp|mv|colcon|catkin)[ \t]"
 )
 """What leaves something of a compilation outside its folder."""
-_REMOVES = pattern(r"[ \t]*rm((?:[ \t]+-\S+)*)((?:[ \t]+[\w.][\w./-]*)+)[ \t]*(?:$|[;\n]|&&)")
 
 
 def purpose_of(
@@ -67,18 +64,3 @@ def removes_its_copy(runs: Iterable[str], source: str | None) -> bool:
     # What a variable in the path holds is not known: it is compared as it is written.
     folder = (source.removeprefix("/") if "$" in source else source).rstrip("/")
     return bool(re.search(rf"\brm[ \t]+(?:-\S+[ \t]+)+[\"']?{re.escape(folder)}/?[\"']?(?=\s|[;&]|$)", text))
-
-
-def removes_absent(repository: Repository, written: Iterable[Instruction], copied: int) -> str | None:
-    """Return why a build of a clean checkout stops: the first step after the copy removes what it does not hold.
-
-    ``written``: the instructions, ``copied``: the line of the copy of the whole repository, into the folder where the
-    steps run. ``rm -f`` takes what is not there as well.
-    """
-    step = next((each for each in written if each.name == "RUN" and each.line > copied), None)
-    match = _REMOVES.match(step.text) if step else None
-    if step is None or match is None or "f" in match[1]:
-        return None
-    names = (name.rstrip("/") for name in match[2].split())
-    gone = next((name for name in names if not repository.may_have(name)), None)
-    return f"line {step.line} removes {gone}, which the repository does not hold, and stops there" if gone else None
