@@ -68,6 +68,8 @@ def test_every_header_of_the_table_is_read(row: dict[str, str], tmp_path: Path) 
     [
         ("launch/a.launch", '<launch><!-- <node pkg="old"/> --><node pkg="map_server" type="x"/><include file="$(find demo_nav)/b.launch"/></launch>', {"map_server", "demo_nav"}, 1),  # noqa: E501
         ("launch/a.launch", '<launch><node pkg="nodelet" args="load depth_image_proc/point_cloud_xyz m"/></launch>', {"nodelet", "depth_image_proc"}, 1),  # noqa: E501
+        ("launch/a.launch", '<launch><node pkg="nodelet" args="load pcl/CropBox m"/></launch>', {"nodelet", "pcl_ros"}, 1),  # noqa: E501
+        ("launch/a.launch", '<launch><node pkg="nodelet" args="load pcl_filters/Crop m"/></launch>', {"nodelet", "pcl_filters"}, 1),  # noqa: E501
         ("launch/a.launch.xml", '<launch><node pkg="tf2_ros" exec="x"/><include file="$(find-pkg-share nav2_bringup)/l"/></launch>', {"tf2_ros", "nav2_bringup"}, 2),  # noqa: E501
         ("launch/a.launch.py", 'LaunchDescription([Node(package="rviz2", executable="rviz2")])\nFindPackageShare("ur_description")\n# package="no"\n', {"rviz2", "ur_description"}, 2),  # noqa: E501
         ("launch/b_launch.yaml", "launch:\n- node:\n    pkg: demo_nodes_cpp\n    exec: talker\n", {"demo_nodes_cpp"}, 2),  # noqa: E501

@@ -207,7 +207,7 @@ def matches(text: str, file: File, patterns: tuple[re.Pattern[str], ...]) -> Ite
         line_by_line = each is _PLUGIN
         for match in matching_lines(each, text, *_PLUGINS) if line_by_line else matches_at(each, text, *_WORDS[each]):
             name = next(group for group in match.groups() if group)
-            if each in (_PLUGIN, _PARAM_PLUGIN):
+            if each in (_PLUGIN, _PARAM_PLUGIN, _NODELET):
                 from roslab.knowledge.plugin_classes import plugin_package  # noqa: PLC0415 - few trees name plugins
 
                 name = plugin_package(name)
