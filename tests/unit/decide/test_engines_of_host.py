@@ -40,3 +40,12 @@ def test_one_that_the_authors_image_runs(tree: Tree) -> None:
     recipe = "FROM ros:noetic\nCOPY . /ws/src/demo\nRUN /ws/src/demo/install_docker.sh\n"
     files = {"docker/Dockerfile": recipe, "install_docker.sh": f"#!/bin/bash\n{DOCKER}"}
     assert "cryptsetup" in tree(FILES | files).apt_guessed
+
+
+@pytest.mark.parametrize(
+    "name", ["docker.io", "podman", "podman-docker", "apptainer", "singularity-ce", "python3-rocker"]
+)
+def test_what_runs_containers_is_in_none(tree: Tree, name: str) -> None:
+    page = f"# demo\n\n```\nsudo apt install {name} cryptsetup\n```\n"
+    found = tree(FILES | {"README.md": page})
+    assert [each for each in found.apt_guessed if each in {name, "cryptsetup"}] == ["cryptsetup"]
