@@ -99,3 +99,34 @@ def test_without_ros_there_is_nothing_to_ask(tmp_path: Path) -> None:
         ["bash", SCRIPT, tmp_path], env=os.environ | {"ROS_DISTRO": "none"}, capture_output=True, text=True, check=True
     )
     assert ran.stdout == ""
+
+
+@pytest.mark.parametrize(
+    ("files", "names"),
+    [
+        ({"CMakeLists.txt": "include(needs.cmake)", "needs.cmake": "find_package(GDAL REQUIRED)"}, ["GDAL"]),
+        ({"CMakeLists.txt": "include(needs)", "cmake/needs.cmake": "find_package(GDAL REQUIRED)"}, ["GDAL"]),
+        (
+            {
+                "CMakeLists.txt": "include(${CMAKE_CURRENT_LIST_DIR}/a/b.cmake)",
+                "a/b.cmake": "find_package(g2o REQUIRED)",
+            },
+            ["g2o"],
+        ),
+        (
+            {"CMakeLists.txt": "include(${PROJECT_SOURCE_DIR}/a.cmake)", "a.cmake": "find_package(Qt5 REQUIRED)"},
+            ["Qt5"],
+        ),
+        ({"CMakeLists.txt": "if(WIN32)\ninclude(a.cmake)\nendif()", "a.cmake": "find_package(Qt5 REQUIRED)"}, []),
+        ({"CMakeLists.txt": "# include(a.cmake)\ninclude(CTest)", "a.cmake": "find_package(Qt5 REQUIRED)"}, []),
+        ({"CMakeLists.txt": "include(a.cmake)", "a.cmake": "include(a.cmake)\nfind_package(Qt5)"}, []),
+        # Each folder's own file is asked for by itself
+        ({"CMakeLists.txt": "add_subdirectory(b)", "b/CMakeLists.txt": "find_package(Qt5 REQUIRED)"}, []),
+    ],
+)
+def test_what_files_that_are_included_require(tmp_path: Path, files: dict[str, str], names: list[str]) -> None:
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    command = ["required-by-cmake", str(tmp_path / "CMakeLists.txt")]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split() == names

@@ -3,11 +3,12 @@
 #        required-by-cmake --programs FILE...
 #        required-by-cmake --library FOLDER [OPTION...]
 # Prints the names of what CMakeLists.txt files require: components of catkin, and packages. What stands below a condition
-# that is off is left out: an option or variable that the file itself turns off, and systems that the image is not.
+# that is off is left out: an option or variable that the file itself turns off, and systems that the image is not. Files
+# that they include are read with them.
 #   --programs  run:NAME of each program that they call, also of a script that lies in what they fetch
-#   --library  of a library that CMake configures with these options: its CMakeLists.txt with the files that it adds and
-#              includes, without what its own projects are called. Also pkg:MODULE for a module of pkg-config, and
-#              link:NAME and header:NAME for what find_library and find_path look for and every build uses
+#   --library  of a library that CMake configures with these options: its CMakeLists.txt with the files that it adds, too,
+#              without what its own projects are called. Also pkg:MODULE for a module of pkg-config, and link:NAME and
+#              header:NAME for what find_library and find_path look for and every build uses
 set -eu # a search that finds nothing is no failure
 
 # Each command on a line of its own, without comments and texts; with the words of texts if TEXTS is set: FILE TEXTS
@@ -16,14 +17,15 @@ commands() {
     if [ -n "${2:-}" ]; then sed 's/[";]/ & /g; s/"//g'; else sed 's/"[^"]*"/""/g'; fi |
     sed --regexp-extended 's/([A-Za-z_][A-Za-z0-9_]*) *\(/\n\1 (/g'
 }
-# The same, with the commands of a file that is added or included below that command: FILE ITS_FOLDER LEVEL
+# The same, with the commands of a file that is added or included below that command, as CALLS says: FILE ITS_FOLDER LEVEL
+calls=include
 with_added() {
   local line path found places
   commands "$1" | while IFS='' read -r line || [ -n "${line}" ]; do
     printf '%s\n' "${line}"
-    if [[ ! "${line,,}" =~ ^(add_subdirectory|include)\ \( ]] || [ "$3" -gt 5 ]; then continue; fi
+    if [[ ! "${line,,}" =~ ^(${calls})\ \( ]] || [ "$3" -gt 5 ]; then continue; fi
     read -r path _ <<<"$(tr '()' '  ' <<<"${line#*(}")"
-    path="${path#\$\{*SOURCE_DIR\}/}"
+    path="${path#\$\{*SOURCE_DIR\}/}" path="${path#\$\{CMAKE_CURRENT_LIST_DIR\}/}"
     if [[ ! "${path}" =~ ^[A-Za-z0-9_./+-]+$ ]]; then continue; fi
     if [[ "${line,,}" = add_subdirectory* ]]; then places=({"$2","${top}"}"/${path}/CMakeLists.txt"); else
       places=({"$2/","${top}/","${top}/cmake/"}"${path}"{,.cmake})
@@ -144,14 +146,18 @@ required() {
     END { for (name in taken) if (!(tolower(name) in own)) print name }'
 }
 
+seen="$(mktemp)"
+trap 'rm -f "${seen}"' EXIT
 if [ "$1" = --library ]; then
-  top="$2" seen="$(mktemp)"
-  trap 'rm -f "${seen}"' EXIT
+  top="$2" calls='add_subdirectory|include'
   given="$(printf '%s\n' "${@:3}" | sed --quiet --regexp-extended 's/^-D([A-Za-z0-9_]+(:[A-Z]+)?=[A-Za-z0-9]+)$/\1/p' | tr '\n' ' ')"
   with_added "${top}/CMakeLists.txt" "${top}" 0 | required library "${given}"
 elif [ "$1" = --programs ]; then
   for file in "${@:2}"; do commands "${file}" texts | required programs; done
 else
-  for file in "$@"; do commands "${file}" | required ''; done
+  for file in "$@"; do
+    top="$(dirname "${file}")"
+    with_added "${file}" "${top}" 0 | required ''
+  done
 fi | grep --line-regexp --extended-regexp '((pkg|link|header|run):)?[A-Za-z][A-Za-z0-9_+./-]*' |
   grep --line-regexp --invert-match REQUIRED | LC_ALL=C sort --unique
