@@ -29,6 +29,12 @@ class ImagePackages:
     """Installed if the base's apt has them; if one is missing, the step that uses it fails and says so."""
     named: tuple[str, ...]
 
+    def without(self, guessed: Iterable[str]) -> tuple[str, ...]:
+        """Return what is guessed and none of these, nor the name for Python 2 of a tool that is here for Python 3."""
+        here = {*self.first, *self.named, *self.tools}
+        renamed = {name.replace("python3-", "python-", 1) for name in self.tools}
+        return tuple(name for name in guessed if name not in here | renamed)
+
 
 def own_files(paths: Iterable[str]) -> tuple[tuple[str, str], ...]:
     """Return packages that the repository holds, each with the path by which apt is asked for it."""

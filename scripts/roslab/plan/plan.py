@@ -215,7 +215,7 @@ def make_plan(
         apt_first=packages.first,
         apt_tools=packages.tools,
         apt=packages.named,
-        apt_guessed=tuple(name for name in decision.apt_guessed if name not in (*packages.first, *packages.named)),
+        apt_guessed=packages.without(decision.apt_guessed),
         own_packages=decision.own_packages,
         package_data=()
         if config.compatible

@@ -53,3 +53,15 @@ def test_colcon_is_installed_for_ros_1(tmp_path: Path) -> None:
     assert plan.workspace.ros
     assert plan.workspace.ros.tool == "colcon"
     assert "python3-colcon-common-extensions" in plan.apt_tools
+
+
+@pytest.mark.parametrize("ros", ["Melodic", "Noetic"])
+@pytest.mark.parametrize("name", ["python-catkin-tools", "python3-catkin-tools"])
+def test_a_tool_of_the_workspace_is_asked_for_once(tmp_path: Path, ros: str, name: str) -> None:
+    page = f"ROS {ros}\n```\nsudo apt install {name} python-foo\ncatkin build\n```\n"
+    plan = planned(tmp_path, page=page)
+    tool = "python-catkin-tools" if ros == "Melodic" else "python3-catkin-tools"
+    assert plan.apt_tools == (tool,)
+    # Ubuntu 18.04 may have the other one from elsewhere; a newer one has no tool for Python 2
+    left = {name} if (ros, name) == ("Melodic", "python3-catkin-tools") else set()
+    assert {*plan.apt_guessed} == {"python-foo", *left}
