@@ -21,6 +21,11 @@ _PART = frozenset({"--pkg", "--from-pkg", "--only-pkg-with-deps", "--packages-se
 """https://docs.ros.org/en/noetic/api/catkin/html/user_guide/ and https://colcon.readthedocs.io/en/released/reference/,
 both 2026-11-27."""
 _NO_BUILD = pattern(r"catkin\s+(?:init|config)\b|colcon\s+(?!build\b)")
+_CONFIG = pattern(r"catkin\s+config\s(?!(?:.*\s)?--profile\b)")
+"""What catkin_tools keeps for the builds that follow, unless it is for a profile of a name.
+
+https://catkin-tools.readthedocs.io/en/latest/verbs/catkin_config.html, 2026-11-28.
+"""
 _NAMED = (["catkin", "build"], ["catkin", "b"])
 
 
@@ -34,9 +39,20 @@ def of_part(text: str) -> bool:
 
 def builds(evidence: Evidence, build_tool: BuildTool) -> tuple[Mention, ...]:
     """Return the calls of a build tool that build, of the first page at the root that has one, in its order."""
-    said = [m for m in evidence.mentions if m.topic == "build_tool" and m.source == "readme" and "/" not in m.file]
-    calls = [m for m in said if m.value == build_tool and not _NO_BUILD.match(m.text)]
+    calls = [call for call in _calls(evidence, build_tool) if not _NO_BUILD.match(call.text)]
     return tuple(call for call in calls if call.file == calls[0].file)
+
+
+def configured(evidence: Evidence, build_tool: BuildTool) -> tuple[Mention, ...]:
+    """Return the calls that set options for the builds of that page, before the first of them."""
+    first = next(iter(builds(evidence, build_tool)), None)
+    calls = (call for call in _calls(evidence, build_tool) if _CONFIG.match(call.text))
+    return tuple(call for call in calls if first and call.file == first.file and call.line <= first.line)
+
+
+def _calls(evidence: Evidence, build_tool: BuildTool) -> list[Mention]:
+    said = (m for m in evidence.mentions if m.topic == "build_tool" and m.source == "readme" and "/" not in m.file)
+    return [mention for mention in said if mention.value == build_tool]
 
 
 def to_whole(calls: Sequence[Mention]) -> Sequence[Mention]:
