@@ -87,12 +87,18 @@ def _of_paths(
 
 
 def absent_paths(
-    evidence: Evidence, command: tuple[str, ...] | str, launch: LaunchFile | None, linked: Iterable[tuple[str, str]]
+    evidence: Evidence,
+    command: tuple[str, ...] | str,
+    launch: LaunchFile | None,
+    linked: Iterable[tuple[str, str]],
+    programs: Iterable[tuple[str, str]] = (),
 ) -> Iterator[Warning_]:
     """Yield a warning for each file that a launch file loads and that names what no link stands for.
 
-    One for all code that the command starts: a program may do without. ``linked``: folders that links stand for.
+    One for all code that the command starts: a program may do without. ``linked``: folders that links stand for,
+    ``programs``: interpreters.
     """
+    there = {path for path, _ in programs}
     folders = tuple(f"{folder}/" for folder, _ in linked)
     loaded = launch.loaded if launch else ()
     started = {*loaded, *_started(evidence, command, launch)} if evidence.author_paths else set()
@@ -100,7 +106,7 @@ def absent_paths(
     in_code: list[AuthorPath] = []
     for each in evidence.author_paths:
         lists = each.file.endswith(_LISTED) or (launch is not None and each.file == launch.file)
-        if f"{each.path}/".startswith(folders) and (each.there or not lists):
+        if each.path in there or (f"{each.path}/".startswith(folders) and (each.there or not lists)):
             continue
         if lists and each.file in loaded and each.file not in told:
             told.add(each.file)

@@ -1,4 +1,4 @@
-"""Interpreters of the author's machine in first lines of scripts: links in their places lead to the image's Python."""
+"""Interpreters of the author's machine that launch files start by: links in their places lead to the image's Python."""
 
 from __future__ import annotations
 
@@ -12,23 +12,38 @@ from roslab.values.pattern import pattern
 
 LINKED = 40
 """Weight of the reason; nothing competes with it."""
+_LEADS = "a link there leads to the image's Python"
+_FIRST_LINE = "launch files start scripts whose first line names it"
+_BY_IT = "a launch file names it, to start programs by it"
 _PYTHON = pattern(r"(?!/root/)(?:/(?!\.\.?/)[\w.+@-]+)+/(python[\d.]*)")
 """The path of a Python; the image's user cannot look into ``/root``."""
 
 
 def decide_interpreters(evidence: Evidence, config: Config, ubuntu: str | None) -> Choice[tuple[tuple[str, str], ...]]:
-    """Return the paths that first lines of what launch files start name, each with the program that is meant."""
+    """Return the paths that launch files name, or first lines of what they start, each with the program that is meant.
+
+    None below a folder of the author's that the tree itself stands for.
+    """
     if config.compatible:
         return Choice(answer=())
-    found: dict[str, tuple[str, Place]] = {}
+    found: dict[str, tuple[str, str, Place]] = {}
     for launch in evidence.launch:
         for file, named in launch.foreign:
             match = _PYTHON.fullmatch(named)
             if match and (python := _meant(match[1], ubuntu, alone=file in launch.without_ros)):
-                found.setdefault(named, (python, Place(file=file, line=1)))
-    why = "launch files start scripts whose first line names it: a link there leads to the image's Python"
-    reasons = tuple(because("workspace", name, why, place, weight=LINKED) for name, (_, place) in found.items())
-    return Choice(answer=tuple((name, python) for name, (python, _) in found.items()), reasons=reasons)
+                found.setdefault(named, (python, _FIRST_LINE, Place(file=file, line=1)))
+        for named, line in launch.interpreters:
+            match = None if _below(named, evidence) else _PYTHON.fullmatch(named)
+            if match and (python := _meant(match[1], ubuntu, alone=False)):
+                found.setdefault(named, (python, _BY_IT, Place(file=launch.file, line=line)))
+    reasons = tuple(
+        because("workspace", name, f"{why}: {_LEADS}", place, weight=LINKED) for name, (_, why, place) in found.items()
+    )
+    return Choice(answer=tuple((name, python) for name, (python, _, _) in found.items()), reasons=reasons)
+
+
+def _below(path: str, evidence: Evidence) -> bool:
+    return any(each.prefix and path.startswith(f"{each.prefix}/") for each in evidence.author_paths)
 
 
 def _meant(name: str, ubuntu: str | None, *, alone: bool) -> str:

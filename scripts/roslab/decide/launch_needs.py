@@ -56,7 +56,7 @@ def decide_launch_needs(
         return Choice(answer=None)
     launch = started_launch(evidence, command.command)
     others = tuple(_of_others(evidence, launch, sources, ros_distro)) if ros_distro else ()
-    absent = tuple(absent_paths(evidence, command.command, launch, folders))
+    absent = tuple(absent_paths(evidence, command.command, launch, folders, linked))
     if launch is None:
         return Choice(answer=None, warnings=(*absent, *others))
     from roslab.decide.launched_simulators import lacking_simulators  # noqa: PLC0415 - few default commands launch

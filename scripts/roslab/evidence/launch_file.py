@@ -71,6 +71,8 @@ class LaunchFile:
     """Variables of the environment without which it does not start, each with its line."""
     foreign: tuple[tuple[str, str], ...] = ()
     """Files that it starts whose first line names an interpreter of the author's machine, each with that."""
+    interpreters: tuple[tuple[str, int], ...] = ()
+    """Pythons of the author's machine that it names to start something by them, each with its line."""
     without_ros: frozenset[str] = frozenset()
     """Those of them that import nothing of ROS: any Python of their version starts them."""
     elsewhere: tuple[tuple[str, str, int], ...] = ()

@@ -1,4 +1,4 @@
-"""Links stand where the first lines of scripts name a Python of the author's machine."""
+"""Links stand where scripts or launch files name a Python of the author's machine."""
 
 from __future__ import annotations
 

@@ -21,6 +21,7 @@ from roslab.evidence.ros.executed import executed
 from roslab.evidence.ros.included_launches import included
 from roslab.evidence.ros.launch_conditions import conditional, kept_by, started
 from roslab.evidence.ros.launch_switches import switches
+from roslab.evidence.ros.named_interpreters import named_interpreters
 from roslab.evidence.ros.own_plugins import without_own
 from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.unmade_nodes import with_unmade
@@ -107,6 +108,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
                 executes=tuple(executed(text, started)) if python else (),
+                interpreters=named_interpreters(text),
                 arguments=declared_arguments(text),
                 demands=demanded_arguments.in_xml(text)
                 if xml

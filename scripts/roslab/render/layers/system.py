@@ -106,12 +106,12 @@ def header_links(plan: Plan) -> str:
 
 
 def interpreters(plan: Plan) -> str:
-    """Put links to the image's Python where the first lines of scripts name one of the author's machine."""
+    """Put links to the image's Python where scripts or launch files name one of the author's machine."""
     if not plan.interpreters:
         return ""
     made = " ".join(dict.fromkeys(quote.shell(posixpath.dirname(path)) for path, _ in plan.interpreters))
     linked = [f'ln --symbolic --force "$(command -v {name})" {quote.shell(path)}' for path, name in plan.interpreters]
-    comment = "First lines of scripts name a Python of the author's machine"
+    comment = "Scripts or launch files name a Python of the author's machine"
     return shell.run(f"mkdir --parents {made}", *linked, comment=comment)
 
 
