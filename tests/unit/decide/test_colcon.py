@@ -30,15 +30,29 @@ def test_colcon_builds_ros_1_where_nothing_is_for_ros_2(tree: Tree, page: str, t
     assert (decision.kind, decision.build_tool) == ("ros1", tool)
 
 
+@pytest.mark.parametrize(
+    ("ref", "goes_on"),
+    [
+        *((name, True) for name in ("noetic-devel", "ros2", "ros-2", "ros2-dev", "ros2_devel", "feature/humble")),
+        *((name, True) for name in ("dev/arms", "melodic", "jazzy-odometry", "main")),
+        *((name, False) for name in ("v1.2", "1.0.0-dev", "humble-2.1", "noetic_1_0", "paper", "device", "0a1b2c3d")),
+    ],
+)
+def test_what_goes_on_by_its_name_is_taken_as_of_the_last_commit(
+    tmp_path: Path, tree: Tree, ref: str, *, goes_on: bool
+) -> None:
+    files = {"package.xml": PACKAGE, "CMakeLists.txt": MADE, "a.repos": LIST.replace("master", ref)}
+    tree({**files, "README.md": "ROS Melodic\n"})
+    commit(tmp_path, "2020-06-24")
+    found = [(source.ref, source.before) for source in tree(files).source]
+    assert found == [(ref, "2020-06-24" if goes_on else "")]
+
+
 def test_the_newest_branch_is_taken_as_of_the_last_commit(tmp_path: Path, tree: Tree) -> None:
     files = {"package.xml": PACKAGE, "CMakeLists.txt": MADE, "a.repos": LIST, "README.md": "ROS Melodic\n"}
     assert [(source.ref, source.before) for source in tree(files).source] == [("master", "")]
     commit(tmp_path, "2020-06-24")
     assert [(source.ref, source.before) for source in tree(files).source] == [("master", "2020-06-24")]
-    branch = files | {"a.repos": LIST.replace("master", "noetic-devel")}
-    assert [(source.ref, source.before) for source in tree(branch).source] == [("noetic-devel", "2020-06-24")]
-    tag = files | {"a.repos": LIST.replace("master", "v1.2")}
-    assert [(source.ref, source.before) for source in tree(tag).source] == [("v1.2", "")]
 
 
 PLAIN = "<package><name>{}</name>{}<export><build_type>cmake</build_type></export></package>"

@@ -25,7 +25,10 @@ _COMMON = frozenset(
 _SHORTEST_FIRST = 3
 _OF_ALL = frozenset({"ros", "lib", "the", "for", "sim"})
 """Short first words of the names of many families."""
-_BRANCH = pattern(r"(?:[a-z]+[-_])?(?:dev|devel|develop|development|testing|nightly)|ros-?[12]")
+_DEVELOPED = frozenset({"dev", "devel", "develop", "development", "testing", "nightly", "ros1", "ros2"})
+_NUMBERED = pattern(r".*\d+[._]\d.*")
+"""A ref with the number of a release."""
+_PARTS = pattern(r"[-_/]")
 _SEPARATORS = pattern(r"[-_.]+")
 _TOOLS = frozenset({"catkin", "ament_cmake", "ament_package", "cmake"})
 
@@ -36,8 +39,14 @@ def fixed(ref: str | None) -> str | None:
 
 
 def drifts(ref: str | None) -> bool:
-    """Tell whether a ref is a branch by its name, whose commits go on: ``develop``, ``noetic-devel``, ``ros2``."""
-    return moves(ref) or ref in distros() or bool(ref and _BRANCH.fullmatch(ref))
+    """Tell whether a ref is a branch by its name, whose commits go on: ``noetic-devel``, ``ros2``, ``feature/humble``.
+
+    Where it is gone, what is taken instead is of its day, too.
+    """
+    if not ref or _NUMBERED.fullmatch(ref):
+        return False
+    words = {*_PARTS.split(ref), ref.replace("-", "")}
+    return moves(ref) or not words.isdisjoint(_DEVELOPED) or not words.isdisjoint(distros())
 
 
 def day_of_clone(ref: str | None, day: str) -> str:
