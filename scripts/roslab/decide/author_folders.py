@@ -48,8 +48,8 @@ def _of_author(
     """Return the author's folders, each with what a link there leads to: ``source/...`` or ``workspace/install``.
 
     Only those that files of packages name which are built: the rest of a tree may be of another machine altogether.
-    Of a tree without packages those of which it has all that a path names. ``~/NAME`` is a folder beside the
-    repository's, for code that imports it by that name.
+    Of a tree without packages those of which it has all that a path names. ``~/NAME`` is a folder of the home: beside
+    the repository's, for code that imports it by that name, or where files look for the author's workspace.
     """
     if layout.workspace == "none" and not config.compatible and (said := _imported(evidence)):
         why = "code imports it by this name from the folder above: a link of that name leads to the repository"
@@ -105,6 +105,8 @@ def absent_paths(
     told: set[str] = set()
     in_code: list[AuthorPath] = []
     for each in evidence.author_paths:
+        if each.path.startswith("~/"):
+            continue  # below the home of whoever runs it a program may write
         lists = each.file.endswith(_LISTED) or (launch is not None and each.file == launch.file)
         if each.path in there or (f"{each.path}/".startswith(folders) and (each.there or not lists)):
             continue

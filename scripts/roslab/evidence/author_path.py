@@ -13,7 +13,7 @@ class AuthorPath:
     file: str
     line: int
     prefix: str = ""
-    """The author's folder, ``""`` where nothing of the tree is meant."""
+    """The author's folder, ``""`` where nothing of the tree is meant; it may begin with ``~``."""
     folder: str = ""
     """The folder of the tree that it stands for, ``""`` for the root; ``install`` and ``devel`` where ``made``."""
     made: bool = False

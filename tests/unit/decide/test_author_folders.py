@@ -75,6 +75,43 @@ def test_a_folder_of_the_author_s_leads_to_what_the_tree_has(
 @pytest.mark.parametrize(
     ("name", "text", "found"),
     [
+        ("config/a.yaml", "a: ~/robot_ws/src/server/config/behavior.xml\n", "~/robot_ws/src"),
+        ("config/a.yaml", "a: '~/robot_ws/src/whole/server/config/written.csv'\n", "~/robot_ws/src/whole"),
+        ("scripts/a.py", 'a = expanduser("~/robot_ws/src/server/config")\n', "~/robot_ws/src"),
+        ("scripts/a.py", 'a = os.environ["HOME"] + "/robot_ws/src/server/config/behavior.xml"\n', "~/robot_ws/src"),
+        ("scripts/a.py", "a = os.path.join(os.getenv('HOME'), 'robot_ws/src/server/config')\n", "~/robot_ws/src"),
+        ("scripts/a.py", 'a = Path.home() / "robot_ws/src/server/config/behavior.xml"\n', "~/robot_ws/src"),
+        ("scripts/a.py", '# a = "~/robot_ws/src/server/config/behavior.xml"\n', ""),
+        (
+            "src/a.cpp",
+            'a = std::string(getenv("HOME")) + "/robot_ws/src/server/config/behavior.xml";\n',
+            "~/robot_ws/src",
+        ),
+        ("src/a.cpp", 'a = "$HOME/robot_ws/src/server/config/behavior.xml";\n', "~/robot_ws/src"),
+        (
+            "launch/a.launch.xml",
+            '<launch><arg name="a" default="$(env HOME)/robot_ws/src/server/config/behavior.xml"/></launch>\n',
+            "~/robot_ws/src",
+        ),
+        ("config/a.yaml", "a: ~/robot_ws/install/server/share/server/config/a.yaml\n", "~/robot_ws/install"),
+        ("config/a.yaml", "a: ~/robot_ws/src/other/config/map.yaml\n", ""),
+        ("config/a.yaml", "a: ~/maps/src/map.yaml\n", ""),
+        ("config/a.yaml", "a: ~someone/robot_ws/src/server/config/behavior.xml\n", ""),
+        ("scripts/a.py", 'a = get_share() + "~/robot_ws/src/server/config/behavior.xml"\n', "~/robot_ws/src"),
+    ],
+)
+def test_below_the_home_of_whoever_runs_it_the_author_s_workspace_is_linked(
+    tree: Tree, name: str, text: str, found: str
+) -> None:
+    files = {**package("server"), f"server/{name}": text, "README.md": "ROS 2 Humble\n"}
+    decision = tree(files)
+    assert [folder for folder, _ in decision.author_folders] == ([found] if found else [])
+    assert not any("a path of its author's" in each.message for each in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "found"),
+    [
         ("scripts/a.py", 'open("{}")\n', True),
         ("scripts/a.py", '# open("{}")\n', False),
         ("src/a.cpp", 'std::string a = "{}";\n', True),

@@ -53,6 +53,20 @@ def test_what_the_image_has_stays(tmp_path: Path) -> None:
     assert not (tmp_path / "paper").is_symlink()
 
 
+def test_what_is_made_above_a_link_of_the_home_is_the_user_s(tmp_path: Path) -> None:
+    block = _made("~/robot_ws/src")
+    _run(block.replace("/home/${NB_USER}", str(tmp_path)))
+    assert (tmp_path / "robot_ws/src").readlink() == tmp_path / "paper"
+    assert (tmp_path / "robot_ws").stat().st_uid == USER
+
+
+@pytest.mark.parametrize(
+    "path", ["~/paper", "~/paper/config", "~/ws", "~/ws/src", "~/ws/src/paper", "~/ws/install", "/home/jovyan/paper"]
+)
+def test_no_link_takes_the_place_of_the_image_s_own_folders(path: str) -> None:
+    assert not _made(path) or path.startswith("/home/jovyan")
+
+
 @pytest.mark.parametrize("path", ["/paper", "~/Paper"])
 def test_nothing_is_made_at_the_root_or_in_the_home(path: str) -> None:
     assert "install --directory" not in _made(path)

@@ -22,6 +22,14 @@ _HINTS = ("/home/", "/Users/", "/root/", "_ws/", "/src/", ":\\Users", ":\\\\User
 _PATH = pattern(
     r"(?:(?<=file://)|(?<![\w.}$)~/\\*-]))/(?:[\w.+@-]+/){2,30}[\w.+@-]*|\b[A-Z]:\\{1,2}Users\\{1,2}[\w.\\-]+"
 )
+_AT_HOME = pattern(
+    r"(?:(?:(?<![\w./~$\\-])~|\$HOME|\$\{HOME\}|\$\((?:opt)?env\s{1,9}HOME\))/"
+    r"|\bHOME[\"']\s?\]?\){0,3}\s{0,9}[,+]\s{0,9}[\"']/?|\bPath\.home\(\)\s{0,9}/\s{0,9}[\"'])"
+    r"((?:[\w.+@-]+/){2,30}[\w.+@-]*)"
+)
+"""A path below the home of whoever runs it, as a shell, a launch file or code writes it."""
+_ANYBODY = "/home/~/"
+"""What stands for that home while a path is looked at."""
 _HOME = pattern(r"/(?:home|Users)/[A-Za-z][\w.-]*/.|/root/.|[A-Z]:\\")
 _BUILT = pattern(r"(/.+)/(install|devel)/(?:[\w-]+/)?(?:share|lib)/([\w-]+)/.+")
 _MADE = pattern(r"(?:^|/)(?:build|devel|install|log)/")
@@ -40,7 +48,8 @@ _OF_ALL = frozenset(("home", "media", "mnt", "opt", "srv"))
 def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[AuthorPath, ...]:
     """Return the paths below somebody's home, and others that mean what is in the tree; each once for a file.
 
-    ``packages``: the name and the folder of each. What stands in a comment is none.
+    ``packages``: the name and the folder of each. What stands in a comment is none. One below the home of whoever runs
+    it begins with ``~``.
     """
     tree = _Tree(repository, tuple(packages))
     found: dict[tuple[str, str], AuthorPath] = {}
@@ -53,20 +62,35 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
         if file.path.endswith(_XML):
             text = without_xml_comments(text)
         here = 0
-        for match in _PATH.finditer(text):
-            path = match[0].rstrip(".")
+        for at, path in _written(text):
             if (file.path, path) in found or here >= MOST or path.startswith(_KEPT):
                 continue
-            if _commented(file.path, text, match.start()):
+            if _commented(file.path, text, at):
                 continue
             prefix, folder, made, there = tree.meant(path) or ("", "", False, False)
-            if prefix or _HOME.match(path):
+            if prefix or (_HOME.match(path) and not path.startswith(_ANYBODY)):
                 here += 1
-                line = text.count("\n", 0, match.start()) + 1
                 found[file.path, path] = AuthorPath(
-                    path=path, file=file.path, line=line, prefix=prefix, folder=folder, made=made, there=there
+                    path=_spelled(path),
+                    file=file.path,
+                    line=text.count("\n", 0, at) + 1,
+                    prefix=_spelled(prefix),
+                    folder=folder,
+                    made=made,
+                    there=there,
                 )
     return tuple(found.values())
+
+
+def _written(text: str) -> list[tuple[int, str]]:
+    """Return the paths of a text with their places, those below the home of whoever runs it at the end."""
+    at_home = {match.end(): match for match in _AT_HOME.finditer(text)}
+    paths = [(match.start(), match[0].rstrip(".")) for match in _PATH.finditer(text) if match.end() not in at_home]
+    return paths + [(match.start(), _ANYBODY + match[1].rstrip(".")) for match in at_home.values()]
+
+
+def _spelled(path: str) -> str:
+    return f"~/{path.removeprefix(_ANYBODY)}" if path.startswith(_ANYBODY) else path
 
 
 def of_image(folder: str) -> bool:

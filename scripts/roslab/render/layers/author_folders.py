@@ -14,7 +14,7 @@ def author_folders(plan: Plan) -> str:
     linked = []
     for path, target in plan.author_folders:
         name = _at_home(path) if path.startswith("~/") else quote.shell(path)
-        above = "" if path.startswith("~/") else _made(posixpath.dirname(path))
+        above = _made(posixpath.dirname(path))
         to = quote.shell(target) if target.startswith("/") else _at_home(f"~/{target}")
         linked.append(f"if [ ! -e {name} ]; then {above}ln --symbolic {to} {name}; fi")
     return shell.run(*linked, comment="Files name these folders of the author's machine") if linked else ""
@@ -29,8 +29,9 @@ def _made(folder: str) -> str:
 
     What the image has stays whose it is.
     """
-    names = folder.split("/")[1:]
-    folders = [quote.shell("/" + "/".join(names[: number + 1])) for number in range(len(names)) if names[number]]
+    names = folder.split("/")
+    above = ["/".join(names[: number + 1]) for number in range(1, len(names)) if names[number]]
+    folders = [_at_home(each) if each.startswith("~/") else quote.shell(each) for each in above]
     if not folders:
         return ""
     make = 'install --directory --owner="${NB_UID}" --group="${NB_UID}" "${folder}"'
