@@ -128,6 +128,15 @@ OF_ROS = {
 
 
 @pytest.mark.parametrize(
+    "goes", ["mkdir -p ~/ws/src/a/px4/DDS/build && cd $_", "cd px4/DDS && mkdir build && cd $_", "cd px4/DDS/build"]
+)
+def test_the_folder_that_is_made_before_it_is_built_in(tree: Tree, goes: str) -> None:
+    page = f"ROS 2 Humble\n```\n{goes}\ncmake ..\nsudo cmake --build . --target install\n```\n"
+    decision = tree({**OF_ROS, **MODULES, "README.md": page})
+    assert (decision.inside, decision.inside_installed) == ((("px4/DDS", ""),), ("px4/DDS",))
+
+
+@pytest.mark.parametrize(
     ("last", "installed"),
     [
         ("sudo make install\nsudo ldconfig /usr/local/lib/", ("px4/DDS",)),

@@ -56,6 +56,22 @@ def test_apt_lines(text: str, expected: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "last"),
+    [
+        ("mkdir -p ~/ws/src && cd $_", ("cd", "~/ws/src")),
+        ('mkdir -p build; cd "$_"', ("cd", "build")),
+        ("mkdir a && cd ${_} && ls $_", ("ls", "a")),
+        ("mkdir a && X=b && cd $_", ("cd", "\0")),
+        ("mkdir $FOLDER && cd $_", ("cd", "\0")),
+        ("cd $_", ("cd", "\0")),
+        ("mkdir a && cd $_b", ("cd", "\0")),
+    ],
+)
+def test_the_last_word_of_the_command_before(text: str, last: tuple[str, ...]) -> None:
+    assert words(text)[-1] == last
+
+
+@pytest.mark.parametrize(
     "written",
     ["YOUR_DISTRO", "<distro>", "$ROS_DISTRO", "${ROS_DISTRO}", '"${ROS_DISTRO}"', "XXX", "xxx", "[distro]",
      "your-distro", "your_ros_distro",

@@ -127,10 +127,16 @@ def logical_lines(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
 
 
 def commands(text: str, line: int = 1, variables: Mapping[str, str] | None = None) -> Iterator[Command]:
-    """Yield the simple commands of one logical line; ``variables`` are filled in, and assignments are added to them."""
+    """Yield the simple commands of one logical line; ``variables`` are filled in, and assignments are added to them.
+
+    ``$_`` is the last word of the command before: ``mkdir --parents ~/ws/src && cd $_``.
+    """
     known = dict(variables or {})
     for simple in _split(_filled(fill_placeholders(_with_values(text, known))), line, known):
-        yield from _unwrapped(simple, known)
+        known["_"] = UNKNOWN
+        for command in _unwrapped(simple, known):
+            known["_"] = command.words[-1]
+            yield command
 
 
 def _with_values(text: str, known: Mapping[str, str]) -> str:
