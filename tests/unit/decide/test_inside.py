@@ -127,6 +127,29 @@ OF_ROS = {
 }
 
 
+LINK = "project(serial)\nadd_library(serial a.cpp)\n"
+PLAIN = "<package><name>serial</name><export><build_type>cmake</build_type></export></package>"
+CATKIN = "<package><name>serial</name><buildtool_depend>catkin</buildtool_depend></package>"
+
+
+@pytest.mark.parametrize(
+    ("manifest", "last", "found"),
+    [
+        (PLAIN, "sudo cmake --build . --target install", ("deps/serial",)),
+        (PLAIN, "make", ()),
+        (CATKIN, "sudo make install", ()),
+    ],
+)
+def test_a_package_of_plain_cmake_that_a_page_installs(
+    tree: Tree, manifest: str, last: str, found: tuple[str, ...]
+) -> None:
+    files = {**OF_ROS, "deps/serial/package.xml": manifest, "deps/serial/CMakeLists.txt": LINK}
+    page = f"ROS 2 Humble\n```\ncd deps/serial && mkdir build && cd build\ncmake ..\n{last}\n```\n"
+    files[".gitmodules"] = '[submodule "s"]\n\tpath = deps/serial\n\turl = https://github.com/lab/serial.git\n'
+    decision = tree({**files, "README.md": page})
+    assert tuple(folder for folder, _ in decision.inside) == decision.inside_installed == found
+
+
 @pytest.mark.parametrize(
     "goes", ["mkdir -p ~/ws/src/a/px4/DDS/build && cd $_", "cd px4/DDS && mkdir build && cd $_", "cd px4/DDS/build"]
 )
@@ -157,4 +180,5 @@ def test_what_a_page_installs_after_it_has_compiled_it(tmp_path: Path, last: str
     text = dockerfile(plan)
     assert ("cmake -P cmake_install.cmake" in text) is bool(installed)
     assert "/CMakeLists.txt ] || { mkdir --parents" in text
+    assert "cmake -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF .." in text
     assert "roslab: left out: px4/DDS cannot be compiled" in text

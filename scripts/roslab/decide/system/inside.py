@@ -23,8 +23,8 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
     """Return the folders to compile with CMake where they lie, each with its options, in the order of the page.
 
     Only copied libraries, submodules and what a page clones into the tree: examples and the project itself are no need
-    of it. Of those that are packages, ROS's tools build each in a workspace; where CMake alone builds the project, they
-    are libraries as the others.
+    of it. Of those that are packages, ROS's tools build each in a workspace, where what a page installs into the system
+    is not found by its name alone; where CMake alone builds the project, they are libraries as the others.
     """
     if config.compatible or config.build or kind == "python":
         return Choice(answer=())
@@ -32,7 +32,7 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
     folders = {project.file.rpartition("/")[0] for project in evidence.cmake if places.vendored(project.file)}
     folders = {folder for folder in {*folders, *absent} if folder}
     if kind in {"ros1", "ros2"}:
-        folders -= {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
+        folders -= {manifest.file.rpartition("/")[0] for manifest in evidence.manifests} - {*_put_into_system(evidence)}
     run = {file for m in evidence.mentions if m.topic == "command" for file in m.files}
     found: dict[str, Mention] = {}
     for mention in evidence.mentions:
@@ -58,6 +58,14 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
             why = f"a package links {path}, which is compiled there"
             reasons.append(because("source", folder or ".", why, place, weight=WEIGHT))
     return Choice(answer=tuple(answer.items()), reasons=tuple(reasons))
+
+
+def _put_into_system(evidence: Evidence) -> Iterator[str]:
+    """Yield the folders of packages that CMake alone builds, without ROS, and that a page of the tree installs."""
+    plain = [m.file.rpartition("/")[0] for m in evidence.manifests if [name for name, _ in m.build_types] == ["cmake"]]
+    for mention in evidence.mentions:
+        if mention.topic == "installed_here" and mention.source == "readme" and not places.vendored(mention.file):
+            yield from (folder for folder in (meant(mention.value, {*plain} - {""}),) if folder)
 
 
 def installed_inside(evidence: Evidence, inside: Iterable[tuple[str, str]]) -> tuple[str, ...]:

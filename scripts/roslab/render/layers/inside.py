@@ -11,11 +11,15 @@ _INSTALL = "cmake -P cmake_install.cmake"
 """What ``make install`` does after it has made everything, which it would make again: the objects are gone."""
 
 
+_TESTS = "BUILD_TESTING"
+_NO_TESTS = f"-D{_TESTS}=OFF"
+
+
 def compile_inside(plan: Plan) -> str:
     """Compile them where the build looks for them; those that a page installs are installed, too.
 
     In a submodule that could not be cloned there is nothing to compile; what fails there is told, and stops the build
-    where something needs it.
+    where something needs it. Its tests, which may ask for what nobody knew when the image was planned, are left out.
     """
     place = plan.workspace
     if not place.inside:
@@ -25,10 +29,12 @@ def compile_inside(plan: Plan) -> str:
     for folder, options in place.inside:
         source = quote.shell_with_user("/".join(filter(None, (source_folder(plan), folder))))
         build = quote.shell_with_user("/".join(filter(None, (source_folder(plan), folder, "build"))))
-        cmake = f"cmake{words(('-DCMAKE_BUILD_TYPE=Release', *options.split()))} .."
+        unread = f"{folder}/".startswith(modules)
+        given = ("-DCMAKE_BUILD_TYPE=Release", *([_NO_TESTS] if unread and _TESTS not in options else []))
+        cmake = f"cmake{words((*given, *options.split()))} .."
         steps = [f"mkdir --parents {build}", f"cd {build}", cmake, f"make --jobs={shell.JOBS}", TIDY]
         installed = [f"cd {build}", _INSTALL, "ldconfig"]
-        if f"{folder}/".startswith(modules):
+        if unread:
             steps = [_tried(steps, f"{source}/CMakeLists.txt", folder)]
             installed = [_tried(installed, f"{build}/cmake_install.cmake", folder)]
         lines += ["USER ${NB_USER}", shell.run(*steps)]
