@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Callable
 from pathlib import Path
 
@@ -104,3 +105,28 @@ def test_channels_in_brackets_are_unfolded_where_one_of_them_is_none(
     (tmp_path / "environment.yml").write_text(f"channels: [{channel}]\ndependencies:\n  - python=3.8\n  - scipy\n")
     (tmp_path / "run.py").write_text("import scipy\n")
     assert ("unfold-lists" in dockerfile(plan_repository(tmp_path).plan)) is unfolded
+
+
+@pytest.mark.parametrize(
+    ("file", "list_", "line", "lines", "whole"),
+    [
+        ("environment.yml", "requirements.txt", "-r requirements.txt", "click\n./sub/knn\n", False),
+        ("environment.yml", "requirements.txt", "--requirement ./requirements.txt", "click\n-e ./sub/knn\n", False),
+        ("environment.yml", "requirements-dev.txt", "-r requirements-dev.txt", "click\n-e .\n", False),
+        ("conda/environment.yml", "conda/requirements.txt", "-r requirements.txt", "click\nserial\npyserial\n", False),
+        ("environment.yml", "requirements.txt", "-r requirements.txt", "click\nscipy>=1.5\n", True),
+    ],
+)
+def test_a_list_that_pip_would_refuse_is_not_included_by_the_environment(
+    tmp_path: Path, file: str, list_: str, line: str, lines: str, *, whole: bool
+) -> None:
+    setup = "from setuptools import setup\nsetup(name='{}', packages=['a'])\n"
+    texts = {file: environment(line, "numpy"), list_: lines, "setup.py": setup.format("a"), "a/__init__.py": ""}
+    for path, text in {**texts, "sub/knn/setup.py": setup.format("knn")}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    python = plan_repository(tmp_path, config_text=f"format: 3\nconda: {file}\n").plan.python
+    assert (posixpath.basename(list_) in python.conda_local) is not whole
+    assert ("click" in python.pip) is not whole
+    assert ("sub/knn" in python.projects) is ("sub/knn" in lines)
+    assert python.conda_pip

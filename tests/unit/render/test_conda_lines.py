@@ -40,16 +40,18 @@ def without(folder: Path, text: str, *entries: str, others: bool = True) -> tupl
         "  - pytorch",
         "  - -e ./own",
         "  - -e ./own[sim]",
+        "  - -r lists/own.txt",
+        "  - --requirement ./lists/own.txt",
     ],
 )
 def test_lines_for_pip_are_taken_out(tmp_path: Path, line: str, end: str) -> None:
     text = FILE.format(line).replace("\n", end)
     conda = "dependencies:\n- pytorch\n- pip\n"
-    assert without(tmp_path, text, "own", "sklearn", "pytorch") == (conda, "numpy\n")
+    assert without(tmp_path, text, "own", "lists/own.txt", "sklearn", "pytorch") == (conda, "numpy\n")
 
 
 def test_nothing_of_another_name_is_taken_out(tmp_path: Path) -> None:
-    others = ("sklearn-extra", "owner", "scikit-sklearn==1.0")
+    others = ("sklearn-extra", "owner", "scikit-sklearn==1.0", "lists/own.txt.in")
     text = FILE.format("\n".join(f"  - {each}" for each in others))
     assert without(tmp_path, text, "own", "sklearn")[1].split() == ["numpy", *others]
 

@@ -5,7 +5,8 @@ conda hands these lines to one call of pip, so that one which pip refuses would 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence, Set
+import posixpath
+from collections.abc import Collection, Mapping, Sequence, Set
 from typing import NamedTuple
 
 from roslab.decide.decision import Warning_
@@ -41,7 +42,8 @@ class CondaPart:
     """How the part is installed."""
 
     local: tuple[str, ...] = ()
-    """Lines that are taken out of the file: folders of the tree, and the names of what pip cannot install."""
+    """Lines that are taken out of the file: folders of the tree, lists that pip would refuse, and the names of what it
+    cannot install."""
     others: bool = False
     """pip installs something else of the file."""
     instead: tuple[Requirement, ...] = ()
@@ -53,25 +55,38 @@ class CondaPart:
     warnings: tuple[Warning_, ...] = ()
 
 
-def conda_part(evidence: Evidence, chosen: Chosen, python: str | None, *, by_file: bool) -> CondaPart:
+def conda_part(
+    evidence: Evidence, chosen: Chosen, python: str | None, *, by_file: bool, by_name: Collection[str] = ()
+) -> CondaPart:
     """Return how what the chosen environment has for pip is installed, for the image's ``python``.
 
-    ``by_file``: conda makes the environment from its file.
+    ``by_file``: conda makes the environment from its file. ``by_name`` are paths of lists that are installed by
+    the names in them, as where one has folders of the tree: the environment must not include them.
     """
     listed = tuple(of_environment(evidence, chosen))
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
     off, instead, tried, warnings = _repaired(listed, python, names, of_pages(evidence, own_names(evidence)))
     folders = [each.written for each in listed if each.role == "project"]
-    others = by_file and any(each.role != "project" and each not in off for each in listed)
+    lists = [each for each in listed if each.role == "file" and _beside(each) in by_name]
+    others = by_file and any(each.role != "project" and each not in (*off, *lists) for each in listed)
     kept = [] if by_file else [each for each in listed if each not in off and not each.role]
     return CondaPart(
-        local=(*folders, *dict.fromkeys(each.name for each in off)) if by_file else (),
+        local=tuple(dict.fromkeys((*folders, *map(_written, lists), *(each.name for each in off)))) if by_file else (),
         others=others,
         instead=tuple(instead) if others else (),
         declared=(*kept, *instead),
         tried=tuple(tried),
         warnings=tuple(warnings),
     )
+
+
+def _beside(included: Requirement) -> str:
+    """Return the path of a list that an environment includes: pip looks for it beside the file."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(included.file), included.written))
+
+
+def _written(included: Requirement) -> str:
+    return included.written.removeprefix("./")
 
 
 class _Repaired(NamedTuple):

@@ -97,7 +97,7 @@ def decide_python(
     repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
     manifests = [*loosened(of_manifests(evidence, chosen), runs, loose)]
     pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
-    part = conda_part(evidence, chosen, number, by_file=conda is not None and not pixi)
+    part = conda_part(evidence, chosen, number, by_file=conda is not None and not pixi, by_name=repaired.files)
     declared = [*lists.requirements, *repaired.requirements, *part.declared]
     kept = dict(kept_by_build_types(evidence, [*declared, *chosen.guessed, *manifests]))
     declared, guessed = bare_apart([*declared, *kept], chosen.guessed)

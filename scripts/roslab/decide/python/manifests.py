@@ -106,9 +106,9 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
     if conda:
         named = {r.written for e in evidence.conda if e.file == conda for r in e.requirements if r.role == "file"}
         folder = conda.rpartition("/")[0]
-        return tuple(
-            run[joined] for name in sorted(named) if (joined := posixpath.normpath(posixpath.join(folder, name))) in run
-        )
+        there = {file.file: file for file in evidence.requirements}  # one of tests, too: conda hands it to pip
+        paths = (posixpath.normpath(posixpath.join(folder, name)) for name in sorted(named))
+        return tuple(there[path] for path in paths if path in there)
     chosen: dict[str, RequirementFile] = {}
     for asked in _prose(evidence):
         if asked.role in {"file", "environment"} and (path := resolve(asked, run)):

@@ -80,12 +80,12 @@ def _fewer_channels(addresses: Sequence[str], file: str) -> str:
 
 
 def _without(entries: Sequence[str], file: str) -> str:
-    """Return the command that takes folders of the tree and packages out of what a conda file has for pip.
+    """Return the command that takes folders of the tree, lists and packages out of what a conda file has for pip.
 
-    Folders are installed once they are there, the packages cannot be.
+    Folders are installed once they are there, lists by what is in them, the packages cannot be.
     """
     names = "|".join(re.escape(entry) for entry in entries)
-    script = f"\\%^(-e +|--editable +)?([.]/)?({names})/?( *\\[[^]]*\\])?( *[(<>=!~;@].*)?$%d"
+    script = f"\\%^((-e|--editable|-r|--requirement) +)?([.]/)?({names})/?( *\\[[^]]*\\])?( *[(<>=!~;@].*)?$%d"
     return f"sed --in-place --regexp-extended {quote.shell(script)} {quote.shell(file)}"
 
 
