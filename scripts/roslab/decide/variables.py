@@ -94,7 +94,7 @@ def decide_variables(
     windows = _windows(command, evidence)
     further: list[tuple[str, str, str, Requirement | Dependency | Mention | None]] = [
         *author_variables(evidence, ros, dockerfile, apt),
-        *compiler_variables(evidence),
+        *compiler_variables(evidence, ubuntu),
         *nested_headers(evidence, ros),
         *linked_folders(evidence, ros),
         *((name, value, why, None) for name, value, why in variables_of(libraries)),

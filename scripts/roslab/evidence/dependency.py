@@ -24,13 +24,14 @@ Namespace = Literal[
     "link",
     "call",
     "nowhere",
+    "unincluded",
     "controller",
     "program",
 ]
-"""What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``, ``call`` the
-library of a call that opens a window, ``nowhere`` a header that the tree would have, and does not, ``controller``
-what a parameter file calls a controller, whose role is the package of its type, ``program`` what ``find_program`` looks
-for."""
+"""What kind of name it is: ``ros`` is a ROS package, ``cmake`` a name given to ``find_package``, ``call`` the library
+of a call that opens a window, ``nowhere`` a header that the tree would have, and does not, ``unincluded`` a header of
+the compiler whose names are used without it, ``controller`` what a parameter file calls a controller, whose role is the
+package of its type, ``program`` what ``find_program`` looks for."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -13,6 +13,7 @@ from roslab.evidence.native.limits import Signs, conditional, tells
 from roslab.evidence.native.message_headers import MessageHeaders
 from roslab.evidence.native.nowhere import Nowhere
 from roslab.evidence.native.reached_code import without_unreached
+from roslab.evidence.native.unincluded import unincluded
 from roslab.evidence.native.where_found import where_found
 from roslab.knowledge.libraries import library, only_missed
 from roslab.knowledge.windows import opens
@@ -43,7 +44,7 @@ def read(
 ) -> tuple[Dependency, ...]:
     """Return the included headers that neither the tree nor the compiler has, each once, at its first place.
 
-    After them come the libraries that open windows by a call.
+    After them come the libraries that open windows by a call, and what sources use without its header.
 
     ``signs``, ``intrinsics`` and ``nowhere`` are shown every file, so that each is read once.
     """
@@ -94,7 +95,7 @@ def read(
             messages.add(key, place)
             found[key] = place
     messages.settle(found, inside if len(sources) < MAX_SOURCES else None, repository)
-    return (*found.values(), *opened.values())
+    return (*found.values(), *opened.values(), *unincluded(repository, sources))
 
 
 def _is_settled(name: str, signs: Signs | None) -> bool:
