@@ -10,7 +10,7 @@ from roslab.decide.python.image_python import Manager
 from roslab.decide.python.packages import Chosen, choose
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import PREFERRED
-from roslab.decide.python.version import Wanted, python_version
+from roslab.decide.python.version import Wanted, python_version, read_by
 from roslab.decide.python.weights import VersionWeight
 from roslab.decide.reasons import because, warn
 from roslab.evidence import places
@@ -62,6 +62,10 @@ def decide_version(
         return Choice(answer=own, reasons=(*first, *said.reasons))
     wanted, fitting = said.answer.version, said.answer.fitting
     number = wanted or _then(evidence.day) or _default(config, kind, cuda, _usual(evidence.pip_day))
+    newer = None if wanted or kind == "cpp" else read_by(evidence, number)
+    if newer and (number := newer.answer.version or number):
+        own = OwnPython(version=number, system=False, wanted=number, chosen=chosen, fitting=newer.answer.fitting)
+        return Choice(answer=own, reasons=(*newer.reasons, *said.reasons))
     own = OwnPython(version=number, system=False, wanted=wanted, chosen=chosen, fitting=fitting)
     if wanted:
         return Choice(answer=own, reasons=said.reasons)

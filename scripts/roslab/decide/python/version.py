@@ -99,6 +99,24 @@ def python_version(
     return Choice(answer=Wanted(version=fits.answer, fitting=tuple(fitting)), reasons=(fits, *reasons, *passed))
 
 
+def read_by(evidence: Evidence, default: str) -> Choice[Wanted] | None:
+    """Return the preferred Python that has what the code uses, ``None`` where the ``default`` has it, too."""
+    known = tuple(ranges_by_syntax(evidence))
+    lacking = [each for each in known if default not in each.pythons]
+    if not lacking:
+        return None
+    fitting = _fitting(known)
+    if day := evidence.day:
+        fitting = [python for python in fitting if existed(python, day)] or fitting
+    if day := evidence.pip_day:
+        then = [python for python in fitting if existed(python, day)]
+        fitting = [python for python in then if usual(python, day)] or then or fitting
+    why = f"nothing names a version, and {lacking[0].reason.reason}, which Python {default} does not have"
+    chosen = because("python", fitting[0], why, lacking[0].reason, weight=Weight.USED)
+    others = (each.reason for each in known if each is not lacking[0])
+    return Choice(answer=Wanted(version=fitting[0], fitting=tuple(fitting)), reasons=(chosen, *others))
+
+
 def _fitting(known: tuple[Range, ...]) -> list[str]:
     """Return the Pythons that fit all ranges; one that contradicts those before it, the more trusted, is left out.
 

@@ -15,6 +15,8 @@ from roslab.values.version import Version
 
 NODES = "Python of nodes"
 """The library of a sign in the code of a node of ROS, which runs with the Python of the Ubuntu."""
+_POSTPONED = "from __future__ import annotations"
+"""With it, no annotation is computed, and any Python that knows it reads those of newer ones."""
 
 
 def read(repository: Repository) -> tuple[CodeLimit, ...]:
@@ -22,7 +24,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
 
     Tests and examples tell nothing, nor do launch files that are written for two versions.
     """
-    code = [limit for limit in limits() if limit.where in {"line", "python"}]
+    code = [limit for limit in limits() if limit.where in {"line", "annotation", "python"}]
     wanted = {
         "launch": Search((limit for limit in limits() if limit.where == "launch"), words=True),
         # A node of ROS has the Python of its distribution, whatever one of its modules needs
@@ -71,6 +73,8 @@ def _contradicted(limit: CodeLimit, others: tuple[CodeLimit, ...]) -> bool:
 
 def _first(sign: Limit, text: str) -> int | None:
     """Return the position of a sign that is in no comment, ``None`` where there is none; 0 is no position of one."""
+    if sign.where == "annotation" and _POSTPONED in text:
+        return None
     for start, end in _parts(sign, text):
         for match in sign.pattern.finditer(text, start, end):
             if not text[text.rfind("\n", 0, match.start()) + 1 : match.start() + 1].lstrip().startswith("#"):
@@ -80,7 +84,7 @@ def _first(sign: Limit, text: str) -> int | None:
 
 def _parts(sign: Limit, text: str) -> Iterator[tuple[int, int]]:
     """Yield where the parts of a text begin and end in which a sign can be: the lines with a hint, or all of it."""
-    if sign.where != "line":
+    if sign.where not in {"line", "annotation"}:
         yield 0, len(text)
         return
     for start in lines_with(text, *sign.hints.each):
