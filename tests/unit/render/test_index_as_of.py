@@ -62,7 +62,12 @@ FILES = {
     "later": {f"later-1.0-{EVERY}.whl": NEW, f"later-2.0-{EVERY}.whl": "2023-06-01"},
 }
 
-REQUIRES = {"left": "Requires-Dist: shared==1.0\n", "right": "Requires-Dist: shared==2.0\n"}
+REQUIRES = {
+    "left": "Requires-Dist: shared==1.0\n",
+    "right": "Requires-Dist: shared==2.0\n",
+    "reaching": "Requires-Dist: plain>=1.5\nRequires-Dist: later>=23.1,<30\nProvides-Extra: more\n"
+    "Requires-Dist: swig; extra == 'more'\nRequires-Dist: nowhere; python_version < '3'\n",
+}
 
 
 def wheel(file: str) -> bytes:
@@ -112,7 +117,21 @@ def build_wheel(folder, config_settings=None, metadata_directory=None):
     shutil.copy("made.whl", folder + "/scripted-1.0-py3-none-any.whl")
     return "scripted-1.0-py3-none-any.whl"
 """
-BACKENDS = {"needs": (BACKEND, '"cython"'), "wrapped": (WRAPPED, ""), "scripted": (SCRIPTED, "")}
+REACHING = """\
+import shutil
+
+def build_wheel(folder, config_settings=None, metadata_directory=None):
+    shutil.copy("made.whl", folder + "/reaching-1.0-py3-none-any.whl")
+    return "reaching-1.0-py3-none-any.whl"
+
+build_editable = build_wheel
+"""
+BACKENDS = {
+    "needs": (BACKEND, '"cython"'),
+    "wrapped": (WRAPPED, ""),
+    "scripted": (SCRIPTED, ""),
+    "reaching": (REACHING, ""),
+}
 
 
 def source(file: str) -> bytes:
@@ -471,10 +490,71 @@ def test_what_is_released_together_is_of_one_time(
     assert ran(step, tmp_path, f"{index}/simple/", pages).strip() == f"front {kept}"
 
 
-def test_what_no_day_has_fails_as_before(step: list[subprocess.Popen[str]], tmp_path: Path, index: str) -> None:
-    install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got 'plain>=3'"
+@pytest.mark.parametrize("asked", ["plain==3", "'plain<1'", "'plain>=1.5,<2'", "nowhere"])
+def test_what_no_day_has_fails_as_before(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, asked: str
+) -> None:
+    install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got {asked}"
     assert ran(step, tmp_path, f"{index}/simple/", f"{install} || echo failed").strip() == "failed"
-    assert (tmp_path / "said").read_text().count("No matching distribution found for plain>=3") == 2
+    assert (tmp_path / "said").read_text().count("No matching distribution found for") == 2
+
+
+def test_a_lower_bound_that_other_pythons_have_fails_as_before(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got 'other>=1.5' || echo failed"
+    assert ran(step, tmp_path, f"{index}/simple/", install, start=TODAY).strip() == "failed"
+
+
+@either
+@pytest.mark.parametrize(
+    "listed", ["plain>=23.1", "plain [more] >= 23.1  # as numpy", "plain>2.1,<30; python_version>'3'"]
+)
+def test_a_lower_bound_that_no_release_reaches_is_left_out(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, *, start: str, listed: str
+) -> None:
+    (tmp_path / "list.txt").write_text(f"left\n{listed}\n")
+    install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got"
+    for arguments in (f"--requirement {tmp_path}/list.txt", f'left "{listed.partition("#")[0].strip()}"'):
+        command = f"{install} {arguments}\nls {tmp_path}/got\nrm -r {tmp_path}/got"
+        output = ran(step, tmp_path, f"{index}/simple/", command, start=start).split()
+        assert {"plain-2.0.dist-info", "left-1.0.dist-info"} <= set(output)
+        assert "no release of plain reaches 2" in (tmp_path / "said").read_text()
+
+
+@either
+@pytest.mark.parametrize("more", [True, False])
+def test_what_a_project_asks_for_is_a_list_where_no_release_reaches_one_of_its_bounds(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, *, start: str, more: bool
+) -> None:
+    first, packages = own_python(tmp_path / "own")
+    with tarfile.open(fileobj=io.BytesIO(source("reaching-1.0.tar.gz"))) as archive:
+        for member in archive.getmembers():
+            (tmp_path / member.name).parent.mkdir(exist_ok=True)
+            part = archive.extractfile(member)
+            (tmp_path / member.name).write_bytes(part.read() if part else b"")
+    project = f"{tmp_path}/reaching-1.0{'[more]' * more}"
+    install = f"{first}\npython3 -m pip install --quiet --no-cache-dir --find-links {tmp_path} --editable '{project}'"
+    ran(step, tmp_path, f"{index}/simple/", install, start=start)
+    got = {each.name for each in packages.glob("*.dist-info")}
+    assert {"reaching-1.0.dist-info", "plain-2.0.dist-info", "later-2.0.dist-info"} <= got
+    assert ("swig-1.0.dist-info" in got) is more
+    assert (
+        "no release of later reaches 23.1, its newest is 2.0: the bound is left out" in (tmp_path / "said").read_text()
+    )
+
+
+def test_what_a_package_of_the_index_asks_for_is_not_changed(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    REQUIRES["right"], kept = "Requires-Dist: plain>=23.1\n", REQUIRES["right"]
+    content.cache_clear()
+    try:
+        install = f"python3 -m pip install --quiet --no-cache-dir --target {tmp_path}/got right || echo failed"
+        assert ran(step, tmp_path, f"{index}/simple/", install, start=TODAY).split()[-1] == "failed"
+    finally:
+        REQUIRES["right"] = kept
+        content.cache_clear()
 
 
 def test_an_index_that_tells_no_times_is_taken_as_it_is(

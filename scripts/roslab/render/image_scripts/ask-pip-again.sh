@@ -7,7 +7,8 @@
 # or module that a package is built with and does not ask pip for (build-programs.txt) is installed by pip. Where its setup
 # script imports what is installed and pip hides from it, it is built beside what is installed. What apt installed and pip
 # cannot remove stays, and pip's own comes before it. Where an older pip takes a package, as pip's message says, it gets that
-# pip. An exact version that is gone from the index becomes the next one with the same first two numbers, if there is one. Where
+# pip. An exact version that is gone from the index becomes the next one with the same first two numbers, if there is one. A
+# lower bound that no release reaches is left out; where a project asks for it, what it asks for is installed as a list. Where
 # index-as-of serves the index of a day (--or-today) and a lower bound is newer than it, that package's newer versions are
 # there the next time.
 # What a package prints while it is built is shown at the end: a pip that writes a log has it there alone.
@@ -49,7 +50,7 @@ roslab_call() {
     name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
     if [ -z "${name}" ]; then return 1; fi
     if [ -z "${INDEX_AS_OF:-}" ] || grep -q -x -F "${name}" "${INDEX_AS_OF}" 2>/dev/null; then
-      roslab_next_version "${name}" || return 1
+      roslab_next_version "${name}" || roslab_out_of_reach "${call[0]}" "${name}" || return 1
       continue
     fi
     echo "${name}" >>"${INDEX_AS_OF}"
@@ -147,31 +148,89 @@ roslab_covered() { # PYTHON
   echo "roslab: pip cannot remove ${name} of another installer: it stays, and ${version} is installed before it" >&2
   command "$1" -m pip install --no-cache-dir --ignore-installed --no-deps "${name}==${version}" </dev/null
 }
+# Leaves a lower bound out that no release reaches, for whatever Python: nobody can install what asks for it
+roslab_out_of_reach() { # PYTHON NAME
+  local bound newest wanted_by
+  bound="$(sed -n "s/.*No matching distribution found for $2[^ ;(]*>=\{0,1\}\([0-9][0-9.]*\).*/\1/p" "${log}" | tail -n 1)"
+  newest="$(sed -n "s/.*requirement $2[^A-Za-z0-9._-].*(from versions: \(.*\)).*/\1/p; s/.*Ignored the following .*versions[^:]*: \(.*\)/\1/p" "${log}" \
+    | tr ',;' '\n\n' | sed 's/^ *//; s/ .*//' | { grep '^[0-9]' || true; } | sort -V | tail -n 1)"
+  if [ -z "${bound}" ] || [ -z "${newest}" ] || [ "$(printf '%s\n' "${bound}" "${newest}" | sort -V | tail -n 1)" = "${newest}" ]; then
+    return 1
+  fi
+  wanted_by="$(sed -n "s/.*requirement $2[^A-Za-z0-9._-][^(]*(from \([A-Za-z0-9._-]*\).*(from versions: .*/\1/p" "${log}" | tail -n 1)"
+  if [[ "${wanted_by}" =~ ^[A-Za-z0-9] ]]; then roslab_apart "$1" "${wanted_by}" || return 1; fi
+  roslab_reword "s/^\([[:space:]]*$2\([[:space:]]*\[[^]]*\]\)\{0,1\}\)[[:space:]]*(\{0,1\}[<>=!~][^;#]*/\1 /" || return 1
+  echo "roslab: no release of $2 reaches ${bound}, its newest is ${newest}: the bound is left out" >&2
+}
+# Installs the one project of a call by itself, and has the call install what it asks for, as a list
+roslab_apart() { # PYTHON NAME
+  local at project='' extras='' rest=()
+  for at in "${!call[@]}"; do
+    case "${call[at]}" in
+      -e | --editable) continue ;;
+      [./]*) ;;
+      *) rest+=("${call[at]}") && continue ;;
+    esac
+    case "${call[at - 1]}" in
+      -e | --editable | [!-]*) if [ -n "${project}" ]; then return 1; fi ;;
+      --no-*) ;;
+      *) rest+=("${call[at]}") && continue ;; # of an option
+    esac
+    project="${call[at]}"
+  done
+  if [ -z "${project}" ]; then return 1; fi
+  if [ "${project}" != "${project%]}" ]; then extras="${project##*[}"; fi
+  command "${call[@]}" --no-deps || return 1
+  command "$1" - "$2" "${extras%]}" >"${notes}.asked" <<'PYTHON' || return 1
+import sys
+
+name, extras = sys.argv[1], [extra.strip() for extra in sys.argv[2].split(",")]
+try:
+    from importlib.metadata import requires
+
+    from pip._vendor.packaging.requirements import Requirement
+
+    found = [Requirement(line) for line in requires(name) or ()]
+    found = [each for each in found if not each.marker or any(each.marker.evaluate({"extra": e}) for e in extras)]
+except ImportError:  # before Python 3.8
+    from pip._vendor.pkg_resources import get_distribution
+
+    found = get_distribution(name).requires(tuple(filter(None, extras)))
+for each in found:
+    each.marker = None
+    print(each)
+PYTHON
+  call=("${rest[@]}" --requirement "${notes}.asked")
+}
+# Changes the requirements of the call and of its files; tells whether there was something to change
+roslab_reword() { # SED'S EXPRESSION
+  local at word changed=''
+  for at in "${!call[@]}"; do
+    case "${call[at - (at > 0)]}" in
+      -r | --requirement)
+        if sed "$1" "${call[at]}" 2>/dev/null | cmp --quiet - "${call[at]}"; then continue; fi
+        sed -i "$1" "${call[at]}" || return 1
+        ;;
+      *)
+        # shellcheck disable=SC2001 # the expression is one of sed
+        word="$(sed "$1" <<<"${call[at]}")"
+        if [ "${word}" = "${call[at]}" ]; then continue; fi
+        call[at]="${word}"
+        ;;
+    esac
+    changed=yes
+  done
+  [ -n "${changed}" ]
+}
 # Replaces an exact version that the index no longer has, in the call and in its requirement files
 roslab_next_version() {
-  local asked minor next at pinned
+  local asked minor next
   asked="$(sed -n "s/.*No matching distribution found for $1==\([0-9][0-9.]*[0-9]\)\([^0-9.].*\)\{0,1\}$/\1/p" "${log}" | tail -n 1)"
   minor="$(cut -d . -f 1,2 <<<"${asked}")"
   next="$(sed -n "s/.*requirement $1==${asked}[ ;].*(from versions: \(.*\)).*/\1/p" "${log}" | tail -n 1 | tr -d ' ' | tr , '\n' \
     | { grep -E "^${minor}([.][0-9]+)+$" || true; } | { cat && echo "${asked}"; } | sort -V | sed "1,/^${asked}$/d" | head -n 1)"
   if [ -z "${asked}" ] || [ -z "${next}" ]; then return 1; fi
-  pinned="^\([[:space:]]*$1[[:space:]]*==[[:space:]]*\)${asked}\([^0-9.]\|$\)"
-  local changed=''
-  for at in "${!call[@]}"; do
-    case "${call[at - (at > 0)]}" in
-      -r | --requirement)
-        if ! grep -q "${pinned}" "${call[at]}" 2>/dev/null; then continue; fi
-        sed -i "s/${pinned}/\1${next}\2/" "${call[at]}"
-        ;;
-      *)
-        if ! grep -q "${pinned}" <<<"${call[at]}"; then continue; fi
-        # shellcheck disable=SC2001 # the pattern is one of sed
-        call[at]="$(sed "s/${pinned}/\1${next}\2/" <<<"${call[at]}")"
-        ;;
-    esac
-    changed=yes
-  done
-  if [ -z "${changed}" ]; then return 1; fi
+  roslab_reword "s/^\([[:space:]]*$1[[:space:]]*==[[:space:]]*\)${asked}\([^0-9.]\|$\)/\1${next}\2/" || return 1
   echo "roslab: the index no longer has $1 ${asked}: ${next} is taken" >&2
 }
 python3() { roslab_pip python3 "$@"; }
