@@ -57,14 +57,16 @@ def _entries(naming: Naming, name: str) -> list[dict[str, str]]:
 def library(naming: Naming, name: str, ubuntu: str | None) -> Library | None:
     """Return where a library comes from on an Ubuntu; ``None`` for a name that is in no table.
 
-    A name in the table without a row for this Ubuntu gives an empty ``Library``.
+    A name in the table without a row for this Ubuntu gives a ``Library`` with nothing but the package of ROS that has
+    it elsewhere: a distribution for this Ubuntu may have released that, too.
     """
     entries = _entries(naming, name)
     if not entries:
         return None
     row = _of_ubuntu(entries, ubuntu)
     if row is None:
-        return Library(elsewhere=ubuntu is not None)
+        of_ros = next((each["ros"] for each in entries if each.get("ros")), "")
+        return Library(ros=of_ros, elsewhere=ubuntu is not None)
     return Library(
         apt=tuple(row["apt"].split()),
         ros=row.get("ros", ""),

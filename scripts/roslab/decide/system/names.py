@@ -78,7 +78,9 @@ def resolve(dependency: Dependency, target: Target) -> Resolved:
         if found is not None:
             found = _of_release(found, dependency, target)
             own = dependency.namespace == "cmake" and dependency.role != COMPONENT and dependency.name in target.modules
-            return _library((own and _by_link(found, dependency.name, target)) or found, target)
+            resolved = _library((own and _by_link(found, dependency.name, target)) or found, target)
+            if resolved.known or not found.elsewhere or dependency.namespace == "link" or own:
+                return resolved
         if dependency.namespace != "link":
             other = None if dependency.name in target.modules else target.released_as(dependency.name)
             return _ros(other or dependency.name, target)
