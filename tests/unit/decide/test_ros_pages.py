@@ -85,6 +85,29 @@ def test_lines_for_another_distribution_count_where_there_are_none_for_this_one(
     assert {"ros-melodic-joy", "ros-melodic-slam", "libb"} <= set(found.apt_guessed)
 
 
+TRAVIS = "before_install:\n  - sudo apt-get install -y ros-{}-desktop {}\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "found"),
+    [
+        ("ROS Noetic\n\n    sudo apt install ros-noetic-tf2-ros\n", ["libpopt-dev"]),
+        ("ROS Noetic\n", ["gawk", "libpopt-dev"]),
+    ],
+)
+def test_ci_for_another_distribution_where_a_page_is_for_this_one(tmp_path: Path, page: str, found: list[str]) -> None:
+    files = {**catkin(), "README.md": page, ".travis.yml": TRAVIS.format("melodic", "gawk libpopt-dev")}
+    decision = decided(tmp_path, files, branch="noetic-devel")
+    assert sorted({*decision.apt, *decision.apt_guessed} & {"gawk", "libpopt-dev"}) == found
+
+
+def test_ci_for_several_distributions_counts_whole(tmp_path: Path) -> None:
+    page = "ROS Noetic\n\n    sudo apt install ros-noetic-tf2-ros\n"
+    both = TRAVIS.format("noetic", "gawk") + "  - sudo apt-get install -y ros-melodic-joy\n"
+    decision = decided(tmp_path, {**catkin(), "README.md": page, ".travis.yml": both}, branch="noetic-devel")
+    assert "gawk" in {*decision.apt, *decision.apt_guessed}
+
+
 def test_launch_files_of_the_other_ros_ask_for_nothing(tmp_path: Path) -> None:
     old = '<launch><node pkg="fancy_pkg" name="a" type="b"/><node pkg="turtlesim" name="c" type="d"/></launch>'
     assert "ros-humble-turtlesim" not in decided(tmp_path, {**ament(), "old/launch/a.launch": old}).apt_guessed
