@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from roslab.decide.ros.distro_dates import dated, later
+from roslab.decide.system.old_names import outlived
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_ubuntus import ubuntus_of
 from roslab.knowledge.distros import distros
-
-OUTLIVED = 730
-"""Days from the release of a distribution that has a tool under its name for Python 3 alone, until a page's old name
-tells nothing. Of three repositories that name no distribution, one of 2021 is for the older one, and of two of 2022 and
-2023 one compiles on the newer alone."""
 
 
 def by_packages(evidence: Evidence, ros: int) -> tuple[str, str, Dependency] | None:
@@ -23,24 +18,14 @@ def by_packages(evidence: Evidence, ros: int) -> tuple[str, str, Dependency] | N
     """
     names = {each.name for each in evidence.prose if each.namespace == "apt"}
     asked = {each.name: each for each in evidence.prose if each.namespace == "apt" and ubuntus_of(each.name)}
-    asked = {name: each for name, each in asked.items() if not _outlived(name, evidence, ros)}
+    found = {name: each for name, each in distros().items() if each.ros == ros and not each.never_ends}
+    released = {each.ubuntu: each.released for each in found.values()}
+    asked = {name: each for name, each in asked.items() if not outlived(name, evidence, released)}
     if not asked or any(name.replace("python-", "python3-", 1) in names - {name} for name in asked):
         return None
-    found = [name for name, each in distros().items() if each.ros == ros and not each.never_ends]
     having = [name for name in found if all(distros()[name].ubuntu in ubuntus_of(each) for each in asked)]
     if not having:
         return None
     best = max(having, key=lambda name: distros()[name].preference)
     first = next(iter(asked.values()))
     return best, f"no distribution is named, and Ubuntu {distros()[best].ubuntu} is the last with {first.name}", first
-
-
-def _outlived(name: str, evidence: Evidence, ros: int) -> bool:
-    """Tell whether the last commit came long after a distribution whose Ubuntu has a ``python-x`` as ``python3-x``."""
-    date = dated(evidence)
-    if date is None or not name.startswith("python-"):
-        return False
-    line = [each for each in distros().values() if each.ros == ros and not each.never_ends]
-    last = max((each.released for each in line if each.ubuntu in ubuntus_of(name)), default="")
-    newer = [each.released for each in line if each.released > last]
-    return bool(newer) and date.value >= later(min(newer), OUTLIVED)
