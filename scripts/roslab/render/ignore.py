@@ -16,6 +16,11 @@ from roslab.render.output import MARKER, Beside
 
 HEADER = f"# {MARKER}. docker reads this file for Dockerfile, instead of .dockerignore.\n"
 ANY_DEPTH = "**"
+ALL = f"!{ANY_DEPTH}"
+ROOT = ""
+"""The repository as a whole, where it stands for what the Dockerfile needs."""
+_NO_NAME = "\x01"
+"""It is no file's name: only a line that excludes everything matches it."""
 MAX_JUDGED = 64 * 1024
 """Characters of an ignore file that are compared with paths; the rest is copied without comparing."""
 MAX_COMPARED = 2_000_000
@@ -35,7 +40,8 @@ def ignore(plan: Plan, unread: tuple[str, ...]) -> str:
 
     ``unread`` is what ``create`` writes and no program in the image reads: changing it must not repeat the build.
     The last line that matches a path decides. The author's file was written for another Dockerfile, so a file that this
-    Dockerfile installs from is included again right after the line that excluded it; the lines below still apply.
+    Dockerfile installs from is included again right after the line that excluded it, and so is all where the repository
+    itself is compiled or installed and a line excludes everything (``*``); the lines below still apply.
     ``.git`` comes last, so that no ``!`` of the author's publishes the history and the runner's credentials.
     """
     lines = [*map(str.rstrip, plan.ignore)]
@@ -73,7 +79,9 @@ def _needed(plan: Plan) -> tuple[str, ...]:
     sources = (*plan.libraries, *plan.workspace.sources, *plan.workspace.submodules)
     held = (path for path, _ in own_files(plan.own_packages))
     files = (*manifests, *cmake, *held, *(patch.path for each in sources for patch in each.patches))
-    return tuple(sorted({*python.manifests, *python.requirements, *conda, *folders, *files}))
+    needed = {*python.manifests, *python.requirements, *conda, *folders, *files}
+    whole = plan.kind not in {"ros1", "ros2"} or any("/" not in path for path in manifests)
+    return tuple(sorted(needed | {ROOT} if whole else needed))
 
 
 def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:
@@ -84,11 +92,18 @@ def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:
         compared += total * len(path.split("/"))
         if compared > MAX_COMPARED:
             break
-        decisive = _decisive(patterns, path)
-        if decisive is None or lines[decisive].lstrip().startswith("!"):
+        folder = posixpath.dirname(path)
+        # What lies beside a package.xml is needed, too, also where the author's list has that file alone
+        beside = folder and posixpath.basename(path) == "package.xml"
+        decisive = _excluding(patterns, lines, f"{folder}/{_NO_NAME}") if beside else None
+        if decisive is None or _decisive([patterns[decisive]], folder) is None:
+            decisive = _excluding(patterns, lines, path or _NO_NAME)
+        if decisive is None or ALL in additions.get(decisive, ()):
+            continue
+        if path == ROOT:
+            additions[decisive] = {ALL: None}
             continue
         # If a package's whole folder is excluded, include all of it again: its package.xml alone could not be built
-        folder = posixpath.dirname(path)
         whole = folder and _decisive([patterns[decisive]], folder) is not None
         additions.setdefault(decisive, {})[f"!{_literal(folder if whole else path)}"] = None
     result = []
@@ -97,6 +112,12 @@ def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:
         if index in additions:
             result += ["# roslab: the Dockerfile needs these", *additions[index]]
     return result
+
+
+def _excluding(patterns: list[Parts], lines: Sequence[str], path: str) -> int | None:
+    """Return the index of the line that excludes a path, ``None`` where none does or a later one includes it again."""
+    decisive = _decisive(patterns, path)
+    return None if decisive is None or lines[decisive].lstrip().startswith("!") else decisive
 
 
 def _decisive(patterns: list[Parts], path: str) -> int | None:

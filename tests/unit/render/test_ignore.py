@@ -52,13 +52,39 @@ def test_the_notebook_goes_into_the_image(plan: Plans) -> None:
     assert not keeps_out(lines_of(ignore(plan())), "README.ipynb")
 
 
-@pytest.mark.parametrize(
-    "line", ["*.txt", "**/*.txt", "requirements*", "*", "**", "/requirements.txt", "require?ents.txt"]
-)
+@pytest.mark.parametrize("line", ["*.txt", "**/*.txt", "requirements*", "/requirements.txt", "require?ents.txt"])
 def test_a_requirements_file_comes_back(plan: Plans, line: str) -> None:
     lines = lines_of(ignore(plan(requirements=("requirements.txt",), ignore=(line, "*.key"))))
     assert lines[:3] == [line, "!requirements.txt", "*.key"]
     assert not keeps_out(lines, "requirements.txt")
+
+
+@pytest.mark.parametrize("line", ["*", "**", "/*", "  **/*"])
+@pytest.mark.parametrize(
+    "needs",
+    [
+        {"requirements": ("requirements.txt",)},
+        {"kind": "cpp"},
+        {"kind": "ros2", "rosdep": rosdep("package.xml", "part/package.xml")},
+    ],
+)
+def test_all_comes_back_where_the_repository_itself_is_built(plan: Plans, line: str, needs: dict[str, object]) -> None:
+    """``*`` and what is excepted from it is what the author's own Dockerfile takes, and no more."""
+    lines = lines_of(ignore(plan(**needs, ignore=("*.key", line, "!requirements.txt", "**/build"))))
+    assert lines[:3] == ["*.key", line.rstrip(), "!**"]
+    assert not keeps_out(lines, "src/main.cpp")
+    assert not keeps_out(lines, "CMakeLists.txt")
+    assert keeps_out(lines, "part/build")
+
+
+def test_what_the_author_shuts_out_beside_it_stays_out(plan: Plans) -> None:
+    lines = lines_of(ignore(plan(kind="cpp", ignore=("data", "*.bag", "*.*", "[a-m]*"))))
+    assert "!**" not in lines
+    assert all(keeps_out(lines, path) for path in ("data/a", "x.bag", "a.b", "main.cpp"))
+
+
+def test_all_that_the_author_lets_in_again_is_in(plan: Plans) -> None:
+    assert lines_of(ignore(plan(kind="cpp", ignore=("*", "!**"))))[:2] == ["*", "!**"]
 
 
 def test_what_is_not_shut_out_is_not_named(plan: Plans) -> None:
@@ -67,10 +93,21 @@ def test_what_is_not_shut_out_is_not_named(plan: Plans) -> None:
 
 
 def test_a_package_comes_back_whole_where_its_folder_was_shut_out(plan: Plans) -> None:
-    lines = lines_of(ignore(plan(rosdep=rosdep("src/robot/package.xml"), ignore=("*", "!docs", "**/build", "*.bag"))))
+    keys = rosdep("src/robot/package.xml")
+    lines = lines_of(ignore(plan(kind="ros1", rosdep=keys, ignore=("*", "!docs", "**/build", "*.bag"))))
     assert lines[:2] == ["*", "!src/robot"]
     assert not keeps_out(lines, "src/robot/src/main.cpp")
     assert keeps_out(lines, "src/robot/build")
+    assert keeps_out(lines, "notes.md")
+
+
+def test_a_package_comes_back_whole_where_the_author_lets_in_its_manifest_alone(plan: Plans) -> None:
+    keys = rosdep("robot/package.xml", "src/arm/package.xml")
+    lines = lines_of(ignore(plan(kind="ros2", rosdep=keys, ignore=("**", "!**/package.xml", "*.bag", "robot/data"))))
+    assert lines[:4] == ["**", "!robot", "!src/arm", "!**/package.xml"]
+    assert not keeps_out(lines, "robot/CMakeLists.txt")
+    assert not keeps_out(lines, "src/arm/src/main.cpp")
+    assert keeps_out(lines, "robot/data/x")
     assert keeps_out(lines, "notes.md")
 
 
