@@ -2,6 +2,7 @@
 
 A page clones such a repository, builds it and leaves the rest to its reader: the package lies at its top or in the
 folder of the module's name. What has neither setup.py nor pyproject.toml, or what pip cannot install, is left out.
+So is what has a package.xml beside packages of ROS; of plain Python their tools would install nothing that it needs.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.frameworks import imports
+from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 
@@ -26,12 +28,19 @@ SHORTEST = 4
 
 
 def with_imported(evidence: Evidence, kind: Kind) -> Evidence:
-    """Return the evidence with a project for each folder where such a module may lie, unless a page installs one."""
-    if kind not in {"python", "cuda"}:
+    """Return the evidence with a project for each folder where such a module may lie, unless a page installs one.
+
+    Beside packages of ROS none that a package.xml asks for, or that any distribution released: that is a package, too.
+    """
+    if kind == "cpp":
         return evidence
+    ros = kind in {"ros1", "ros2"}
+    packages = {each.name for m in evidence.manifests for each in m.dependencies} if ros else set()
     known = {project.folder for project in evidence.python}
     added: dict[str, PythonProject] = {}
     for git, used in _called_like(evidence):
+        if ros and (used.name in packages or ever_released(used.name)):
+            continue
         if not any(folder.rpartition("/")[0] == git.name or folder == git.name for folder in known):
             for folder in (git.name, f"{git.name}/{used.name}"):
                 added.setdefault(folder, _project(folder, used))

@@ -56,7 +56,7 @@ def projects(plan: Plan) -> str:
     whole = [folder for folder in folders if folder not in (*plan.python.alone, *unseen, *lost)]
     alone = [folder for folder in folders if folder in plan.python.alone and folder not in lost]
     copied = frozenset(plan.python.copied)
-    commands = [_if_there(folder, f"{pip}{_own([folder], copied)}{_or_not(folder, plan)}") for folder in unseen]
+    commands = [_if_there(folder, f"{pip}{_own([folder], copied)}{_or_not(folder, plan)}", plan) for folder in unseen]
     if whole and set(whole) <= set(plan.python.isolated):  # a package that they require may build beside the others
         commands.append(building.also_with_what_is_there(plan, pip.replace(isolation, "", 1), _own(whole, copied)))
     elif whole:
@@ -70,11 +70,18 @@ def projects(plan: Plan) -> str:
     return f"# The repository's own Python packages{editable}\nUSER root\n{header}{copy}{run}"
 
 
-def _if_there(folder: str, install: str) -> str:
-    """Return the command that installs a folder of a submodule, which nobody has seen, if it has something for pip."""
+def _if_there(folder: str, install: str, plan: Plan) -> str:
+    """Return the command that installs a folder of a submodule, which nobody has seen, if it has something for pip.
+
+    A package of ROS for which nothing but an import speaks is left to the tool that builds the workspace.
+    """
+    packaged = quote.shell(f"./{folder}/package.xml") if plan.workspace.ros and folder in plan.python.imported else ""
+    built = (
+        f"if [ -e {packaged} ]; then echo {quote.shell(f'roslab: {folder} is built with the workspace')}; \\\n    el"
+    )
     has = " || ".join(f"[ -e {quote.shell(f'./{folder}/{name}')} ]" for name in ("setup.py", "pyproject.toml"))
     left_out = quote.shell(f"roslab: left out: {folder} has neither setup.py nor pyproject.toml")
-    return f"if {has}; then \\\n      {install}; \\\n    else echo {left_out}; fi"
+    return f"{built if packaged else ''}if {has}; then \\\n      {install}; \\\n    else echo {left_out}; fi"
 
 
 def _or_not(folder: str, plan: Plan) -> str:
