@@ -6,7 +6,7 @@ import posixpath
 
 from roslab.evidence import git_folder, links, places, pointers, submodules
 from roslab.evidence.facts import Evidence
-from roslab.evidence.mentioned import BESIDE_PROSE, MENTIONED, OF_ROS
+from roslab.evidence.mentioned import BESIDE_PROSE, MENTIONED, of_ros
 from roslab.evidence.native import (
     argument_counts,
     asked_variables,
@@ -232,7 +232,7 @@ def gather(repository: Repository) -> Evidence:
             *container_starts.read(own, dockerfiles),
             *sessions.read(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
-            *(mention for reader in (OF_ROS if manifests else ()) for mention in reader(own)),
+            *(of_ros(own, whole) if manifests else ()),
             *(mention for reader in (only_in_manifest, lost_folders) for mention in reader.read(own, manifests)),
             *(mention for reader in BESIDE_PROSE for mention in reader(own, prose.mentions)),
             *at_top.read(own, prose.mentions, launched, python_projects),

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from roslab.evidence import git_folder, matlab, started_programs
+from collections.abc import Iterator
+
+from roslab.evidence import git_folder, matlab, started_programs, submodules
+from roslab.evidence.facts import Mention
 from roslab.evidence.native import cloned_heads, copied_headers, cuda_paths, shared_objects, templates
 from roslab.evidence.prose import (
     asked_options,
@@ -26,6 +29,7 @@ from roslab.evidence.python import (
     typestores,
 )
 from roslab.evidence.ros import handed_lists, on_machines, own_setup, started_by_scripts
+from roslab.repository.checkout import Repository
 
 MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
@@ -36,5 +40,11 @@ MENTIONED = (
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, simulator_folders.read)
 """What code and files tell beside what pages say."""
-OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read)
-"""What launch files, scripts and lists tell of a workspace of ROS."""
+_OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read)
+
+
+def of_ros(repository: Repository, whole: Repository) -> Iterator[Mention]:
+    """Yield what launch files, scripts and lists tell of a workspace of ROS, and what builds left in the ``whole``."""
+    for reader in _OF_ROS:
+        yield from reader(repository)
+    yield from on_machines.built(submodules.without(whole))

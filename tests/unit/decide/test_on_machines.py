@@ -22,6 +22,7 @@ CMAKE = {AMENT: "project(a)\nfind_package(ament_cmake REQUIRED)\n", CATKIN: "pro
 SETTINGS = '{\n  "ros.distro": "iron"\n}\n'
 INCLUDED = '{"configurations": [{"includePath": ["/opt/ros/iron/include/**"]}]}\n'
 CACHE = "actionlib_DIR:PATH=/opt/ros/indigo/share/actionlib/cmake\n"
+PREFIX = "colcon_command_prefix_build.sh.env"
 UNSAID = "nothing says which ROS distribution"
 
 
@@ -31,6 +32,10 @@ UNSAID = "nothing says which ROS distribution"
         (AMENT, {".vscode/settings.json": SETTINGS}, "iron"),
         (AMENT, {".vscode/settings.json": SETTINGS, ".vscode/c_cpp_properties.json": INCLUDED}, "iron"),
         (CATKIN, {"ws/build/CMakeCache.txt": CACHE}, "indigo"),
+        (CATKIN, {"build/CMakeCache.txt": CACHE, "build/catkin_make.cache": "a\n"}, "indigo"),
+        (AMENT, {"install/.colcon_install_layout": "", "install/setup.bash": 'A="/opt/ros/iron"\n'}, "iron"),
+        (AMENT, {"build/.built_by": "colcon\n", f"build/a/{PREFIX}": "PATH=/a\nROS_DISTRO=iron\nUSER=b\n"}, "iron"),
+        (AMENT, {f"ws/build/a/{PREFIX}": "ROS_DISTRO=iron\n"}, "iron"),
         (CATKIN, {"devel/_setup_util.py": "CMAKE_PREFIX_PATH = '/opt/ros/kinetic'.split(';')\n"}, "kinetic"),
         (AMENT, {".vscode/settings.json": SETTINGS, "README.md": "Tested on ROS 2 Jazzy.\n"}, "jazzy"),
         (CATKIN, {"scripts/run.sh": "#!/bin/bash\nsource /opt/ros/kinetic/setup.bash\n"}, "kinetic"),
@@ -51,6 +56,9 @@ def test_the_distribution_of_a_machine(tree: Tree, manifest: str, files: dict[st
         {".vscode/settings.json": SETTINGS.replace("iron", "noetic")},
         {"run.sh": "# source /opt/ros/iron/setup.bash\n"},
         {"run.sh": "source /opt/ros/iron/setup.bash || source /opt/ros/foxy/setup.bash\n"},
+        {"third_party/build/a/" + PREFIX: "ROS_DISTRO=iron\n"},
+        {"build/a/" + PREFIX: "ROS_DISTRO=iron_wheels\nMY_ROS_DISTRO=iron\n"},
+        {"config/robot.env": "ROS_DISTRO=iron\n"},
         {"third_party/run.sh": "source /opt/ros/iron/setup.bash\n"},
         {"scripts/install_old.sh": "source /opt/ros/iron/setup.bash\n"},
     ],

@@ -17,6 +17,8 @@ from roslab.values.pattern import pattern
 EDITOR = ".vscode"
 SETUPS = ("CMakeCache.txt", "setup.sh", "setup.bash", "_setup_util.py")
 """What CMake, catkin and colcon write into a build, devel or install folder, with the underlay's path."""
+_CALLED, _KEPT = "colcon_command_prefix_", ".env"
+"""How the names of those files begin and end. https://github.com/colcon/colcon-core (colcon_core/shell), 2026-11-28."""
 SCRIPTS = (".sh", ".bash", ".zsh", ".service", ".desktop", ".tmux")
 MOST = 40
 """Files that are read: a build folder has one for each package."""
@@ -29,6 +31,7 @@ _LEFT = pattern(r"(?:^|[-_.])(?:old|legacy|deprecated|obsolete|backup|bak)(?:[-_
 _NAMED = r"/opt/ros/([a-z]+)\b(?!\.)"
 _EACH = pattern(_NAMED)
 _BUILT = pattern(rf"[^\n]{{0,400}}?{_NAMED}")
+_ENVIRONMENT = pattern(r"ROS_DISTRO=([a-z]+)\s*$", re.MULTILINE)
 _LINK = pattern(r"/opt/ros/([a-z]+)/share/catkin/cmake/toplevel\.cmake\s*$")
 _SOURCED = pattern(rf"(?![ \t]*#)[^#\n]{{0,400}}?{_NAMED}")
 _SET = pattern(rf"(?![ \t]*//)[^\n]{{0,400}}?(?:{_NAMED}|\"ros\.distro\"[ \t]*:[ \t]*\"([a-z]+)\")")
@@ -40,7 +43,6 @@ def read(repository: Repository) -> Iterator[Mention]:
     A script that names several chooses among them, or is for several machines: it tells nothing.
     """
     found = [file for file in repository.suffixed(".json") if posixpath.basename(file.folder) == EDITOR]
-    found += repository.named(*SETUPS)
     for file in nearest(file for file in found if not places.aside(file.path))[:MOST]:
         yield from _named(file, repository.read(file))
     scripts = (*repository.suffixed(*SCRIPTS), *repository.named("Makefile", ".bashrc", "bashrc"))
@@ -50,6 +52,16 @@ def read(repository: Repository) -> Iterator[Mention]:
         if len(set(_EACH.findall(text)) & distros().keys()) == 1:
             yield from _named(file, text)
     yield from _links(repository)
+
+
+def built(whole: Repository) -> Iterator[Mention]:
+    """Yield each distribution that what a build wrote names: ``whole`` has the spaces of workspaces, too.
+
+    colcon keeps the environment of each of its calls, which tells also where ROS comes from conda.
+    """
+    found = [*whole.named(*SETUPS), *(file for file in whole.suffixed(_KEPT) if file.name.startswith(_CALLED))]
+    for file in nearest(file for file in found if not places.aside(file.path))[:MOST]:
+        yield from _named(file, whole.read(file))
 
 
 def is_link(mention: Mention) -> bool:
@@ -70,8 +82,9 @@ def _links(repository: Repository) -> Iterator[Mention]:
 
 
 def _named(file: File, text: str) -> Iterator[Mention]:
-    built = _SOURCED if file.suffix in SCRIPTS and file.name not in SETUPS else _BUILT
-    lines, word = (_SET, "ros") if file.suffix == ".json" else (built, "/opt/ros/")
+    said_by = _SOURCED if file.suffix in SCRIPTS and file.name not in SETUPS else _BUILT
+    lines, word = (_SET, "ros") if file.suffix == ".json" else (said_by, "/opt/ros/")
+    lines, word = (_ENVIRONMENT, "ROS_DISTRO=") if file.suffix == _KEPT else (lines, word)
     told: set[str] = set()
     for match in matching_lines(lines, text, word) if word in text else ():
         name = next(filter(None, match.groups()))
