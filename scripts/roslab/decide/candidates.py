@@ -12,13 +12,13 @@ from roslab.decide.contained import contained
 from roslab.decide.demanded_arguments import with_demands
 from roslab.decide.first_command import helps
 from roslab.decide.launch_calls import launch_calls
+from roslab.decide.notebook_server import served, server
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
 from roslab.decide.purposes import names_of_whole
 from roslab.decide.reasons import page_of
 from roslab.decide.ros.without_manifest import by_cmake
 from roslab.decide.ros.workspace import packages_of, types
-from roslab.decide.scripts import NOTEBOOK
 from roslab.decide.sessions import in_sessions
 from roslab.decide.startable_launches import unstartable
 from roslab.decide.system.by_make import builds_all
@@ -50,7 +50,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     compiled = apart or kind == "cpp" or (kind == "cuda" and _only_compiled(evidence))
     calls = launch_calls(evidence)
     files = {calls[each.file]: each for each in evidence.launch if each.file in calls}
-    said = written(evidence, kind, ros=ros, compiled=compiled)
+    said = tuple(served(each, evidence) for each in written(evidence, kind, ros=ros, compiled=compiled))
     unmade = with_unmade(evidence)
     names = tuple(names_of_whole(evidence))
     stops = [calls[file] for file in unmade if file in calls]
@@ -218,7 +218,7 @@ def of_notebooks(evidence: Evidence) -> Iterator[Candidate]:
     if evidence.notebooks and not (evidence.programs or library):
         opened = evidence.notebooks if len(evidence.notebooks) == 1 else ()
         why = "the tree consists of notebooks"
-        yield Candidate(argv=(*NOTEBOOK, *opened), why=why, file=evidence.notebooks[0], line=1, strong=False)
+        yield Candidate(argv=(*server(evidence), *opened), why=why, file=evidence.notebooks[0], line=1, strong=False)
 
 
 def _installed(evidence: Evidence, *, examples: bool) -> Iterator[Candidate]:

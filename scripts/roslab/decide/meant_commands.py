@@ -10,8 +10,9 @@ from roslab.config.model import Kind
 from roslab.decide.brought_launches import Brings, all_brought
 from roslab.decide.candidate import LAUNCHERS, Candidate, launched_by
 from roslab.decide.launch_calls import demanded, launch_calls, started_launch
+from roslab.decide.notebook_server import server
 from roslab.decide.reasons import page_of
-from roslab.decide.scripts import NOTEBOOK, RUNS
+from roslab.decide.scripts import RUNS
 from roslab.decide.sections import about_running
 from roslab.decide.startable_launches import known
 from roslab.evidence.facts import Evidence, Mention
@@ -73,7 +74,7 @@ def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
         elif said.topic == "pointed" and kind not in {"ros1", "ros2"} and _runs(said):
             argv = ("bash", said.value)
         elif said.topic == "pointed" and kind in {"python", "cuda"} and said.value.endswith(".ipynb"):
-            argv = (*NOTEBOOK, said.value)
+            argv = (*server(evidence), said.value)
         if argv:
             why = f"{page_of(said.file)} names it"
             candidate = Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True, heading=said.heading)

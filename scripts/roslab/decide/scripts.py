@@ -13,6 +13,8 @@ from roslab.values.pattern import pattern
 
 NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
 """Reachable from outside of a container, which has no browser."""
+LAB = ("jupyter", "lab", *NOTEBOOK[2:])
+"""JupyterLab's, which takes the same options."""
 PORT = "8888"
 """Where it listens: https://jupyter-server.readthedocs.io/en/latest/other/full-config.html, 2026-11-23"""
 STREAMLIT = ("streamlit", "run")
@@ -65,7 +67,9 @@ def bare(path: str) -> bool:
 
 def ports_of(argv: tuple[str, ...]) -> tuple[str, ...]:
     """Return the port of the server that a command starts."""
-    return (PORT,) if argv[: len(NOTEBOOK)] == NOTEBOOK else (PORT_OF_STREAMLIT,) if argv[:2] == STREAMLIT else ()
+    return (
+        (PORT,) if argv[: len(NOTEBOOK)] in {NOTEBOOK, LAB} else (PORT_OF_STREAMLIT,) if argv[:2] == STREAMLIT else ()
+    )
 
 
 def ports_in(argv: tuple[str, ...], evidence: Evidence) -> tuple[str, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Set
 
 from roslab.config.model import Kind
+from roslab.decide.notebook_server import package_of_server
 from roslab.decide.notebooks import opened
 from roslab.decide.python.bare import repository_of
 from roslab.decide.python.built_here import built_here
@@ -70,7 +71,8 @@ def guesses(
             found[pin.name] = pin.requirement
     first = opened(evidence, kind)
     if first and not {"jupyter", "jupyterlab", "notebook"} & {*known, *found}:
-        found["notebook"] = stated("notebook", "prose", first.file, first.line)
+        of_server = package_of_server(evidence)
+        found[of_server] = stated(of_server, "prose", first.file, first.line)
     tools = tooling("installers") | tooling("developers")
     heavy = bool(known & {"torch", "tensorflow", "jax"})
     offered, limits = linked_repositories(evidence), _limits(evidence)
