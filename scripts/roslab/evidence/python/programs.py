@@ -12,6 +12,7 @@ from roslab.evidence.python.modules import modules
 from roslab.evidence.python.own_folder import own_folder
 from roslab.evidence.python.own_tests import only_tests
 from roslab.evidence.python.packages_started import package
+from roslab.evidence.python.sample_programs import is_sample
 from roslab.evidence.python.top_level import called_like_one, first_statement
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -28,6 +29,7 @@ def read(repository: Repository) -> tuple[Program, ...]:
     """Return the Python files that are programs: a ``__main__`` guard, ``__main__.py``, a ROS node.
 
     Without a guard, what lies at the root, is called ``main_….py``, ``run_….py`` or ``demo_….py``, and does something.
+    None is what a tool wrote into a new project to be replaced.
     """
     return repository.once(_programs)
 
@@ -41,7 +43,7 @@ def _programs(repository: Repository) -> tuple[Program, ...]:
         if file.name == "__main__.py":
             found.append(Program(file=file.path, line=1, kind="main", module=package(repository, module)))
         elif "__main__" in module.words and (match := first_line(_MAIN, text, "__main__")):
-            if only_tests(text[match.end() :]):
+            if only_tests(text[match.end() :]) or is_sample(text):
                 continue
             node = module.names_ros and bool(_NODE.search(text))
             found.append(
@@ -54,6 +56,8 @@ def _programs(repository: Repository) -> tuple[Program, ...]:
                 )
             )
         elif not file.folder and called_like_one(file.name) and (line := first_statement(text)):
+            if is_sample(text):
+                continue
             node = module.names_ros and bool(_NODE.search(text))
             found.append(Program(file=file.path, line=line, kind="node" if node else "main", guarded=False))
     near = (each.file for each in found if each.kind == "main" and each.file.count("/") <= 1)
