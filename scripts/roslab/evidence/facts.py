@@ -73,6 +73,8 @@ class RequirementFile:
     """The line of each of ``includes``."""
     misplaced: tuple[tuple[str, str, int], ...] = ()
     """What it includes by a path that the tree does not have: that path, the one taken in its place, and the line."""
+    unread: tuple[int, ...] = ()
+    """Lines that pip refuses, and of which nothing tells what they ask for."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

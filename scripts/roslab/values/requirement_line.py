@@ -25,6 +25,8 @@ _PATH = pattern(r"[\w./-]+(?:\[.*\])?")
 _NAME = pattern(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\])?\s*(.*)")
 _VERSIONS = pattern(r"\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?")
 _EXPORTED = pattern(r"=([\w.+!-]+?)(?:=[^=\s]+)?")
+_SLIP = pattern(r"([=<>~!:\s-]*)v?(\d[\w.*+!]*?)\.?")
+"""A version with signs in another order, too few or too many of them, or a last full stop."""
 _EGG = pattern(r"[#&]egg=([\w.-]+)")
 _LAST = pattern(r"/([\w.-]+?)(?:\.git(?:@.*)?|@[^/]*)?/?$")
 _BLANKS = pattern(r"\s+")
@@ -143,10 +145,12 @@ def _repaired(text: str) -> Requirement | None:
         return None
     name, listed, rest = matched[1], (matched[2] or "").replace(" ", ""), matched[3].strip()
     extras = tuple(sorted(filter(None, listed.strip("[]").split(","))))
-    if not rest:  # its marker was what pip cannot read
+    if not rest or rest.startswith("@"):  # its marker was what pip cannot read, or conda's path of the author's machine
         return _NOWHERE(name=name, written=name + listed, extras=extras, role="repaired")
-    if rest.startswith("@"):  # pip freeze in conda: a path of the author's machine
-        return _NOWHERE(name=name, written=name + listed, extras=extras, role="repaired")
+    if slip := _slip(rest):
+        return _NOWHERE(
+            name=name, written=name + listed + slip, specifier=specifiers(slip) or FREE, extras=extras, role="repaired"
+        )
     if _VERSIONS.fullmatch(rest):
         allowed = specifiers(rest)
         written = re.sub(r"[\s()]+", "", rest) if allowed is None else str(allowed)
@@ -154,8 +158,27 @@ def _repaired(text: str) -> Requirement | None:
         return _NOWHERE(name=name, written=name + listed + written, specifier=allowed or FREE, extras=extras, role=role)
     if exported := _EXPORTED.fullmatch(rest):  # conda list --export: name=version=build
         pinned = specifiers(f"=={exported[1]}")
-        return _NOWHERE(name=name, written=f"{name}=={exported[1]}", specifier=pinned or FREE, role="repaired")
+        written = f"{name}=={exported[1]}" if pinned else name + listed
+        return _NOWHERE(name=name, written=written, specifier=pinned or FREE, extras=extras, role="repaired")
     return None
+
+
+def _slip(text: str) -> str:
+    """Return the versions that are meant where signs slipped (``=>1.2``, ``=-7.0``, ``1.2``), ``""`` of any other text.
+
+    A number alone may be a word of a sentence.
+    """
+    meant = []
+    for part in text.split(","):
+        found = _SLIP.fullmatch(part.strip())
+        signs = re.sub(r"[\s:-]", "", found[1]) if found else ""
+        if found is None or not (signs or "." in found[2]) or ({"<", ">"} <= {*signs}):
+            return ""
+        compares = next((sign for sign in "><~!" if sign in signs), "=")
+        operator = compares if compares in "<>" and "=" not in signs else "==" if compares == "=" else f"{compares}="
+        meant.append(f"{operator}{found[2]}")
+    written = ",".join(meant)
+    return written if specifiers(written) and written != re.sub(r"\s", "", text) else ""
 
 
 def _named(url: str) -> str:

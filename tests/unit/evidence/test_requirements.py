@@ -45,6 +45,24 @@ def test_a_line_means_what_its_author_meant(tmp_path: Path, line: str, name: str
     assert (asked.written, asked.role, asked.line) == (name, role, 2)
 
 
+def test_lines_that_pip_refuses_are_told(tmp_path: Path) -> None:
+    lines = (
+        "Requirements:",
+        "numpy",
+        "Python 3",
+        "lib/a",
+        "a/b c",
+        "$HOME/a",
+        "--odd",
+        "six == new or so",
+        "",
+        "os ->",
+    )
+    file = read(tmp_path, {"requirements.txt": "\n".join(lines)})["requirements.txt"]
+    assert [each.written for each in file.requirements] == ["numpy"]
+    assert file.unread == (1, 3, 8)
+
+
 def test_markers_are_read(tmp_path: Path) -> None:
     found = read(tmp_path, {"requirements.txt": "pywin32; sys_platform == 'win32'\n"})
     assert str(found["requirements.txt"].requirements[0].marker) == 'sys_platform == "win32"'

@@ -28,6 +28,15 @@ WHEEL = "https://e.org/whl/cu113/torch-1.10.0%2Bcu113-cp38-cp38-linux_x86_64.whl
         ("six (>=1)", "six", "six>=1", None, ""),
         ("six; python_version<3.8", "six", "six", None, "repaired"),
         ("six==1.0-odd", "six", "six==1.0-odd", None, ""),
+        ("numpy=>1.2", "numpy", "numpy>=1.2", None, "repaired"),
+        ("numpy =< 2, => 1.2", "numpy", "numpy<=2,>=1.2", None, "repaired"),
+        ("numpy=~1.2", "numpy", "numpy~=1.2", "1.2", "repaired"),
+        ("Pillow=-7.0.0", "pillow", "Pillow==7.0.0", "7.0.0", "repaired"),
+        ("Pillow==-7.0.0", "pillow", "Pillow==7.0.0", "7.0.0", "repaired"),
+        ("Pillow==7.0.", "pillow", "Pillow==7.0", "7.0", "repaired"),
+        ("numpy[a]:1.2", "numpy", "numpy[a]==1.2", "1.2", "repaired"),
+        ("numpy   1.2.3", "numpy", "numpy==1.2.3", "1.2.3", "repaired"),
+        ("numpy=latest", "numpy", "numpy", None, "repaired"),
         ("certifi=2020.6.20=py37_0", "certifi", "certifi==2020.6.20", "2020.6.20", "repaired"),
         (
             "git+https://github.com/a/Some_Thing.git@v1",
@@ -49,7 +58,9 @@ def test_a_line_is_read_once(line: str, key: str, text: str, release: str | None
     assert (asked.key, asked.text, asked.release, asked.role) == (key, text, release, role)
 
 
-@pytest.mark.parametrize("line", ["two words", "", "==1", "$NAME", "a==", "<name>"])
+@pytest.mark.parametrize(
+    "line", ["two words", "numpy 3", "a<>1.2", "numpy: 1.2 or so", "", "==1", "$NAME", "a==", "<name>"]
+)
 def test_what_names_nothing_is_none(line: str) -> None:
     assert requirement(line, "manifest") is None
 

@@ -20,6 +20,7 @@ from roslab.decide.python.nightlies import told as of_nightly
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
 from roslab.decide.python.too_new import in_python, loosened, told, unmet
+from roslab.decide.python.unread_lines import unread_lines
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
@@ -204,19 +205,20 @@ def repair(
             missing = [asked for asked in missing if not of_ros(asked.key)]
         short = [asked for asked in found if in_full(asked) is not asked]
         absent, astray = lacking(evidence, [file]), misplaced(evidence, file)
+        unread = unread_lines(evidence, file)
         newer = [each for each in found if each in loose or unmet(each, python) or in_python(each, python)]
         wrong = mistaken(found)
         folders = any(asked.role == "project" for asked in found)
         pinned = [asked for asked in found if asked.url and bare(asked)]
-        if not any((spelled, short, taken, missing, absent, astray, newer, wrong, folders, pinned)):
+        if not any((spelled, unread, short, taken, missing, absent, astray, newer, wrong, folders, pinned)):
             continue
         found = [asked for asked in found if asked not in wrong]
         broken.add(file.file)
         named = _kept((each for each in loosened(found, python, loose) if each.role != "project"), names, pages)
         kept += named
-        tried += named if spelled or absent else []
+        tried += named if spelled or unread or absent else []
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
-        warnings += [warn(text, asked) for asked in spelled[:1]]
+        warnings += [*(warn(text, asked) for asked in spelled[:1]), *unread]
         warnings += map(_in_full, short)
         warnings += [*gone(absent, cloned_files(evidence, [file])), *astray]
         warnings += [unfit(asked) for asked in missing if asked.key not in names]

@@ -43,6 +43,8 @@ _LONG = {"-i": "--index-url", "-f": "--find-links"}
 _LISTS = (".txt", ".in", ".pip", ".list", ".req", ".reqs")
 _NESTED = pattern(r"^(?:-r|--requirement)[ =]*(\S+)$")
 _COMMENTED = pattern(r"^[ \t]*#[ \t]*(?:-r|--requirement)[ =]*(\S+)", re.MULTILINE)
+_WORDS = pattern(r"\w[\w.-]*(?:\s*:|\s+[\w(:=<>].*|\s*[=<>~!][^/$]*)")
+"""A line that is neither a path, nor an address, nor an option, nor the name of a package alone."""
 _CONSTRAINT = pattern(r"^(?:-c|--constraint)[ =]*(\S+)$")
 
 
@@ -124,6 +126,7 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
     includes: list[tuple[str, int]] = []
     constraints: list[str] = []
     options: list[str] = []
+    unread: list[int] = []
     folder = path.rpartition("/")[0]
     of_conda = conda_list.exported(text)
     for number, line in _lines(text):
@@ -142,6 +145,7 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
             several, given = _several(line, path, number)
             found += several
             options += given
+            unread += [number] if not (several or given) and _WORDS.fullmatch(line) else []
     return RequirementFile(
         file=path,
         line=1,
@@ -151,6 +155,7 @@ def parse(text: str, path: str, purpose: Purpose) -> RequirementFile:
         constraints=tuple(constraint for constraint in constraints if constraint),
         options=tuple(dict.fromkeys(options)),
         purpose=purpose,
+        unread=tuple(unread),
     )
 
 
