@@ -26,11 +26,11 @@ _SERVES = pattern(
     r"record\w*|collect\w*|tokenize\w*|generate\w*|gen|export\w*|annotate\w*|"
     r"get[_-](?:repos?|repositor(?:y|ies)|dep(?:s|endenc(?:y|ies))|submodules?|data(?:sets?)?|weights|models?|assets)|"
     r"(?:add|init\w*|sync|pull)[_-](?:git[_-])?(?:repos?|repositor(?:y|ies)|submodules?)|"
-    r"create[_-](?:conda[_-])?(?:v?env|environment)\w*|build|make|compile|config\w*|clone|update|fetch|clean|docker\w*|lint|tidy|udev\w*|stat(?:istic)?s|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"
+    r"create[_-](?:conda[_-])?(?:v?env|environment)\w*|build|make|compile|config(?!urator)\w*|clone|update|fetch|clean|docker\w*|lint|tidy|udev\w*|stat(?:istic)?s|reset|kill\w*|stop|shut-?down)(?:[_.-]|$)|"
     r"^(?:(?:source|load|activate|export)[_-])?v?env$",
     re.IGNORECASE,
 )
-"""The name of a program that serves the one that is meant."""
+"""The name of a program that serves the one that is meant; a configurator is one to work with."""
 _INTERFACE = pattern(r"(?:^|[/_.-])(?:v?can\d?|slcan\d?|can2usb)(?:[_.-][\w.-]*)?\.(?:ba)?sh$", re.IGNORECASE)
 """A script of the shell that sets up a CAN bus of the machine, which takes its administrator."""
 _DATASET = pattern(r"(?:^|[_.-])(?:datasets?|data)(?:[_.-]|$)", re.IGNORECASE)

@@ -1292,3 +1292,12 @@ def test_what_runs_a_model_is_no_converter(tree: Tree, name: str, *, makes_one: 
     script = "import numpy\nif __name__ == '__main__':\n    print(1)\n"
     decision = tree({"README.md": page, "requirements.txt": "numpy\n", f"{name}.py": script, "tool.py": script})
     assert " ".join(decision.command) == ("bash" if makes_one else f"python {name}.py --input a")
+
+
+def test_a_configurator_is_a_program_to_work_with(tree: Tree) -> None:
+    files = {
+        "start_configurator.py": "import six\nsix.go()\n",
+        "demo/b.py": "if __name__ == '__main__':\n    print(1)\n",
+    }
+    page = "# GUI\n```\npython start_configurator.py\n```\n"
+    assert tree({**files, "README.md": page}).command == ("python", "start_configurator.py")
