@@ -327,6 +327,28 @@ def test_an_entry_that_the_commit_has_no_more_is_cloned_where_it_is_needed(
     assert said.endswith("the image clones its newest state" if cloned else "nothing names it, and it is left out")
 
 
+@pytest.mark.parametrize(
+    ("url", "step", "cloned"),
+    [
+        ("https://github.com/lab/Net", "cd net && pip install -e .", ["libs/net"]),
+        ("https://github.com/lab/Net", "cd old/net && pip install -e .", ["libs/net", "old/net"]),
+        ("https://github.com/lab/other.git", "cd net && pip install -e .", ["libs/net", "old/net"]),
+    ],
+)
+def test_an_entry_is_left_over_where_the_commit_has_its_repository_elsewhere(
+    tmp_path: Path, url: str, step: str, cloned: list[str]
+) -> None:
+    modules = f'[submodule "a"]\n\tpath = old/net\n\turl = {url}\n'
+    modules += '[submodule "b"]\n\tpath = libs/net\n\turl = https://github.com/lab/net.git\n'
+    files = {"play.py": f"import numpy\n{MAIN}", "requirements.txt": "numpy\n", ".gitmodules": modules}
+    tree = linked(tmp_path, {**files, "README.md": f"```\n{step}\n```\n"}, "libs/net")
+    plan = plan_repository(tree).plan
+    assert sorted(each.name for each in plan.workspace.submodules) == cloned
+    said = [each.message for each in plan.warnings if "no submodule in this commit" in each.message]
+    ends = "libs/net is of the same repository, and it is left out" if len(cloned) == 1 else "clones its newest state"
+    assert [each.endswith(ends) for each in said] == [True]
+
+
 def test_no_clone_is_promised_of_what_cannot_be_cloned(tmp_path: Path) -> None:
     modules = '[submodule "a"]\n\tpath = libs/net\n\turl = /home/me/net\n'
     modules += '[submodule "b"]\n\tpath = libs/arm\n\turl = https://github.com/lab/arm.git\n'

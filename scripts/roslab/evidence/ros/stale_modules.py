@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
@@ -59,8 +60,24 @@ def _names(text: str, name: str, word: re.Pattern[str], page: bool) -> bool:
     return False
 
 
-def fate(repository: Repository, module: GitSource) -> str:
-    """Return what becomes of such an entry."""
+def elsewhere(repository: Repository, module: GitSource, there: Iterable[GitSource]) -> str:
+    """Return where the commit has the same repository under another path, if nothing names the path of this entry.
+
+    ``there``: the submodules that it has.
+    """
+    same = (each.name for each in there if each.name != module.name and _bare(each.url) == _bare(module.url))
+    path = next(same, "")
+    return "" if path and any(module.name in text for text, _ in repository.once(_texts)) else path
+
+
+def _bare(url: str) -> str:
+    return url.rstrip("/").removesuffix(".git").lower()
+
+
+def fate(repository: Repository, module: GitSource, there: Iterable[GitSource]) -> str:
+    """Return what becomes of such an entry beside the submodules that are ``there``."""
     if not named(repository, module.name):
         return "nothing names it, and it is left out"
+    if path := elsewhere(repository, module, there):
+        return f"{path} is of the same repository, and it is left out"
     return "the image clones its newest state" if can_be_cloned(module) else "the image cannot clone it either"

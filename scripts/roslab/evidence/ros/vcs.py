@@ -15,7 +15,7 @@ from roslab.evidence import git_modules, places
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.fixtures import of_tests
 from roslab.evidence.ros import handed_lists
-from roslab.evidence.ros.stale_modules import fate, named
+from roslab.evidence.ros.stale_modules import elsewhere, fate, named
 from roslab.knowledge.compiled import public_hosts
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
@@ -51,13 +51,14 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
 def _with_commits(repository: Repository, modules: tuple[GitSource, ...]) -> Iterator[GitSource]:
     """Mark the submodules that are not checked out, and give them the commits that the repository records.
 
-    Without those that it has no more and that nothing names.
+    Without those that it has no more and that nothing names, or of which it has the repository elsewhere.
     """
     missing = tuple(module.name for module in modules if not _checked_out(repository, module))
     commits = repository.recorded(missing)
-    stale = {name for name in missing if repository.committed and name not in commits and not named(repository, name)}
+    gone = {name for name in missing if repository.committed and name not in commits}
+    there = [module for module in modules if module.name not in gone]
     for module in modules:
-        if module.name in stale:
+        if module.name in gone and (not named(repository, module.name) or elsewhere(repository, module, there)):
             continue
         if module.name in missing:
             yield replace(module, absent=True, ref=commits.get(module.name, module.ref))
@@ -79,7 +80,9 @@ def absent(repository: Repository) -> tuple[tuple[str, str, int], ...]:
     lacking = [source for source in repository.once(_submodules) if not _checked_out(repository, source)]
     recorded = repository.recorded(tuple(source.name for source in lacking)) if repository.committed else None
     there = [source for source in lacking if recorded is None or source.name in recorded]
-    gone = {source: fate(repository, source) for source in lacking if source not in there}
+    left = [source for source in lacking if source not in there]
+    others = [source for source in repository.once(_submodules) if source not in left]
+    gone = {source: fate(repository, source, others) for source in left}
     if there:
         names = ", ".join(source.name for source in there)
         what = "a submodule is" if len(there) == 1 else "submodules are"
