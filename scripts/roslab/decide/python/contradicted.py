@@ -1,6 +1,8 @@
-"""Packages that the author limits to releases which another one does not work with, without saying so itself.
+"""Packages that the author limits to releases which another one does not work with.
 
-pip takes such a pair, and what imports the other one stops: TensorFlow 2 beside stable-baselines.
+Of most the other one does not say so itself: pip takes such a pair, and what imports that one stops: TensorFlow 2
+beside stable-baselines. What is made for one release of a framework says so, and pip refuses another: torch 1.8 beside
+torchvision 0.8.
 """
 
 from __future__ import annotations
@@ -15,6 +17,7 @@ from roslab.knowledge.frameworks import instead_of, last_below, tabled, unstated
 from roslab.knowledge.undeclared_limits import undeclared_limits
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
+from roslab.values.version import Version
 
 
 def contradicted(asked: Iterable[Requirement]) -> Iterator[Warning_]:
@@ -30,6 +33,29 @@ def contradicted(asked: Iterable[Requirement]) -> Iterator[Warning_]:
             place = f" ({each.file}:{each.line})" if each.file else ""
             what = f"{each.written}{place} needs {need.written} but does not say so: {other.written} does not meet it"
             yield warn(f"{what}: what imports {each.name} stops; {_advice(each, need, other)}", other)
+    yield from _unmatched(named)
+
+
+def _unmatched(named: Sequence[Requirement]) -> Iterator[Warning_]:
+    """Yield a warning for each package that is pinned to what was made for another release of a pinned framework."""
+    from roslab.knowledge.released_with import released_with  # noqa: PLC0415 - few trees name such packages
+
+    pins = {each.key: (each, release) for each in reversed(named) if (release := _pinned(each))}
+    for each, release in pins.values():
+        framework, of = released_with().get((each.key, release), ("", ""))
+        other, there = pins.get(framework, (each, of))
+        if Version(there or "0") == Version(of or "0"):
+            continue
+        fits = [own for (key, own), made in released_with().items() if (key, made) == (each.key, (framework, there))]
+        write = f"`{each.name}=={max(fits, key=Version)}`" if fits else f"the release of {each.name} for that one"
+        what = f"{each.written} is made for {framework} {of}, and {other.written} is asked for: pip refuses such a pair"
+        yield warn(f"{what}, and the image may have it as it is, or another {framework}; write {write} here", each)
+
+
+def _pinned(asked: Requirement) -> str:
+    """Return the release that a package is pinned to, without its build (``+cu111``), ``""`` where it is not pinned."""
+    exact = any(each.operator == "==" and "*" not in each.version for each in asked.specifier)
+    return (asked.release or "").partition("+")[0] if exact and not asked.marker else ""
 
 
 def _needs(asked: Requirement) -> Iterator[Requirement]:
