@@ -133,13 +133,14 @@ def _for_others(values: tuple[Scalar, ...], branch: str) -> bool:
 def _by_values(values: tuple[Scalar, ...], text: str, path: str) -> Prose:
     """Read the values of a YAML file as shell, and those of some keys as package lists or images."""
     from roslab.evidence.prose.ci_conditions import titled  # noqa: PLC0415 - many trees have no CI
+    from roslab.evidence.prose.ci_deploys import without_deploys  # noqa: PLC0415 - many trees have no CI
     from roslab.evidence.prose.ci_variables import filled  # noqa: PLC0415 - many trees have no CI
     from roslab.evidence.prose.taken_out import conditional, taken_out  # noqa: PLC0415 - many trees have no CI
     from roslab.evidence.prose.upstream import upstream  # noqa: PLC0415 - many trees have no CI
 
     collector = Collector(path, "ci")
     images = []
-    for value in values:
+    for value in without_deploys(values, text, path):
         if value.key == "packages" and value.item:
             if re.fullmatch(r"[\w.+-]+", value.text):
                 collector.logical(f"apt-get install {value.text}", value.line)
