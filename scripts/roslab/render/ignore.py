@@ -26,6 +26,11 @@ MAX_JUDGED = 64 * 1024
 MAX_COMPARED = 2_000_000
 """Limit for comparing parts of lines with parts of the paths that the Dockerfile needs: a hundred lines, as in the
 longest real files, and a thousand deep paths take half of it."""
+_PAGES = ("README.md", "README.rst", "README.txt", "LICENSE", "LICENSE.md", "LICENSE.txt")
+"""What projects of Python name, or read in setup.py, for their description: no tool builds one without these.
+
+https://packaging.python.org/en/latest/guides/writing-pyproject-toml/#readme, 2026-11-28.
+"""
 Parts = tuple[str, ...]
 """A line's shell patterns, one for each part of a path; ``**`` stands for any number of folders."""
 
@@ -73,13 +78,15 @@ def _needed(plan: Plan) -> tuple[str, ...]:
     python = plan.python
     manifests = plan.rosdep.manifests if plan.rosdep else ()
     conda = (python.conda_file,) if python.conda_file else ()
-    folders = (folder for folder in plan.workspace.python_projects if folder not in ("", "."))
+    projects = plan.workspace.python_projects
+    folders = (folder for folder in projects if folder not in ("", "."))
     program = plan.workspace.program
     cmake = (posixpath.join(program.folder, "CMakeLists.txt"),) if program else ()
     sources = (*plan.libraries, *plan.workspace.sources, *plan.workspace.submodules)
     held = (path for path, _ in own_files(plan.own_packages))
     files = (*manifests, *cmake, *held, *(patch.path for each in sources for patch in each.patches))
-    needed = {*python.manifests, *python.requirements, *conda, *folders, *files}
+    pages = (posixpath.normpath(posixpath.join(folder, page)) for folder in projects for page in _PAGES)
+    needed = {*python.manifests, *python.requirements, *conda, *folders, *files, *pages}
     whole = plan.kind not in {"ros1", "ros2"} or any("/" not in path for path in manifests)
     return tuple(sorted(needed | {ROOT} if whole else needed))
 

@@ -118,6 +118,25 @@ def test_a_package_comes_back_as_its_manifest_where_only_that_was_shut_out(plan:
     assert keeps_out(lines, "robot/launch.xml")
 
 
+@pytest.mark.parametrize(
+    ("projects", "line", "again"),
+    [
+        ((".",), "README.md", ["!README.md"]),
+        ((".",), "LICENSE", ["!LICENSE"]),
+        ((".",), "**/*.md", ["!LICENSE.md", "!README.md"]),
+        (("lib/arm",), "**/README*", ["!lib/arm/README.md", "!lib/arm/README.rst", "!lib/arm/README.txt"]),
+        (("lib/arm",), "README.md", []),  # of the root, which is no project
+        ((".",), "docs/README.md", []),
+        ((), "README.md", []),
+    ],
+)
+def test_what_the_description_of_a_project_is_read_from_comes_back(
+    plan: Plans, projects: tuple[str, ...], line: str, again: list[str]
+) -> None:
+    lines = lines_of(ignore(plan(python_projects=projects, ignore=(line, "*.key"))))
+    assert lines[: 2 + len(again)] == [line, *again, "*.key"]
+
+
 def test_a_name_with_wildcards_is_written_to_the_letter(plan: Plans) -> None:
     lines = lines_of(ignore(plan(requirements=("req[1]*.txt",), ignore=("*.txt",))))
     assert lines[1] == r"!req\[1]\*.txt"
