@@ -13,6 +13,8 @@ from roslab.plan.packages import own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.output import MARKER, Beside
+from roslab.values.pattern import pattern
+from roslab.values.words import line_of
 
 HEADER = f"# {MARKER}. docker reads this file for Dockerfile, instead of .dockerignore.\n"
 ANY_DEPTH = "**"
@@ -31,6 +33,8 @@ _PAGES = ("README.md", "README.rst", "README.txt", "LICENSE", "LICENSE.md", "LIC
 
 https://packaging.python.org/en/latest/guides/writing-pyproject-toml/#readme, 2026-11-28.
 """
+_FILE = pattern(r"(?![-./])[\w./-]{1,200}\.\w{1,10}")
+"""A word of a command that may be a path from the root."""
 Parts = tuple[str, ...]
 """A line's shell patterns, one for each part of a path; ``**`` stands for any number of folders."""
 
@@ -74,7 +78,7 @@ def keeps_out(lines: Sequence[str], path: str) -> bool:
 
 
 def _needed(plan: Plan) -> tuple[str, ...]:
-    """Return the files and folders that the Dockerfile names."""
+    """Return the files and folders that the Dockerfile names, with those that its command does."""
     python = plan.python
     manifests = plan.rosdep.manifests if plan.rosdep else ()
     conda = (python.conda_file,) if python.conda_file else ()
@@ -86,7 +90,10 @@ def _needed(plan: Plan) -> tuple[str, ...]:
     held = (path for path, _ in own_files(plan.own_packages))
     files = (*manifests, *cmake, *held, *(patch.path for each in sources for patch in each.patches))
     pages = (posixpath.normpath(posixpath.join(folder, page)) for folder in projects for page in _PAGES)
-    needed = {*python.manifests, *python.requirements, *conda, *folders, *files, *pages}
+    command = line_of(plan.run.command).split()
+    named = () if command[:1] in (["roslaunch"], ["rosrun"], ["ros2"]) else map(posixpath.normpath, command)
+    started = (word for word in named if _FILE.fullmatch(word))
+    needed = {*python.manifests, *python.requirements, *conda, *folders, *files, *pages, *started}
     whole = plan.kind not in {"ros1", "ros2"} or any("/" not in path for path in manifests)
     return tuple(sorted(needed | {ROOT} if whole else needed))
 

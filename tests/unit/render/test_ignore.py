@@ -94,7 +94,9 @@ def test_what_is_not_shut_out_is_not_named(plan: Plans) -> None:
 
 def test_a_package_comes_back_whole_where_its_folder_was_shut_out(plan: Plans) -> None:
     keys = rosdep("src/robot/package.xml")
-    lines = lines_of(ignore(plan(kind="ros1", rosdep=keys, ignore=("*", "!docs", "**/build", "*.bag"))))
+    lines = lines_of(
+        ignore(plan(kind="ros1", command=("bash",), rosdep=keys, ignore=("*", "!docs", "**/build", "*.bag")))
+    )
     assert lines[:2] == ["*", "!src/robot"]
     assert not keeps_out(lines, "src/robot/src/main.cpp")
     assert keeps_out(lines, "src/robot/build")
@@ -103,7 +105,8 @@ def test_a_package_comes_back_whole_where_its_folder_was_shut_out(plan: Plans) -
 
 def test_a_package_comes_back_whole_where_the_author_lets_in_its_manifest_alone(plan: Plans) -> None:
     keys = rosdep("robot/package.xml", "src/arm/package.xml")
-    lines = lines_of(ignore(plan(kind="ros2", rosdep=keys, ignore=("**", "!**/package.xml", "*.bag", "robot/data"))))
+    shut = ("**", "!**/package.xml", "*.bag", "robot/data")
+    lines = lines_of(ignore(plan(kind="ros2", command=("bash",), rosdep=keys, ignore=shut)))
     assert lines[:4] == ["**", "!robot", "!src/arm", "!**/package.xml"]
     assert not keeps_out(lines, "robot/CMakeLists.txt")
     assert not keeps_out(lines, "src/arm/src/main.cpp")
@@ -134,6 +137,26 @@ def test_what_the_description_of_a_project_is_read_from_comes_back(
     plan: Plans, projects: tuple[str, ...], line: str, again: list[str]
 ) -> None:
     lines = lines_of(ignore(plan(python_projects=projects, ignore=(line, "*.key"))))
+    assert lines[: 2 + len(again)] == [line, *again, "*.key"]
+
+
+@pytest.mark.parametrize(
+    ("command", "line", "again"),
+    [
+        (("python3", "bin/train.py", "--config", "config/a.yaml"), "**/bin", ["!bin"]),
+        (("python3", "./tools/train.py"), "**/*.py", ["!tools/train.py"]),
+        (("python3", "train.py", "--config", "config/a.yaml"), "config/*.yaml", ["!config/a.yaml"]),
+        ("source setup.sh && python3 bin/train.py", "bin", ["!bin"]),
+        (("ros2", "launch", "demo", "demo.launch.py"), "*.py", []),  # a package has it
+        (("python3", "/opt/bin/train.py"), "opt", []),
+        (("python3", "-m", "demo.train"), "demo", []),
+        (("python3", "train.py"), "data", []),
+    ],
+)
+def test_what_the_command_names_comes_back(
+    plan: Plans, command: tuple[str, ...] | str, line: str, again: list[str]
+) -> None:
+    lines = lines_of(ignore(plan(command=command, ignore=(line, "*.key"))))
     assert lines[: 2 + len(again)] == [line, *again, "*.key"]
 
 
