@@ -58,7 +58,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         told = with_demands(_below(each, evidence) if compiled else each, files)
         yield replace(told, unmade=_starts(each, stops), names=names)
     yield from contained(evidence, kind, compiled=compiled)
-    yield from () if any(each.strong for each in said) else in_sessions(evidence, kind, compiled=compiled)
+    yield from in_sessions(evidence, kind, compiled=compiled, written=any(each.strong for each in said))
     if not compiled and not any(each.strong for each in said):
         yield from _explained(evidence, ros=ros)
     if ros:

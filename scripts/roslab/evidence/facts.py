@@ -154,6 +154,7 @@ class Mention:
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import", "from_above",
         "optional_ros", "typestore", "cuda_path", "lost_module", "screen", "mounted", "argument_count",
         "copied_header",
+        "session_loaded",
     ]  # fmt: skip
     value: str
     source: Literal[

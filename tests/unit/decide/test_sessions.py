@@ -27,6 +27,7 @@ FILES = {
     "README.md": "# Demo\nA simulator for ROS Noetic.\n",
 }
 A = ("roslaunch", "demo", "a.launch")
+B = ("roslaunch", "demo", "b.launch")
 CONFIGURED = (*A, "config:=tmux/one/config/a.yaml")
 
 
@@ -67,3 +68,26 @@ def test_a_session_counts_more_than_the_name_of_a_launch_file(tree: Tree) -> Non
 def test_a_session_that_holds_itself_ends(tree: Tree) -> None:
     held = "windows:\n  - &b {layout: x, panes: [*b, 'roslaunch demo a.launch']}\n"
     assert tree(FILES | {"tmux/one/session.yml": held}).kind == "ros1"
+
+
+LOADS = "# Demo\n## Run\n```\ncd tmux/one\n{}\n```\nThen run `roslaunch demo b.launch`.\n"
+
+
+@pytest.mark.parametrize(
+    ("loads", "more", "command"),
+    [
+        ("tmuxp load session.yml", {}, A),
+        ("tmuxp load -d ./session.yml", {}, A),
+        ("tmuxinator start -p session.yml", {}, A),
+        ("tmuxinator start --project-config=session.yml", {}, A),
+        ("tmuxp load demo", {}, B),
+        ("tmuxp load other.yml", {}, B),
+        ("tmuxp freeze session.yml", {}, B),
+        ("tmuxp load session.yml", {"tmux/two/session.yml": TMUXP}, B),
+        ("tmuxp load tmux/one/session.yml", {"tmux/two/session.yml": TMUXP}, A),
+        ("roslaunch demo b.launch; tmuxp load session.yml", {}, B),
+    ],
+)
+def test_what_a_page_loads_it_runs(tree: Tree, loads: str, more: dict[str, str], command: tuple[str, ...]) -> None:
+    decision = tree(FILES | {"tmux/one/session.yml": TMUXP, "README.md": LOADS.format(loads), **more})
+    assert decision.command == command

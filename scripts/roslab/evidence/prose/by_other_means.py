@@ -10,6 +10,7 @@ from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.evidence.prose import downloads, own_packages, patches, single_headers
 from roslab.evidence.prose.archives import is_release
 from roslab.evidence.prose.entered import entered
+from roslab.evidence.prose.loaded_sessions import loaded_session
 from roslab.evidence.python.install_lines import builds_in_place
 from roslab.values.pattern import pattern
 
@@ -28,6 +29,7 @@ Topic = Literal[
     "patched",
     "single_header",
     "make",
+    "session_loaded",
 ]
 _PACKAGES = pattern(r"\.(?:deb|run|sh|tar(?:\.\w+)?|tgz|zip|AppImage)$")
 _INSTALLATION = pattern(r"instal|depend|prereq|requir|setup|set up|compil|getting started", re.IGNORECASE)
@@ -88,6 +90,7 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
 def _entering(words: tuple[str, ...]) -> Iterator[tuple[Topic, str]]:
     if environment := entered(words):
         yield "entered", environment
+    yield from (("session_loaded", path) for path in loaded_session(words))
 
 
 def _making(words: tuple[str, ...], folder: str) -> Iterator[tuple[Topic, str]]:

@@ -57,6 +57,7 @@ SIGNS: Signs = tuple(
         ("unzip", r"\bunzip\s"),
         ("docker", r"\bdocker\s"),
         ("mkdir", r"\bmkdir\s"),
+        ("tmux", r"\b(?:tmuxp\s+load|tmuxinator\s+(?:start|local))\s"),
         ("_IGNORE", r"\btouch\s"),
         ("/include", r"\b(?:mv|cp|install)\s"),
         ("./", r"(?:^|[\s`$])\.{1,2}/\w"),
