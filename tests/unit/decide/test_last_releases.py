@@ -36,3 +36,19 @@ def test_the_reason_names_them(tree: Tree) -> None:
     named = "numpy==1.24.4, scipy==1.10.1, pandas==2.0.3, matplotlib==3.7.5 and 1 more are each the last release for it"
     assert named in said
     assert "fits every pin below" in said
+
+
+@pytest.mark.parametrize(
+    ("pins", "python"),
+    [
+        (("pytest==5.3.5", "numpy==1.24.2"), "3.8"),
+        (("pytest==6.2.4", "numpy==1.26.0"), "3.9"),
+        (("pytest==6.2.5", "numpy==1.24.2"), "3.10"),
+        (("pytest>=5", "numpy==1.24.2"), "3.10"),
+        (("pytest==5.3.5", "numpy==2.1.0"), "3.10"),  # which is for no older one
+        (("pytest==5.3.5",), "3.8"),
+    ],
+)
+def test_an_old_pytest_asks_for_an_old_python(tree: Tree, pins: tuple[str, ...], python: str) -> None:
+    files = {"requirements.txt": "\n".join(pins), "main.py": "print(1)\n"}
+    assert (tree(files).python.version or "3.10") == python

@@ -6,9 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import groupby
 
 from roslab.decide.python.pins import Pin
+from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.ranges import Range
 from roslab.decide.python.weights import VersionWeight as Weight
 from roslab.decide.reasons import because
+from roslab.values.version import Version
 
 FEWEST = 3
 """Releases that show by more than chance that there was no newer one for the author's Python."""
@@ -19,11 +21,23 @@ _MOST = 4
 
 
 def ranges_of_lists(pins: Iterable[Pin]) -> Iterator[Range]:
-    """Yield the Python for which several of a list's releases are each the last."""
+    """Yield the Python for which several of a list's releases are each the last, then those on which a release runs."""
     listed = [pin for pin in pins if pin.trust >= _LISTED and pin.release]
     for _, group in groupby(sorted(listed, key=lambda pin: pin.requirement.file), key=lambda pin: pin.requirement.file):
         releases = {pin.name: pin for pin in group}
         yield from _last(releases)
+    for pin in listed:
+        yield from _running(pin)
+
+
+def _running(pin: Pin) -> Iterator[Range]:
+    """Yield the Pythons on which a release runs, where it does not run on newer ones."""
+    from roslab.knowledge.runs_up_to import runs_up_to  # noqa: PLC0415 - as below
+
+    if newest := runs_up_to(pin.name, pin.release or ""):
+        why = f"{pin.requirement.written} runs on no newer one"
+        reason = because("python", newest, why, pin.requirement, weight=Weight.PINS + pin.trust)
+        yield Range(frozenset(each for each in PREFERRED if Version(each) <= Version(newest)), reason)
 
 
 def _last(releases: Mapping[str, Pin]) -> Iterator[Range]:
