@@ -95,8 +95,8 @@ def absent_paths(
 ) -> Iterator[Warning_]:
     """Yield a warning for each file that a launch file loads and that names what no link stands for.
 
-    One for all code that the command starts: a program may do without. ``linked``: folders that links stand for,
-    ``programs``: interpreters.
+    One for all code that the command starts: a program may do without, and one that asks for it first does.
+    ``linked``: folders that links stand for, ``programs``: interpreters.
     """
     there = {path for path, _ in programs}
     folders = tuple(f"{folder}/" for folder, _ in linked)
@@ -118,7 +118,7 @@ def absent_paths(
                 file=each.file,
                 line=each.line,
             )
-        elif not lists and each.file in started:
+        elif not (lists or each.asked) and each.file in started:
             in_code.append(each)
     if in_code:
         first, more = in_code[0], len(in_code) - 1

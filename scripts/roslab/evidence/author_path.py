@@ -20,3 +20,5 @@ class AuthorPath:
     """The build of a workspace writes what is in it."""
     there: bool = True
     """The tree has all of the path, not only the folder that its last part lies in."""
+    asked: bool = False
+    """The code goes on with it only if it is there."""

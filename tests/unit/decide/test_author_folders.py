@@ -240,6 +240,25 @@ def test_what_a_program_of_no_package_lacks_is_told(tree: Tree) -> None:
     assert any("/home/bob/sets/kitti/00.bin, a path of its author's computer" in w.message for w in given.warnings)
 
 
+@pytest.mark.parametrize(
+    ("asks", "told"),
+    [
+        ("if os.path.exists(there):", False),
+        ("if os.path.isdir('/data'):\n    pass\nelif path.isdir( there ):", False),
+        ("if there.is_file():", False),
+        ("if not os.path.exists(there):", True),
+        ("if os.path.exists(elsewhere):", True),
+        ("with open(there):", True),
+    ],
+)
+def test_a_program_that_asks_for_a_path_before_it_reads_it_does_not_stop(tree: Tree, asks: str, *, told: bool) -> None:
+    code = (
+        f"import os\nfrom pathlib import Path\nthere = Path('/home/bob/sets/kitti/00.bin')\n{asks}\n    print(there)\n"
+    )
+    given = tree({"run.py": f"{code}if __name__ == '__main__':\n    print()\n"})
+    assert any("/home/bob/sets/kitti/00.bin, a path of its author's" in w.message for w in given.warnings) is told
+
+
 ABOVE = "os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))"
 
 

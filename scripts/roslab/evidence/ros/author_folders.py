@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable
 
 from roslab.evidence import places
@@ -32,6 +33,12 @@ _ANYBODY = "/home/~/"
 """What stands for that home while a path is looked at."""
 _HOME = pattern(r"/(?:home|Users)/[A-Za-z][\w.-]*/.|/root/.|[A-Z]:\\")
 _BUILT = pattern(r"(/.+)/(install|devel)/(?:[\w-]+/)?(?:share|lib)/([\w-]+)/.+")
+_NAMED = pattern(r"^[ \t]*(\w+)[ \t]*(?::[ \t]*\w+[ \t]*)?=[ \t]*(?:\w+\()?[rRfF]?[\"']$")
+"""What stands before a path that gets a name."""
+_IF = (
+    r"\b(?:el)?if[ \t]+(?:(?:os\.)?(?:path\.)?(?:exists|isdir|isfile)\([ \t]*{0}[ \t]*\)|"
+    r"{0}\.(?:exists|is_dir|is_file)\(\))[ \t]*:"
+)
 _MADE = pattern(r"(?:^|/)(?:build|devel|install|log)/")
 _SYSTEM = frozenset(
     ("bin", "boot", "dev", "etc", "lib", "lib32", "lib64", "proc", "root", "run", "sbin", "snap", "sys", "tmp", "usr"),
@@ -78,6 +85,7 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
                     folder=folder,
                     made=made,
                     there=there,
+                    asked=file.path.endswith(".py") and _asked(text, at),
                 )
     return tuple(found.values())
 
@@ -99,6 +107,12 @@ def of_image(folder: str) -> bool:
     if parts[0] in _SYSTEM | {""} or any(part.startswith("-") or part in {".", ".."} for part in parts):
         return True
     return f"/{'/'.join(parts)}/".startswith(_KEPT) or (len(parts) == 1 and parts[0] in _OF_ALL)
+
+
+def _asked(text: str, at: int) -> bool:
+    """Tell whether code of Python asks whether the path at a place is there, and uses it only then."""
+    named = _NAMED.match(text[text.rfind("\n", 0, at) + 1 : at])
+    return bool(named and re.search(_IF.format(re.escape(named[1])), text))
 
 
 def _commented(file: str, text: str, at: int) -> bool:
