@@ -100,9 +100,11 @@ def decide_kind(evidence: Evidence, config: Config, folder_name: str = "") -> Ch
 def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
     """Return what speaks for ROS 1 and for ROS 2; ``named``: the repository is named after ROS."""
     packages = packages_of(evidence)
-    catkin = [manifest for manifest in packages.built if not of_rosbuild(manifest)]
+    by_itself = by_cmake(evidence)
+    in_modules = by_itself is not None and bool(evidence.manifests)  # all packages are those of submodules
+    catkin = [manifest for manifest in packages.built if not (in_modules or of_rosbuild(manifest))]
     reasons = _packages(evidence, tuple(catkin), named=named) if catkin else _meta(evidence)
-    rosbuild = [project for project in evidence.cmake if "rosbuild" in project.macros]
+    rosbuild = [project for project in evidence.cmake if "rosbuild" in project.macros and not in_modules]
     if rosbuild:
         weight = Weight.ROSBUILD if built_by_rosbuild(evidence) else Weight.ROSBUILD_PART
         reasons.append(because("kind", "ros1", "it is built by rosbuild", rosbuild[0], weight=weight))
@@ -114,9 +116,9 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
         why = f"a package of plain CMake, built beside catkin's: it needs {needed.name}, which ROS 1 alone brings"
         weight = Weight.CATKIN_ALONE if stops else Weight.NEVER_CALLED
         reasons.append(because("kind", "ros1", why, needed, weight=weight))
-    if not (reasons or rosbuild) and (made := by_cmake(evidence)):
+    if not (reasons or rosbuild) and by_itself:
         why = "its CMake requires packages of ROS, and nothing is a package"
-        reasons.append(because("kind", made[1], why, made[0], weight=Weight.CATKIN_ALONE))
+        reasons.append(because("kind", by_itself[1], why, by_itself[0], weight=Weight.CATKIN_ALONE))
     if not reasons and called_optional(evidence):
         return []
     if not reasons and (client := client_of(evidence)):
@@ -171,7 +173,8 @@ def _warnings(evidence: Evidence, kind: Kind, weight: int) -> tuple[Warning_, ..
         open_ = uncompiled(evidence) if weight <= Weight.DEFAULT else ()
         return (*optional, *warnings_of_cuda(evidence), *(otherwise or open_))
     old = next((p for p in evidence.cmake if "rosbuild" in p.macros and not places.test(p.file)), None)
-    if kind != "ros1" or old is None or any(map(of_rosbuild, packages_of(evidence).built)):
+    called = evidence.manifests and by_cmake(evidence)  # CMake may call make in a submodule
+    if kind != "ros1" or old is None or called or any(map(of_rosbuild, packages_of(evidence).built)):
         return optional
     message = "rosbuild's packages (manifest.xml) are not built here: catkin does not know them"
     hint = "what they need is installed; build them with rosmake under `custom` in roslab.yaml"

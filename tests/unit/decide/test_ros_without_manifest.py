@@ -118,6 +118,27 @@ def test_cmake_that_finds_what_one_ros_alone_has(
     assert " ".join(found.command) == command
 
 
+MODULE = '[submodule "msgs"]\n\tpath = msgs\n\turl = https://github.com/me/msgs\n'
+AMENT = "<package><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+
+
+@pytest.mark.parametrize(
+    ("changed", "built"),
+    [
+        ({"msgs/package.xml": AMENT.format("msgs"), ".gitmodules": MODULE}, ("ros1", "cmake")),
+        ({"msgs/manifest.xml": "<package/>", ".gitmodules": MODULE}, ("ros1", "cmake")),
+        ({"msgs/package.xml": AMENT.format("msgs")}, ("ros2", "colcon")),
+        ({"msgs/package.xml": AMENT.format("msgs"), "b/package.xml": AMENT.format("b"), ".gitmodules": MODULE}, None),
+    ],
+)
+def test_the_package_of_a_submodule_is_none_of_the_project(
+    tree: Tree, changed: dict[str, str], built: tuple[str, str] | None
+) -> None:
+    code = {"a.cpp": "int main() {}\n", "msgs/CMakeLists.txt": "project(msgs)\n", "b/CMakeLists.txt": "project(b)\n"}
+    found = tree({"CMakeLists.txt": f"project(a)\n{ROSCPP}", **code, **changed})
+    assert (found.kind, found.build_tool) == (built or ("ros2", "colcon"))
+
+
 ON_CUDA = {
     **CODE,
     "setup.py": "from setuptools import setup\nsetup(name='demo', install_requires=['torch'])\n",

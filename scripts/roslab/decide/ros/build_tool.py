@@ -46,11 +46,11 @@ class Weight:
 
 def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
     """Return the tool, with the reasons for both."""
+    if by_itself := alone(evidence):
+        return by_itself
     if old := next(filter(of_rosbuild, packages_of(evidence).built), None):
         why = "its packages have a manifest.xml, from before catkin"
         return Choice(answer="rosmake", reasons=(because("build_tool", "rosmake", why, old, weight=Weight.ROSBUILD),))
-    if by_itself := alone(evidence):
-        return by_itself
     copied = {authored.file for authored in evidence.dockerfiles if authored.purpose == "vendored"}
     reasons = [
         because("build_tool", mention.value, mention.text[:120], mention, weight=_weight(mention, copied))

@@ -28,14 +28,16 @@ def by_cmake(evidence: Evidence) -> tuple[CMakeProject | Dependency, Kind] | Non
     """Return what always requires packages of ROS in a tree without a package.xml, and the kind that brings them.
 
     That is a CMakeLists.txt with components of catkin, or what the project of the tree finds by its own name and only
-    one ROS has: roscpp, rclcpp.
+    one ROS has: roscpp, rclcpp. That of a submodule, which the project may call make in, makes no package of the tree.
     """
-    if evidence.manifests:
+    modules = tuple(f"{git.name}/" for git in evidence.sources if git.kind == "submodule")
+    if any(not manifest.file.startswith(modules) for manifest in evidence.manifests):
         return None
     always = [
         project
         for project in evidence.cmake
         if (project.top_level or project.always)
+        and not project.file.startswith(modules)
         and not (places.aside(project.file) or places.documentation(project.file))
     ]
     for project in always:
