@@ -158,6 +158,8 @@ class Decision:
     """Folders of packages that no other one needs: some of them may be left out where they fail."""
     most_spare: int = 0
     """Most of these that may be left out."""
+    interfaces: tuple[str, ...] = ()
+    """Messages, services and actions of cloned packages whose headers the code includes, as ``acme_msgs/Grip``."""
     must_build: tuple[str, ...] = ()
     """Packages that are never left out, for the default command does not start without them."""
     large_files: bool = False

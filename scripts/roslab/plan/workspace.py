@@ -72,6 +72,8 @@ class Workspace:
     """Folders of those of which some may be left out, for a shell is started and no other package needs them."""
     most_spare: int = 0
     """Most of these that may be left out."""
+    interfaces: tuple[str, ...] = ()
+    """Messages, services and actions whose headers the code includes and a clone has to hold: ``acme_msgs/Grip``."""
     must_build: tuple[str, ...] = ()
     """Packages that are never left out: the build stops where one of them fails."""
     large_files: bool = False
@@ -147,6 +149,7 @@ def workspace(
         may_fail=decision.may_fail,
         spare=decision.spare,
         most_spare=decision.most_spare,
+        interfaces=decision.interfaces if sisters else (),
         must_build=decision.must_build,
         large_files=decision.large_files and bool(sisters or decision.submodules),
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),

@@ -15,6 +15,8 @@ PLAIN = "install-plain-clones"
 """The script that compiles and installs clones in which catkin finds no package."""
 LISTED = "clone-listed"
 """The script that clones what a list or a page names, where its host lets anybody."""
+INTERFACES = "take-message-branches"
+"""The script that looks for the messages that the code includes."""
 _RECORDED = pattern(r"[0-9a-f]{7,40}")
 """A ref that is a commit."""
 
@@ -50,7 +52,21 @@ def sister_sources(plan: Plan) -> str:
     if tried:
         why = "# Packages that nothing known brings: what is not there is told and stops nothing"
         runs += [why, *(shell.copy_script(name).rstrip() for name in with_called([HOLDING])), *tried]
+    runs += _of_interfaces(plan)
     return "\n".join([*blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
+
+
+def _of_interfaces(plan: Plan) -> list[str]:
+    """Return the instructions that take the branch of a clone which holds the messages that the code includes."""
+    place = plan.workspace
+    if not place.interfaces:
+        return []
+    days = {source.before for source in place.sources}
+    before = f" --before {days.pop()}" if len(days) == 1 and "" not in days else ""
+    kept = "".join(f" --keep {quote.shell(s.name)}" for s in place.sources if s.ref and not _is_branch(s))
+    command = f"{INTERFACES}{before}{kept} {WS}/src{words(place.interfaces)}"
+    why = "# The code includes these messages: another branch of a clone may have what the usual one lacks"
+    return [why, shell.copy_script(INTERFACES).rstrip(), shell.run(command)]
 
 
 def _from_list(source: Source) -> bool:
