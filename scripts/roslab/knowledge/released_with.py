@@ -1,4 +1,4 @@
-"""The release of a framework that a release of a package was made with, where their numbers differ."""
+"""The release of a framework that a release of a package is built for."""
 
 from __future__ import annotations
 

@@ -19,6 +19,8 @@ SLIP = "pip install torch==1.cd 13.1+cu117 torchvision==0.14.1+cu117"
         (SLIP, "torch==1.13.1+cu117"),
         ("pip install torch torchvision==0.11.2", "torch==1.10.1"),
         ("pip install torch torchvision==0.8.0 torchaudio==0.7.0+cu110", "torch==1.7.0+cu110"),
+        ("pip install torch torchvision==0.25.0", "torch==2.10.0"),
+        ("pip install torch torchaudio==2.5.1", "torch==2.5.1"),
         ("pip install torch>=1.9 torchvision==0.11.2", "torch>=1.9"),
         ("pip install torch torchvision==0.11.9", "torch"),
         ("pip install torch==1.cd", "torch"),

@@ -57,9 +57,10 @@ def python(value: str) -> Mention:
         (Evidence(requirements=(asked("torch==1.10.0"),)), "11.1"),  # 10.2 is gone, another wheel exists
         (Evidence(requirements=(asked("tensorflow-gpu==2.5.2"),)), "11.2"),
         (Evidence(requirements=(asked("jax[cuda11_pip]==0.4.20"),)), "11.8"),
+        (Evidence(requirements=(asked("jax[cuda13]==0.10.0"),)), "13.0"),
         (Evidence(requirements=(asked("torch==2.0.1"),), mentions=(said("11.8"),)), "11.7"),
         (Evidence(requirements=(asked("torch"),), mentions=(said("11.3"),)), "11.3"),
-        (Evidence(requirements=(asked("torch"),), mentions=(said("9.0", "CUDA 9.0 or above"),)), "12.8"),
+        (Evidence(requirements=(asked("torch"),), mentions=(said("9.0", "CUDA 9.0 or above"),)), "13.0"),
         (
             Evidence(requirements=(asked("torch"),), mentions=(python("3.6"),)),
             "11.3",

@@ -40,7 +40,8 @@ def limits(found: Decision) -> set[str]:
         ("torch torchvision --index-url {}cu118", {"torch==2.7.*"}),
         ("torch --index-url {}cu121", {"torch==2.5.*"}),
         ("'torch>=2.0' --index-url {}cu118", {"torch==2.7.*"}),
-        ("torch --index-url {}cu128", set()),  # the newest one is built for it, too
+        ("torch --index-url {}cu130", set()),  # the newest one for Python 3.10 is built for it, too
+        ("torch --index-url {}cu128", {"torch==2.11.*"}),
         ("torch --index-url {}cpu", set()),
         ("torch==2.1.0 --index-url {}cu118", {"torch==2.1.0"}),
         ("torch --extra-index-url {}cu118", set()),  # pip takes the newest of both there, too

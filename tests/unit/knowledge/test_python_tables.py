@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.knowledge.frameworks import framework_on_cuda, never_released, tabled
+from roslab.knowledge.frameworks import framework, framework_on_cuda, never_released, tabled
 from roslab.knowledge.guesses import same_module, tooling
 from roslab.knowledge.table import rows
 from roslab.knowledge.tools import for_old_packages, python2_installers, python_tools, tool_image, why_bounded
@@ -85,3 +85,14 @@ def test_a_candidate_of_a_release_is_of_that_release() -> None:
     assert never_released("tensorflow-gpu", "1.17")
     assert not never_released("torch", "latest")
     assert not never_released("numpy", "0.7")
+
+
+@pytest.mark.parametrize(
+    ("name", "release", "cuda", "python"),
+    [("torch", "2.10.0", "12.8", "3.14"), ("torch", "2.15.0", "13.2", "3.15"), ("jax", "0.12.0", "12.9", "3.15")],
+)
+def test_the_newest_rows_are_those_of_the_index(name: str, release: str, cuda: str, python: str) -> None:
+    row = framework(name, release)
+    assert row is not None
+    assert (row.cuda[0], row.python_max) == (cuda, python)
+    assert row.released

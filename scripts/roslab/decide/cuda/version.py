@@ -15,6 +15,7 @@ from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
 from roslab.decide.cuda.weight import Weight
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
+from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.version import python_version
 from roslab.decide.reasons import because, configured, outweighed, warn
 from roslab.evidence import places
@@ -40,8 +41,11 @@ DEFAULT = "11.8"
 _OLDEST = Version("8")
 _WHY = {"tensorflow": "loads it", "torch": "has it in its wheel", "jax": "is built for it"}
 _CONDA_HAS = "the conda environment has"
-_OF_JAX = {"cuda11": "11.8", "cuda12": "12.3"}
-"""CUDA by the first letters of a JAX extra. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22."""
+_OF_JAX = {"cuda11": "11.8", "cuda12": "12.3", "cuda13": "13.0"}
+"""CUDA by the first letters of a JAX extra. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22.
+
+``cuda13`` is an extra since jax 0.7 (requires_dist of its wheel, read 2026-11-28).
+"""
 _IMAGE = pattern(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
 _LEAST = pattern(r"or (?:above|higher|newer|later|greater)|>=|≥|\d\+(?!cu)|at least|minimum", re.IGNORECASE)
 _SHOWN = 20
@@ -119,6 +123,8 @@ Candidate = tuple[Reason, tuple[str, ...]]
 def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Iterator[Candidate]:
     """Yield every answer that anything speaks for."""
     day, python = evidence.pip_day, python_version(evidence, config, pins).answer.version
+    if not day and python is None:  # the usual Ubuntu's, for which pip takes an older release than the newest
+        python = PREFERRED[0]
     compiles = bool(evidence.cuda_files) or any("cuda" in project.extensions for project in evidence.python)
     compiles = compiles or any("torch" in build_needs().get(pin.name, ()) for pin in pins)
     lowest = {use.bound.key: use.bound.below for use in evidence.bounds}
