@@ -15,9 +15,9 @@ Made = Callable[..., Plan]
 @pytest.mark.parametrize(
     ("folder", "lines", "end"),
     [
-        (".", ("numpy",), "extension of the repository; what that requires is installed alone'; \\\n"),
-        ("bind", ("numpy",), "extension of bind; what that requires is installed alone'; \\\n"),
-        ("bind", (), "extension of bind'; }\n"),
+        (".", ("numpy",), "extension of the repository; what that requires is installed alone' \\\n"),
+        ("bind", ("numpy",), "extension of bind; what that requires is installed alone' \\\n"),
+        ("bind", (), "extension of bind' \\\n"),
     ],
 )
 def test_what_it_requires_is_installed_where_pip_stops(
@@ -29,7 +29,10 @@ def test_what_it_requires_is_installed_where_pip_stops(
     assert " --editable ./other \\\n && { python3 -m pip install" in own
     assert f" --editable {path} \\\n      || " in own
     assert f"echo 'roslab: left out: pip cannot compile the {end}" in own
-    assert (" numpy; }; }\n" in own) == bool(lines)
+    assert (" numpy \\\n      && printf" in own) == bool(lines)
+    below = "" if folder == "." else f"/{folder}"
+    assert f'"${{PWD}}"{below} "${{PWD}}"{below}/src >' in own
+    assert f"/roslab{below.replace('/', '-')}.pth; }}; }}\n" in own
 
 
 def test_a_project_that_lacks_nothing_must_install(plan: Made) -> None:

@@ -40,14 +40,14 @@ def without_library(
         folders = {top.file.rpartition("/")[0]: top.name or "the program"}
     told: set[str] = set()
     others = {*_with_others(evidence, folders)} if headers else set[str]()
-    there = {*provided, *_named(evidence)} if headers else set[str]()
+    there = {*provided, *named(evidence)} if headers else set[str]()
     for each in headers:
         name = each.name.partition("/")[0]
         package = owner(each.file, folders)
         if package is None or package in others:
             continue
         of_gazebo = name in _OF_GAZEBO and similar("gazebo", there)
-        if name not in told and not (of_gazebo or _known(each, name) or _brought(plain(name), there)):
+        if name not in told and not (of_gazebo or is_known(each, name) or may_bring(plain(name), there)):
             told.add(name)
             what = f"{package} includes {each.name}, and nothing is known that brings {name}"
             then = "give its package under `apt` or its repository under `source` in roslab.yaml"
@@ -61,7 +61,7 @@ def _with_others(evidence: Evidence, folders: Mapping[str, str]) -> Iterator[str
     yield from (package for file in (*submodules, *fetching) if (package := owner(file, folders)))
 
 
-def _named(evidence: Evidence) -> Iterator[str]:
+def named(evidence: Evidence) -> Iterator[str]:
     """Yield what the tree names for its build, in one spelling."""
     asked: list[Dependency] = [d for each in evidence.cmake for d in each.dependencies]
     asked += [d for each in evidence.manifests for d in each.dependencies]
@@ -76,7 +76,8 @@ def _named(evidence: Evidence) -> Iterator[str]:
     yield from (plain(each.key) for file in evidence.requirements for each in file.requirements)
 
 
-def _known(each: Dependency, name: str) -> bool:
+def is_known(each: Dependency, name: str) -> bool:
+    """Tell whether a table knows a header, or a library of its folder's name."""
     names = {name, name.lower(), f"lib{name.lower()}"}
     of_tables = any(library(naming, one, None) for naming in ("cmake", "link", "pkg-config") for one in names)
     return (
@@ -84,6 +85,6 @@ def _known(each: Dependency, name: str) -> bool:
     )
 
 
-def _brought(name: str, there: Collection[str]) -> bool:
+def may_bring(name: str, there: Collection[str]) -> bool:
     """Tell whether something there is called like a library, or as a part of its name is."""
     return similar(name, there) or any(len(each) >= _SHORTEST and similar(each, (name,)) for each in there)

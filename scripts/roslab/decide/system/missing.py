@@ -24,8 +24,7 @@ from roslab.decide.system.by_hand import of_majors
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, folders_of, leave_out
 from roslab.decide.system.library_headers import without_library
-from roslab.decide.system.lost_extensions import lost_extensions
-from roslab.decide.system.lost_extensions import told as told_of_extensions
+from roslab.decide.system.lost_extensions import lost_extensions, may_stop, told
 from roslab.decide.system.lost_libraries import lost_libraries
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.no_config import told_configs, without_config
@@ -133,10 +132,9 @@ def decide_missing(
     only in the image, where none holds them. ``custom``: roslab.yaml has commands, which may bring anything.
     """
     if kind not in {"ros1", "ros2", "cpp"}:
-        lost = tuple(lost_extensions(evidence, packages, target, provided))
+        lost = tuple(lost_extensions(evidence, packages, target, provided, unread=custom or cloned))
         return Choice(
-            answer=Missing(extensions=tuple(project.folder for project, _ in lost)),
-            warnings=tuple(told_of_extensions(lost)),
+            answer=Missing(extensions=may_stop(lost, evidence, command)), warnings=told(lost, evidence, command)
         )
     evidence = required_by_tool(evidence, kind)
     known = released(target.ros_distro or "") | rosdep_keys()

@@ -52,7 +52,7 @@ class Nowhere:
         """Note an include at a position of a file if its header is nowhere, and tell whether it is."""
         if name not in self.known:
             self.known[name] = bool(self.manifests) and self._lacks(name)
-        library = not self.known[name] and self._of_library(name)
+        library = not self.known[name] and self.of_library(name)
         if not (self.known[name] or library):
             return False
         package = self._package(file.path) if self.manifests else ""
@@ -105,7 +105,7 @@ class Nowhere:
             self._calls[file.path] = found
         return self._calls[file.path]
 
-    def _of_library(self, name: str) -> bool:
+    def of_library(self, name: str) -> bool:
         """Tell whether a header is one of a library elsewhere: no file of the tree has its name, or makes it."""
         if not _OF_LIBRARY.fullmatch(name) or _ELSEWHERE.match(name):
             return False

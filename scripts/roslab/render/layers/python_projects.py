@@ -95,9 +95,19 @@ def _or_its_needs(folder: str, pip: str, install: str, lines: Sequence[str]) -> 
     name = folder if folder not in ("", ".") else "the repository"
     told = f"roslab: left out: pip cannot compile the extension of {name}"
     told += "; what that requires is installed alone" if lines else ""
-    then = f"echo {quote.shell(told)}"
-    otherwise = f"{{ {then}; \\\n      {pip}{shell.words(lines)}; }}" if lines else then
-    return f"{{ {install} \\\n      || {otherwise}; }}"
+    then = [f"echo {quote.shell(told)}", *([f"{pip}{shell.words(lines)}"] if lines else [])]
+    then.append(_on_path(folder, pip.partition(" -m pip ")[0].rpartition(" ")[2]))
+    otherwise = " \\\n      && ".join(then)
+    return f"{{ {install} \\\n      || {{ {otherwise}; }}; }}"
+
+
+def _on_path(folder: str, interpreter: str) -> str:
+    """Return the command that lets Python find the modules of a folder, and of its ``src``, without an installation."""
+    inside = "" if folder in ("", ".") else f"/{folder}"
+    places = " ".join(f'"${{PWD}}"{quote.shell(inside + below) if inside + below else ""}' for below in ("", "/src"))
+    purelib = f"$({interpreter} -c 'import sysconfig; print(sysconfig.get_path(\"purelib\"))')"
+    name = quote.shell(f"/roslab{inside.replace('/', '-')}.pth")
+    return f"printf '%s\\n' {places} >\"{purelib}\"{name}"
 
 
 def _own(folders: Sequence[str], copied: frozenset[str]) -> str:
