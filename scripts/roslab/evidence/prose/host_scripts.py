@@ -39,7 +39,8 @@ def _started(
     if starts_container(text):
         line = next(filter(starts_container, lines), "")
         if _GIVEN.search(line) and given:
-            return given if _known(repository, given) else ()
+            handed = ("bash", *given) if _script(repository, given) else given
+            return handed if handed != given or _known(repository, given) else ()
         found = [each.words for command in commands(line, 1) for each in inside(command)] if line else []
         return found[0] if found and not any(map(_on_host, lines)) else ()
     last = _words(lines[-1]) if further and lines and not any(map(_on_host, lines[:-1])) else ()
@@ -59,6 +60,12 @@ def _words(text: str) -> tuple[str, ...]:
         return tuple(shlex.split(text))
     except ValueError:
         return ()
+
+
+def _script(repository: Repository, words: tuple[str, ...]) -> bool:
+    """Tell whether words start a script of the tree, as a shell does that is the image's entry point."""
+    inside = words[0].endswith(".sh") and repository.has(words[0]) and all(map(_PLAIN.fullmatch, words))
+    return inside and not starts_container(repository.read(words[0], limit=MAX_SIZE))
 
 
 def _known(repository: Repository, words: tuple[str, ...]) -> bool:

@@ -9,6 +9,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, logical_lines
 from roslab.evidence.prose import blanks
 from roslab.evidence.prose.installs import Collector
+from roslab.evidence.prose.mounted_paths import of_tree
 from roslab.evidence.prose.runners import by_ros
 from roslab.values.pattern import pattern
 
@@ -40,18 +41,31 @@ def inside(command: Command) -> Iterator[Command]:
     verb = next((n for n, word in enumerate(words[:4]) if word in _VERBS), 0)
     if words[0].rpartition("/")[2] not in _ENGINES or not verb:
         return
-    for index in range(verb + 2, len(words) - 1):
-        before, word = words[index - 1], words[index]
+    for index in range(verb + 2, len(words)):
+        before = words[index - 1]
         if before.startswith("-") or not (UNKNOWN in before or _NAME.fullmatch(before)):
             continue
-        if _SHELL.fullmatch(word):
-            yield from (inner for inner in commands(shlex.join(words[index:]), command.line) if is_program(inner.words))
+        started = of_tree(words[: index - 1], words[index:])
+        if text := _in_shell(started):
+            yield from (inner for inner in commands(text, command.line) if is_program(inner.words))
             return
-        if is_program(words[index:]):
-            yield command._replace(words=words[index:], lines=command.lines[index:])
+        if is_program(started):
+            yield command._replace(words=started, lines=command.lines[index:])
             return
+
+
+def _in_shell(words: tuple[str, ...]) -> str:
+    """Return the line that a shell runs in the container, ``""`` where words start something else.
+
+    An entry point that is a shell takes ``-c LINE``, or the line alone.
+    """
+    if _SHELL.fullmatch(words[0]):
+        return shlex.join(words)
+    if words[0] == "-c" and len(words) > 1:
+        return shlex.join(("bash", *words))
+    return words[0] if len(words) == 1 and " " in words[0].strip() else ""
 
 
 def is_program(words: tuple[str, ...]) -> bool:
     """Tell whether words start something with Python or ROS."""
-    return bool(_PYTHON.fullmatch(words[0])) or by_ros(words[0], words)
+    return len(words) > 1 and (bool(_PYTHON.fullmatch(words[0])) or by_ros(words[0], words))
