@@ -15,7 +15,14 @@ from roslab.decide.newest_pip import files_of
 from roslab.decide.python.raised_pins import raised_pins
 from roslab.decide.reasons import because, configured
 from roslab.decide.stops_without_gpu import without_gpu
-from roslab.decide.uncopied_packages import empty_folders, only_manifest, uncopied_by_command, uncopied_package
+from roslab.decide.uncopied_packages import (
+    empty_folders,
+    only_manifest,
+    unbounded_jobs,
+    uncopied_by_command,
+    uncopied_package,
+    without_source,
+)
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import cuda_image
@@ -56,10 +63,12 @@ def decide_dockerfile(
     """
     if config.dockerfile:
         said = configured(config, "dockerfile", config.dockerfile, "dockerfile")
+        authored = next((each for each in evidence.dockerfiles if each.file == config.dockerfile), None)
         context = config.context
         if context is None:
-            context = next((each.context or "" for each in evidence.dockerfiles if each.file == config.dockerfile), "")
-        return Choice(answer=Dockerfile(file=config.dockerfile, context=context), reasons=(said,))
+            context = (authored.context or "") if authored else ""
+        told = (*unbounded_jobs(authored, evidence), *without_source(authored)) if authored else ()
+        return Choice(answer=Dockerfile(file=config.dockerfile, context=context), reasons=(said,), warnings=told)
     locals_ = local_bases(evidence)
     reasons: list[Reason] = []
     warnings: list[Warning_] = []
@@ -86,7 +95,7 @@ def decide_dockerfile(
     return Choice(
         answer=Dockerfile(file=best.file, context=best.context or ""),
         reasons=(_about(best, why, Weight.BELIEVED), *reasons[: MOST_REASONS - 1]),
-        warnings=(*empty_folders(best), *raised_pins(files_of(best, evidence))),
+        warnings=(*empty_folders(best), *raised_pins(files_of(best, evidence)), *unbounded_jobs(best, evidence)),
     )
 
 

@@ -50,6 +50,30 @@ def empty_folders(authored: AuthorDockerfile) -> tuple[Warning_, ...]:
     return (warn(f"{message}; git submodule update --init --recursive", Place(file=authored.file, line=line)),)
 
 
+def unbounded_jobs(authored: AuthorDockerfile, evidence: Evidence) -> tuple[Warning_, ...]:
+    """Return a warning for each step that starts all compilers at once: what they need together no machine may have."""
+    return tuple(
+        warn(
+            f"“{each.text}” of the author's Dockerfile starts every compiler at once, for -j has no number: where "
+            "memory runs out, the build stops here, and no variable bounds it; write -j$(nproc), or -j2",
+            each,
+        )
+        for each in evidence.mentions
+        if each.topic == "unbounded" and each.inside == authored.file
+    )
+
+
+def without_source(authored: AuthorDockerfile) -> tuple[Warning_, ...]:
+    """Return a warning where a Dockerfile that must be taken has nothing of the repository in its image."""
+    if authored.copies_repository or authored.clones_itself or authored.copied:
+        return ()
+    message = (
+        f"{authored.file} copies nothing of the repository, which docker run -v gives to its containers: its image "
+        "has no program; add COPY . to the folder that is mounted, or leave `dockerfile` out of roslab.yaml"
+    )
+    return (warn(message, Place(file=authored.file, line=authored.base_line)),)
+
+
 def only_manifest(authored: AuthorDockerfile, evidence: Evidence) -> str | None:
     """Return why a Dockerfile compiles nothing: it copies a package.xml, and of no package what builds it.
 

@@ -6,7 +6,7 @@ import posixpath
 
 from roslab.evidence import git_folder, links, places, pointers, submodules
 from roslab.evidence.facts import Evidence
-from roslab.evidence.mentioned import BESIDE_PROSE, MENTIONED, of_ros
+from roslab.evidence.mentioned import BESIDE_PROSE, MENTIONED, OF_DOCKERFILES, of_ros
 from roslab.evidence.native import (
     argument_counts,
     asked_variables,
@@ -45,7 +45,6 @@ from roslab.evidence.prose import (
     author_dockerfile,
     called_in_scripts,
     ci,
-    container_starts,
     containers,
     copies,
     fetched_here,
@@ -229,7 +228,7 @@ def gather(repository: Repository) -> Evidence:
             *linked.read(own, prose.mentions, ros=bool(manifests)),
             *by_name,
             *said,
-            *container_starts.read(own, dockerfiles),
+            *(mention for reader in OF_DOCKERFILES for mention in reader(own, dockerfiles)),
             *sessions.read(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
             *(of_ros(own, whole) if manifests else ()),

@@ -11,6 +11,7 @@ from roslab.evidence.prose import (
     asked_options,
     branch_tables,
     container_scripts,
+    container_starts,
     for_reference,
     laid_as_sources,
     libtorch,
@@ -18,6 +19,7 @@ from roslab.evidence.prose import (
     of_other_indexes,
     optional_ros,
     simulator_folders,
+    unbounded_jobs,
 )
 from roslab.evidence.python import (
     from_above,
@@ -40,6 +42,8 @@ MENTIONED = (
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, simulator_folders.read)
 """What code and files tell beside what pages say."""
+OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
+"""What the authors' Dockerfiles start and run."""
 _OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read)
 
 
