@@ -10,7 +10,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.fixtures import of_tests
 from roslab.evidence.lex.shell import fill_placeholders
-from roslab.evidence.prose import author_dockerfile, package_lists
+from roslab.evidence.prose import author_dockerfile, here_lists, package_lists
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.pages import pages, text_of
@@ -80,7 +80,7 @@ def read(repository: Repository) -> Prose:
 
             collector = Collector(file.path, "script")
             _assignments(text, collector)
-            collector.text(spelled_out(text))
+            collector.text(spelled_out(here_lists.spelled_out(text)))
             found = collector.prose()
             found = replace(found, requirements=_of_one_branch(found.requirements, text))
             kept = (*(m for m in found.mentions if m.topic in _KEPT), *_distros(found.dependencies))
