@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
+from roslab.evidence.lex.includes import includes
 from roslab.evidence.native import x86
 from roslab.evidence.native.generated import package_of
 from roslab.evidence.native.limits import Signs, conditional, tells
@@ -27,8 +27,6 @@ MAX_READ = 64 * 1024
 MAX_SOURCES = 2_500
 """Most source files opened, those nearest to the root first."""
 MAX_SIZE = 1024 * 1024
-_INCLUDE = pattern(r"#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]")
-"""It begins with a letter of its own, which is found much faster than the beginning of a line."""
 _ASKS = "__has_include"
 _DIRECTIVE = pattern(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b([^\n]*)", re.MULTILINE)
 _STANDARD = pattern(
@@ -62,7 +60,7 @@ def read(
             signs.source(file.path, text)
         _note_windows(file, text, opened)
         position, line = 0, 1
-        for match in _includes(text, settled):
+        for match in includes(text, settled):
             name = match[1]
             if signs:
                 signs.header(name, file.path, text, match.start(1))
@@ -128,15 +126,6 @@ def _note_copied(repository: Repository, file: File, include: re.Match[str], ope
     ours = [each.path for each in files if f"/{each.path}".endswith(f"/{name}")]
     if ours and all(map(places.vendored, ours)):
         _note_window(file, name, include.string.count("\n", 0, include.start(1)) + 1, opened)
-
-
-def _includes(text: str, settled: Collection[str]) -> Iterator[re.Match[str]]:
-    """Yield the includes of headers that are not settled; what is commented out is none."""
-    for match in _INCLUDE.finditer(text):
-        if match[1] in settled:
-            continue
-        if not text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip(" \t"):
-            yield match
 
 
 def _where_it_is(text: str, position: int) -> bool:

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Collection, Iterable
 
 from roslab.evidence.copied_libraries import folders_of_copies, in_copy
+from roslab.evidence.lex.includes import includes
 from roslab.evidence.native.unlisted import Unlisted
 from roslab.repository.checkout import File, Repository
-from roslab.values.pattern import pattern
 
 MAX_READ = 64 * 1024
-_INCLUDE = pattern(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
 _SOURCES = (".cpp", ".cc", ".cxx", ".c", ".cu")
 
 
@@ -32,11 +30,17 @@ def without_unreached(repository: Repository, files: Iterable[File]) -> list[Fil
     for path in apart:
         by_name.setdefault(path.rpartition("/")[2], []).append(path)
     reached: set[str] = set()
+    asked: set[tuple[str, str]] = set()
+    """Includes by the folder that has them: most are in many of its files."""
     waiting = [file.path for file in files if file.path not in apart]
     while waiting:
         path = waiting.pop()
-        for name in _INCLUDE.findall(repository.read(path, limit=MAX_READ)):
-            for found in _meant(name, path, by_name.get(name.rpartition("/")[2], ()), folders):
+        folder = path.rpartition("/")[0]
+        new = {(folder, match[1]) for match in includes(repository.read(path, limit=MAX_READ))} - asked
+        asked |= new
+        for _, name in new:
+            candidates = by_name.get(name.rpartition("/")[2])
+            for found in _meant(name, folder, candidates, folders) if candidates else ():
                 if found not in reached:
                     reached.add(found)
                     waiting.append(found)
@@ -47,12 +51,12 @@ def _among_headers(path: str, unlisted: Unlisted) -> bool:
     return path.endswith(_SOURCES) and "include" in path.split("/")[:-1] and unlisted.has(path)
 
 
-def _meant(name: str, file: str, candidates: Collection[str], folders: Collection[str]) -> list[str]:
+def _meant(name: str, folder: str, candidates: Collection[str], folders: Collection[str]) -> list[str]:
     """Return the files that an include may mean: one beside the file alone, else those whose paths end so.
 
     Compilers look into the folder around a library, not into those inside it.
     """
-    beside = posixpath.normpath(posixpath.join(posixpath.dirname(file), name))
+    beside = posixpath.normpath(posixpath.join(folder, name))
     if beside in candidates:
         return [beside]
     name = posixpath.normpath(name)

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from functools import cached_property
 
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 
 _SOURCES = (".cpp", ".cc", ".cxx", ".c", ".cu")
@@ -45,12 +46,26 @@ _STEP = pattern(
 _PLAIN = pattern(r"[\w./+-]+")
 
 
+@dataclass(frozen=True, kw_only=True)
+class _Lists:
+    """The lists of a folder and those above: whether they may take sources of any name, or CMake's name theirs."""
+
+    texts: tuple[str, ...] = ()
+    of_any: bool = False
+    by_name: bool = False
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """Their words, with and without endings."""
+        return _words_of(self.texts)
+
+
 class Unlisted:
     """What the lists of a tree tell about its sources; they are read once something is asked."""
 
     def __init__(self, repository: Repository) -> None:
         self._repository = repository
-        self._by_folder: dict[str, tuple[str, ...] | None] = {}
+        self._by_folder: dict[str, _Lists] = {}
 
     def has(self, path: str) -> bool:
         """Tell whether no list names a source, though the CMakeLists.txt of its folder, or of one above, names others.
@@ -61,24 +76,23 @@ class Unlisted:
         folder, _, name = path.rpartition("/")
         if not name.endswith(_SOURCES):
             return False
-        if folder not in self._by_folder:
-            self._by_folder[folder] = self._listing(folder)
-        lists = self._by_folder[folder]
-        if lists is None:
+        lists = self._lists(folder)
+        if lists.of_any or not lists.by_name:
             return False
         apart = len(self._repository.named(name)) > 1 and not self._leads_out
-        return not {name, name.rpartition(".")[0]} & (_words_of(lists) if apart else self._words)
+        return {name, name.rpartition(".")[0]}.isdisjoint(lists.words if apart else self._words)
 
-    def _listing(self, folder: str) -> tuple[str, ...] | None:
-        """Return the lists of a folder and those above, ``None`` where they may take sources of any name."""
-        above = [folder]
-        while above[-1]:
-            above.append(above[-1].rpartition("/")[0])
-        lists = tuple(text for each in above for name in _LISTS if (text := self._text(each, name)))
-        if any(map(_ANY.search, lists)):
-            return None
-        by_name = any(_CODE.search(text) for each in above if (text := self._text(each, _LISTS[0])))
-        return lists if by_name else None
+    def _lists(self, folder: str) -> _Lists:
+        """Return what the lists of a folder and those above tell."""
+        if folder not in self._by_folder:
+            own = {name: text for name in _LISTS if (text := self._text(folder, name))}
+            above = self._lists(folder.rpartition("/")[0]) if folder else _Lists()
+            self._by_folder[folder] = _Lists(
+                texts=(*own.values(), *above.texts),
+                of_any=above.of_any or any(map(_ANY.search, own.values())),
+                by_name=above.by_name or bool(_CODE.search(own.get(_LISTS[0], ""))),
+            )
+        return self._by_folder[folder]
 
     def _text(self, folder: str, name: str) -> str:
         path = f"{folder}/{name}" if folder else name
