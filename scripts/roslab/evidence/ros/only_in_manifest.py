@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Set as AbstractSet
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention, PackageManifest
@@ -47,8 +48,7 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
         if not unknown or manifest.metapackage or not manifest.file.endswith("package.xml"):
             used |= {*unknown}
             continue
-        found = _words(repository, files.get(manifest.file.rpartition("/")[0], ()))
-        used |= {name for name in unknown if found is None or any(_used(name, word) for word in found)}
+        used |= _used(unknown.keys() - used, repository, files.get(manifest.file.rpartition("/")[0], ()))
         for name, asked in unknown.items():
             text = f"<depend>{name}</depend>"
             at = Mention(
@@ -58,26 +58,35 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
     yield from (each for name, each in first.items() if name not in used)
 
 
-def _used(name: str, word: str) -> bool:
+def _used(names: AbstractSet[str], repository: Repository, own: Collection[File]) -> AbstractSet[str]:
+    """Return which of some names a package's files have outside of comments; all where there may be more than is read.
+
+    A comment is looked for only in a file with a name.
+    """
+    lists = (repository.read(file, limit=MAX_SIZE) for file in own if file.name == "CMakeLists.txt")
+    if len(own) > MOST or any(_TAKES_ALL.search(_HASH.sub("", text)) for text in lists):
+        return names
+    left = set(names)
+    for file in own:
+        if not left:
+            break
+        text = repository.read(file, limit=MAX_SIZE)
+        lowered = text if all("_" in name for name in left) else text.lower()
+        if near := {name for name in left if name in (text if "_" in name else lowered)}:
+            words = {*_WORDS.findall(_without_comments(file, text))}
+            left -= {name for name in near if any(_means(word, name) for word in words)}
+    return names - left
+
+
+def _means(word: str, name: str) -> bool:
     """Tell whether a word may mean a package: it has its name in it, or begins so where that is one word alone."""
     return name in word if "_" in name else word.lower().startswith((name, f"lib{name}"))
 
 
-def _words(repository: Repository, own: Collection[File]) -> set[str] | None:
-    """Return the words of a package's files without their comments, ``None`` where these may be more than is read."""
-    if len(own) > MOST:
-        return None
-    found: set[str] = set()
-    for file in own:
-        text = repository.read(file, limit=MAX_SIZE)
-        if file.name == "CMakeLists.txt" and _TAKES_ALL.search(_HASH.sub("", text)):
-            return None
-        if file.path.endswith(_XML):
-            text = without_xml_comments(text)
-        else:
-            text = without_c_comments(text) if file.path.endswith(_CODE) else _HASH.sub("", text)
-        found |= {*_WORDS.findall(text)}
-    return found
+def _without_comments(file: File, text: str) -> str:
+    if file.path.endswith(_XML):
+        return without_xml_comments(text)
+    return without_c_comments(text) if file.path.endswith(_CODE) else _HASH.sub("", text)
 
 
 def _files(repository: Repository) -> tuple[File, ...]:
