@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from fnmatch import fnmatchcase
+import re
 from functools import cache
 from typing import Literal
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import named_by
 
 
 @cache
@@ -34,13 +35,19 @@ def same_module(name: str, other: str) -> bool:
 @cache
 def _rows_of(name: str) -> frozenset[int]:
     """Return the numbers of the rows that name a package."""
-    return frozenset(number for number, names in enumerate(_names()) if any(_is(name, pattern) for pattern in names))
-
-
-def _is(name: str, pattern: str) -> bool:
-    return fnmatchcase(name, pattern) if "*" in pattern else name == pattern
+    plain, patterns = _names()
+    return plain.get(name, frozenset()).union(number for number, names in patterns if names.match(name))
 
 
 @cache
-def _names() -> tuple[tuple[str, ...], ...]:
-    return tuple(tuple(row["names"].split()) for row in rows("same_module"))
+def _names() -> tuple[dict[str, frozenset[int]], tuple[tuple[int, re.Pattern[str]], ...]]:
+    """Return the rows of each name that is written out, and for the other rows what their names look like."""
+    plain: dict[str, frozenset[int]] = {}
+    patterns: list[tuple[int, re.Pattern[str]]] = []
+    for number, row in enumerate(rows("same_module")):
+        names = row["names"].split()
+        for name in names:
+            plain[name] = plain.get(name, frozenset()) | {number}
+        if "*" in row["names"]:
+            patterns.append((number, named_by(name for name in names if "*" in name)))
+    return plain, tuple(patterns)

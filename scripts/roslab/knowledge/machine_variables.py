@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from fnmatch import fnmatchcase
+import re
+from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.pattern import named_by
 
 
 def of_one_machine(name: str) -> bool:
     """Tell whether a variable is of one machine: its GPUs, threads, network, keys or paths of its libraries."""
-    return any(fnmatchcase(name, row["name"]) for row in rows("machine_variables"))
+    return bool(_names("machine_variables").match(name))
 
 
 def of_every_image(name: str) -> bool:
     """Tell whether a variable is set, or may be, in each image and by the setup scripts that its shells source."""
-    return any(fnmatchcase(name, row["name"]) for row in rows("image_variables"))
+    return bool(_names("image_variables").match(name))
+
+
+@cache
+def _names(table: str) -> re.Pattern[str]:
+    return named_by(row["name"] for row in rows(table))

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from fnmatch import fnmatchcase
+import re
 from functools import cache
 
 from roslab.knowledge.table import rows
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import named_by
 
 
 @cache
 def never_by_name(module: str) -> bool:
     """Tell whether a module is never to be sought under its own name: ``utils`` and ``yarp`` are others' there."""
-    name = canonicalize_name(module)
-    return any(fnmatchcase(name, pattern) for pattern in _patterns())
+    return bool(_names().match(canonicalize_name(module)))
 
 
 @cache
@@ -23,5 +23,5 @@ def widespread_stems() -> frozenset[str]:
 
 
 @cache
-def _patterns() -> tuple[str, ...]:
-    return tuple(canonicalize_name(row["module"]) for row in rows("never_by_name"))
+def _names() -> re.Pattern[str]:
+    return named_by(canonicalize_name(row["module"]) for row in rows("never_by_name"))

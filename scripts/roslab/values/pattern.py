@@ -43,6 +43,14 @@ def one_of(sources: Iterable[str]) -> re.Pattern[str]:
     return pattern("(?:" + "|".join(f"(?:{source})" for source in sources) + r")\Z")
 
 
+def named_by(globs: Iterable[str]) -> re.Pattern[str]:
+    """Return a pattern that matches a name as one of these is written, in which ``*`` alone stands for anything.
+
+    Where many names are asked for, ``fnmatch`` would compile what it has forgotten since the last one.
+    """
+    return one_of(re.escape(each).replace(r"\*", ".*") for each in globs)
+
+
 @contextmanager
 def postponed() -> Iterator[None]:
     """Let the patterns that a library makes while it is imported wait for their first use, too.

@@ -13,7 +13,7 @@ import pytest
 
 import roslab
 from roslab.values import kept_patterns
-from roslab.values.pattern import pattern, postponed
+from roslab.values.pattern import named_by, pattern, postponed
 
 
 def test_it_is_a_pattern() -> None:
@@ -26,6 +26,22 @@ def test_it_is_a_pattern() -> None:
         assert found["name"] == "Ab"
     assert word.pattern == r"(?P<name>\w+)!"
     assert word.groups == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("numpy", True),
+        ("numpy2", False),
+        ("a.b", True),
+        ("aXb", False),
+        ("mmcv-full", True),
+        ("my_config", True),
+        ("my_configs", False),
+    ],
+)
+def test_a_name_is_told_by_those_with_a_star_and_those_without(name: str, *, told: bool) -> None:
+    assert bool(named_by(("numpy", "a.b", "mmcv*", "*_config")).match(name)) is told
 
 
 def test_a_wrong_one_is_told_at_its_first_use() -> None:

@@ -15,6 +15,8 @@ _OF_RELEASES = pattern(r"(?:\w+_)?(?:MAJOR|MINOR)|(?i:(?:parse|loose|strict|digi
 """Names that tests of a version are written with."""
 _VERSION = pattern(r"_?(?:ver(?:sion)?(?:_\w+)?|major|minor)", re.IGNORECASE)
 """What follows the name of a library there: ``TORCH_VERSION``, ``np_major``."""
+_PARTS = ("ver", "major", "minor")
+"""One of them stands in each of these."""
 _MISSED = frozenset({"AttributeError", "ImportError", "ModuleNotFoundError"})
 _BODIES = ("body", "orelse", "finalbody")
 _TELLS = pattern(r"print|exit|quit|sys\.exit|os\._exit|warnings\.warn|rospy\.log\w*|(?:traceback|log\w*)\.\w+")
@@ -109,7 +111,10 @@ def _tests(test: ast.expr, libraries: Collection[str]) -> bool:
 
 
 def _of_library(name: str, libraries: Collection[str]) -> bool:
-    return any(name.lower().startswith(each) and _VERSION.fullmatch(name, len(each)) for each in libraries)
+    lowered = name.lower()
+    if not any(part in lowered for part in _PARTS):
+        return False
+    return any(lowered.startswith(each) and _VERSION.fullmatch(name, len(each)) for each in libraries)
 
 
 def _missing(handler: ast.ExceptHandler, tried: ast.Try) -> bool:
