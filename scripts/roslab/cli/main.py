@@ -29,7 +29,7 @@ MODULES = {
 
 def run() -> NoReturn:
     """Run the command line and end the process, without giving back what it made: that takes long for many values."""
-    kept_modules.install()
+    kept_modules.install(together="roslab.cli.commands")
     code = main()
     try:
         sys.stdout.flush()

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 Stamp = tuple[int, int]
 """When a file was changed last, in nanoseconds, and its size."""
-Made = tuple[str, Stamp, str, bytes]
+Made = tuple[str, Stamp, str, "bytes | memoryview"]
 """The path of the file that something is made of, that file's stamp, a note, and what is made of it."""
 _LENGTH = 8
 """Bytes at the beginning, which tell the length of the table that follows; after it comes what is kept."""
@@ -56,7 +56,7 @@ class KeptFile:
         if row is None or stamp(row[0]) != row[1]:
             return None
         path, stamped, note, start, end = row
-        return path, stamped, note, self._whole[self._start + start : self._start + end]
+        return path, stamped, note, memoryview(self._whole)[self._start + start : self._start + end]
 
     def add(self, name: str, make: Callable[[], Made | None]) -> None:
         """Keep under a name what is made when the program ends, if it is."""
@@ -89,10 +89,12 @@ class KeptFile:
             with suppress(OSError):
                 os.unlink(own)  # noqa: PTH108
 
-    def _parts(self) -> list[bytes]:
+    def _parts(self) -> list[bytes | memoryview]:
         """Return what the file consists of."""
         kept = {name: self.find(name) for name in self._rows} | {name: make() for name, make in self._later.items()}
-        rows, parts, end = {}, [], 0
+        rows: dict[str, tuple[str, Stamp, str, int, int]] = {}
+        parts: list[bytes | memoryview] = []
+        end = 0
         for name, made in kept.items():
             if made:
                 path, stamped, note, content = made

@@ -3,21 +3,26 @@
 A plan imports some seven hundred small modules. To look for each along the path, and to open, check and read its own
 file, is a fifth of its time (``benchmarks/plan.py``). Here only the date and the size of each source are looked at, by
 which Python, too, sees whether what it compiled is still true. A module that is new or was changed is imported as ever.
+
+What the module of the commands imports is kept once more, in a file of its own, as one value in which names that many
+modules have stand once, and in the order in which it was executed: to find, lock and describe each module would take as
+long as to execute it. It holds for as long as each of its sources is as it was.
 """
 
 from __future__ import annotations
 
 import marshal
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import partial
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import CodeType, ModuleType
 
-from roslab.values.kept_file import DAMAGED, KeptFile, Made, stamp
+from roslab.values.kept_file import DAMAGED, KeptFile, Made, Stamp, stamp
 
 _PROGRAM = f"{__name__.partition('.')[0]}."
+_PACKAGE = "/__init__.py"
 _HEADER = 16
 """Bytes before the code in Python's own file: magic number, flags, and date and size of the source, four of each.
 
@@ -25,17 +30,28 @@ https://peps.python.org/pep-0552/#specification
 """
 
 
-def install() -> None:
-    """Let the modules of the program that are imported from here on come from the file, as far as it has them."""
+Row = tuple[str, str, Stamp, str, CodeType]
+"""Of a module that is kept with others: its name, its source and that file's stamp, Python's own file, its code."""
+
+
+def install(together: str) -> None:
+    """Let the modules of the program that are imported from here on come from the file, as far as it has them.
+
+    ``together`` names the module of which all that it imports is kept as one value.
+    """
     if sys.implementation.name == "cpython" and __spec__:
-        sys.meta_path.insert(0, Finder(KeptFile(__spec__, "modules")))
+        sys.meta_path.insert(0, Finder(KeptFile(__spec__, "modules"), KeptFile(__spec__, "together"), together))
 
 
 class Finder:
     """Finds the modules that are kept, and has those of the program kept that are not."""
 
-    def __init__(self, kept: KeptFile) -> None:
-        self._kept = kept
+    def __init__(self, kept: KeptFile, together: KeptFile, first: str) -> None:
+        self._kept, self._together, self._first = kept, together, first
+        self._executed: list[str] | None = None
+        """What was imported since the first one was asked for, as it was done; ``None`` before and after."""
+        self._changed = False
+        """Whether one of them was not among what is kept together."""
 
     def find_spec(self, name: str, path: Sequence[str] | None, _: object = None) -> ModuleSpec | None:
         """Return how a module is loaded that is kept; ``None`` leaves it to the next finder."""
@@ -46,15 +62,81 @@ class Finder:
         # Of a copy of the whole program the modules stand elsewhere
         if made is None or made[0] not in {f"{folder}.py", f"{folder}/__init__.py"}:
             self._kept.add(name, partial(_compiled, name))
+            self._executed = None  # the order would lack it
             return None
+        if name == self._first:
+            self._executed = []
+            self._bring(made[0])
         source, _, cached, code = made
-        is_package = len(source) > len(folder) + 3
-        loader = _Loader(name, source, code, lambda: self._kept.add(name, partial(_compiled, name)))
-        spec = ModuleSpec(name, loader, origin=source, is_package=is_package)
-        spec.has_location, spec.cached = True, cached
-        if spec.submodule_search_locations is not None:
-            spec.submodule_search_locations.append(folder)
-        return spec
+        loader = _Loader(
+            name, source, code, lambda: self._kept.add(name, partial(_compiled, name)), partial(self._done, name)
+        )
+        return _spec(name, source, cached, loader)
+
+    def _bring(self, source: str) -> None:
+        """Execute what is kept together of the imports of a source, but what is there: each after what it imports."""
+        rows = self._rows(source)
+        new = (row for row in rows if row[0] not in sys.modules)
+        packages = {row[0]: _module(row) for row in new if row[1].endswith(_PACKAGE)}
+        sys.modules.update(packages)  # modules that a package imports may import others from it
+        for row in rows:
+            name, code = row[0], row[-1]
+            if name in packages or name not in sys.modules:
+                sys.modules[name] = module = packages.get(name) or _module(row)
+                exec(code, module.__dict__)  # noqa: S102 - as Python does with the code of any module
+                parent, _, last = name.rpartition(".")
+                setattr(sys.modules[parent], last, module)
+            if self._executed is not None:
+                self._executed.append(name)
+
+    def _rows(self, source: str) -> list[Row]:
+        """Return what is kept together, nothing of a copy of the program or where a source is not as it was."""
+        found = self._together.find(self._first)
+        if found is None or found[0] != source:
+            return []
+        with suppress(*DAMAGED):
+            rows: list[Row] = marshal.loads(found[3])  # noqa: S302 - trusted as Python's own file
+            if all(stamp(file) == stamped for _, file, stamped, _, _ in rows):
+                return rows
+        return []
+
+    def _done(self, name: str) -> None:
+        """Note that a module was imported by itself; with the first one's end, have the others kept together."""
+        if self._executed is None:
+            return
+        if name != self._first:
+            self._executed.append(name)
+            self._changed = True
+            return
+        if self._changed:
+            self._together.add(name, partial(self._in_order, tuple(self._executed)))
+        self._executed = None
+
+    def _in_order(self, names: Iterable[str]) -> Made | None:
+        first = self._kept.find(self._first)
+        found = {name: self._kept.find(name) for name in names}
+        rows = [(name, *made[:3], marshal.loads(made[3])) for name, made in found.items() if made]  # noqa: S302
+        return (*first[:3], marshal.dumps(rows)) if first and len(rows) == len(found) else None
+
+
+def _module(row: Row) -> ModuleType:
+    """Return a module that is to be executed, as Python makes it."""
+    name, source, _, cached, _ = row
+    spec = _spec(name, source, cached, SourceFileLoader(name, source))
+    module = _Module(name)
+    said = {"__spec__": spec, "__loader__": spec.loader, "__file__": source, "__cached__": cached}
+    module.__dict__.update(said, __package__=spec.parent)
+    if spec.submodule_search_locations is not None:
+        module.__path__ = spec.submodule_search_locations
+    return module
+
+
+def _spec(name: str, source: str, cached: str, loader: SourceFileLoader) -> ModuleSpec:
+    spec = ModuleSpec(name, loader, origin=source, is_package=source.endswith(_PACKAGE))
+    spec.has_location, spec.cached = True, cached
+    if spec.submodule_search_locations is not None:
+        spec.submodule_search_locations.append(source.removesuffix(_PACKAGE))
+    return spec
 
 
 class _Module(ModuleType):
@@ -70,14 +152,21 @@ class _Module(ModuleType):
 class _Loader(SourceFileLoader):
     """Loads a module from its compiled code."""
 
-    def __init__(self, name: str, path: str, compiled: bytes, anew: Callable[[], None]) -> None:
-        """``anew`` is called where what was kept is damaged, to have it kept anew."""
+    def __init__(
+        self, name: str, path: str, compiled: bytes | memoryview, anew: Callable[[], None], done: Callable[[], None]
+    ) -> None:
+        """``anew`` is called where what was kept is damaged, to have it kept anew, ``done`` after the module's code."""
         super().__init__(name, path)
-        self._compiled, self._anew = compiled, anew
+        self._compiled, self._anew, self._done = compiled, anew, done
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         """Return the module, empty."""
         return _Module(spec.name)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Execute the module."""
+        super().exec_module(module)
+        self._done()
 
     def get_code(self, fullname: str) -> CodeType | None:
         """Return the module's code, where what was kept is damaged as Python itself finds it."""

@@ -154,7 +154,7 @@ def origins(program: Path, *code: str) -> str:
         "import sys",
         f"sys.path.insert(0, {str(program)!r})",
         "from roslab.values import kept_modules",
-        "kept_modules.install()",
+        "kept_modules.install('roslab.cli.commands')",
         "from roslab.values import conda",
         "print(type(conda.__loader__).__name__, conda.__file__)",
         *code,
@@ -239,3 +239,60 @@ def test_damaged_modules_and_values_are_made_anew(program: Path, module: ModuleS
         f"_Loader {where}\nconda_package\n"
     ] * 2
     assert kept.read_bytes()[length:].strip(b"\0")
+
+
+def together(program: Path, *code: str) -> list[str]:
+    """Import what the commands import, and print how many modules came by themselves, and what ``code`` prints."""
+    count = "sum(type(m.__loader__).__name__ == '_Loader' for n, m in sys.modules.items() if n.startswith('roslab.'))"
+    return origins(program, "import roslab.cli.commands", f"print({count})", *code).splitlines()[1:]
+
+
+def test_what_the_commands_import_comes_as_one_from_the_third_start_on(program: Path) -> None:
+    told = [
+        together(
+            program,
+            "import inspect, roslab.decide as room",
+            "from roslab.decide import kind",
+            "print(kind.__spec__.name, kind.__file__, room.kind is kind, inspect.getsource(kind)[:3])",
+            "print(room.__path__, room.__package__, kind.__package__, kind.__spec__.cached == kind.__cached__)",
+        )
+        for _ in range(4)
+    ]
+    first, second, third, fourth = (int(alone) for alone, *_ in told)
+    assert first == 0
+    assert second > 500
+    assert third == fourth < 20, "what came before the commands, and themselves"
+    folder = program / "roslab" / "decide"
+    where = f'roslab.decide.kind {folder / "kind.py"} True """'
+    as_package = f"[{str(folder)!r}] roslab.decide roslab.decide True"
+    assert [each[1:] for each in told] == [[where, as_package]] * 4
+
+
+def test_where_a_source_was_changed_all_come_by_themselves_and_then_as_one_again(program: Path) -> None:
+    for _ in range(3):
+        together(program)
+    file = program / "roslab" / "decide" / "kind.py"
+    file.write_text(file.read_text(encoding="utf-8") + "\nNEW = 'new'\n", encoding="utf-8")
+    told = [together(program, "from roslab.decide.kind import NEW", "print(NEW)") for _ in range(3)]
+    assert [each[1] for each in told] == ["new"] * 3
+    assert [int(each[0]) > 500 for each in told] == [True, True, False]
+
+
+def test_a_copy_does_not_take_them_from_elsewhere(program: Path, tmp_path: Path) -> None:
+    for _ in range(3):
+        together(program)
+    copy = Path(shutil.copytree(program, tmp_path / "copy"))
+    foreign = (
+        f"print([n for n, m in sys.modules.items() if n.startswith('roslab') and {str(copy)!r} not in m.__file__])"
+    )
+    assert [together(copy, foreign)[1] for _ in range(4)] == ["[]"] * 4
+
+
+def test_damaged_ones_are_made_anew(program: Path) -> None:
+    for _ in range(3):
+        together(program)
+    (kept,) = program.glob("**/*.together")
+    whole = kept.read_bytes()
+    length = 8 + int.from_bytes(whole[:8], "little")
+    kept.write_bytes(whole[:length] + bytes(len(whole) - length))
+    assert [int(together(program)[0]) > 500 for _ in range(2)] == [True, False]
