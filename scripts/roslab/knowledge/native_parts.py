@@ -80,8 +80,9 @@ def bringing() -> tuple[Bringing, ...]:
 
 def series_of(asked: Requirement, day: str | None, known: Iterable[Row]) -> Row | None:
     """Return the row for the release that pip takes of a package, on a day or today; ``None`` if there is none."""
-    ours = [row for row in known if row.pip == asked.key]
-    release = version_of(asked.release) if asked.release else None
+    key, pinned = asked.key, asked.release
+    ours = [row for row in known if row.pip == key]
+    release = version_of(pinned) if pinned else None
     if release:
         return next((row for row in reversed(ours) if Version(row.first) <= release), None)
     fitting = [row for row in ours if asked.specifier.contains(row.newest) or asked.specifier.contains(row.first)]

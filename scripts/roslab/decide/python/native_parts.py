@@ -53,7 +53,8 @@ def brought(asked: Iterable[Requirement], day: str | None) -> tuple[Requirement,
 
 def _brought_by(asked: Requirement, limited: Requirement, day: str | None) -> Iterator[Requirement]:
     """Yield what a package brings in the release that is taken of it, one of each series of its rows."""
-    rows = [row for row in bringing() if row.pip == asked.key]
+    key = asked.key
+    rows = [row for row in bringing() if row.pip == key]
     for part in dict.fromkeys(row.part for row in rows):
         row = series_of(limited, day, (each for each in rows if each.part == part))
         if not row or not row.brings or (row.of_index and asked.url):

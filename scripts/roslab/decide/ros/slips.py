@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Collection, Iterator
-from functools import cache, lru_cache
+from functools import cache
 from itertools import pairwise
 
 _SHORTEST = 5
@@ -20,8 +21,8 @@ def meant(name: str, known: Collection[str]) -> tuple[str, ...]:
     here = set(_with_a_gap(name)) | set(_swapped(name))
     half = (len(name) - 1) // 2
     begins, ends = name[:half], name[-half:]  # a slip leaves one of them whole
-    first, last = _by_halves(frozenset(known), half)
-    alike = {*first.get(begins, ()), *last.get(ends, ())}
+    names, backwards = _in_order(frozenset(known))
+    alike = {*_beginning(begins, names), *(each[::-1] for each in _beginning(ends[::-1], backwards))}
     near = (each for each in alike if abs(len(each) - len(name)) <= 1 and each != name)
     return tuple(sorted(each for each in near if not here.isdisjoint((each, *_with_a_gap(each)))))
 
@@ -42,15 +43,15 @@ def _by_beginning(known: frozenset[str]) -> dict[str, list[str]]:
     return found
 
 
-@lru_cache(maxsize=64)
-def _by_halves(known: frozenset[str], half: int) -> tuple[dict[str, list[str]], dict[str, list[str]]]:
-    """Return names by so many of their first letters, and by so many of their last, once for all that are compared."""
-    first: dict[str, list[str]] = {}
-    last: dict[str, list[str]] = {}
-    for name in known:
-        first.setdefault(name[:half], []).append(name)
-        last.setdefault(name[-half:], []).append(name)
-    return first, last
+@cache
+def _in_order(known: frozenset[str]) -> tuple[list[str], list[str]]:
+    """Return names sorted, and written backwards and sorted, once for all that are compared."""
+    return sorted(known), sorted(each[::-1] for each in known)
+
+
+def _beginning(start: str, names: list[str]) -> list[str]:
+    """Return the names that begin so, among sorted ones."""
+    return names[bisect_left(names, start) : bisect_left(names, f"{start}\U0010ffff")]
 
 
 def _with_a_gap(name: str) -> Iterator[str]:

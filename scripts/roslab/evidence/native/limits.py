@@ -44,6 +44,13 @@ def _signs(where: Sign, value: str) -> tuple[Limit, ...]:
     return tuple(limit for limit in _search(where).possible(value) if limit.pattern.search(value))
 
 
+@cache
+def _of_header(name: str) -> tuple[str, str, tuple[Limit, ...], tuple[Limit, ...]]:
+    """Return the last part of a header, what is kept for it, and of which signs of old and of newer libraries it is."""
+    last = name.rpartition("/")[2]
+    return last, name if name in kept_names() else last, _signs("include", name), _signs("cpp11", name)
+
+
 def tells(header: str) -> bool:
     """Tell whether a header is a sign, or keeps names: of another one it matters once that a file includes it."""
     return bool(_signs("include", header) or _signs("cpp11", header)) or header in kept_names()
@@ -94,15 +101,17 @@ class Signs:
 
     def header(self, name: str, path: str, text: str, position: int) -> None:
         """Read an include at a position of a file."""
-        self.guarded.update(("OpenCV",) if name.endswith(_OLD_NAMES) else ())
-        (self.by_cuda if path.endswith(CUDA) else self.included).add(name.rpartition("/")[2])
-        self.includes.setdefault(path, set()).add(name if name in kept_names() else name.rpartition("/")[2])
-        found = _signs("include", name)
-        for limit in found if found and not conditional(text, position) else ():
-            self._add(limit, path, text.count("\n", 0, position) + 1)
-        for limit in _signs("cpp11", name):
-            if not conditional(text, position):
-                self.newer.append((limit, path, text.count("\n", 0, position) + 1))
+        last, brings, old, newer = _of_header(name)
+        (self.by_cuda if path.endswith(CUDA) else self.included).add(last)
+        self.includes.setdefault(path, set()).add(brings)
+        if name.endswith(_OLD_NAMES):
+            self.guarded.add("OpenCV")
+        if not (old or newer) or conditional(text, position):
+            return
+        line = text.count("\n", 0, position) + 1
+        for limit in old:
+            self._add(limit, path, line)
+        self.newer += ((limit, path, line) for limit in newer)
 
     def all(self, repository: Repository) -> tuple[CodeLimit, ...]:
         """Return the signs of the sources that were read and of the CMake files, each at its first place.

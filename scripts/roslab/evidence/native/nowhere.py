@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Collection, Iterator, Mapping
+from functools import cached_property
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -152,12 +153,16 @@ class Nowhere:
             if any(not folder or file.path.startswith(f"{folder}/") for folder in folders):
                 yield file
 
+    @cached_property
+    def _folders(self) -> frozenset[str]:
+        """The folders of the packages."""
+        return frozenset(posixpath.dirname(each.file) for each in self.manifests)
+
     def _package(self, path: str) -> str | None:
         """Return the folder of the package that a path lies in, ``None`` for none."""
-        folders = {posixpath.dirname(each.file) for each in self.manifests}
         while path:
             path = posixpath.dirname(path)
-            if path in folders:
+            if path in self._folders:
                 return path
         return None
 

@@ -140,5 +140,5 @@ def _filled(text: str) -> str:
 
 
 def _words_of(texts: Iterable[str]) -> frozenset[str]:
-    words = frozenset(word for text in texts for word in _WORD.findall(text))
+    words = frozenset[str]().union(*(_WORD.findall(text) for text in texts))
     return words | {word.rpartition(".")[0] for word in words}

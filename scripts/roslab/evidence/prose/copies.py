@@ -45,13 +45,20 @@ def in_copy(repository: Repository, file: File) -> bool:
     """
     names = _RECIPES.sub("", file.folder).split("/")
     parts = ["/".join(names[:end]) for end in range(len(names), 0, -1)]
-    part = next((part for part in parts if part and _whole(repository, part)), None)
+    whole = repository.once(_whole_projects)
+    part = next((part for part in parts if part and part in whole), None)
     if part is None:
         return False
     outside = any(not manifest.path.startswith(f"{part}/") for manifest in repository.named("package.xml"))
-    return outside or _whole(repository, "")
+    return outside or "" in whole
 
 
-def _whole(repository: Repository, folder: str) -> bool:
-    names = {beside.name.lower().partition(".")[0] for beside in repository.files if beside.folder == folder}
-    return "readme" in names and bool(names & {"license", "licence", "copying"})
+def _whole_projects(repository: Repository) -> frozenset[str]:
+    """Return the folders that have a page and a licence."""
+    pages, licences = (_folders_with(repository, *stems) for stems in (("readme",), ("license", "licence", "copying")))
+    return pages & licences
+
+
+def _folders_with(repository: Repository, *stems: str) -> frozenset[str]:
+    found = (files for name, files in repository.by_name.items() if name.partition(".")[0] in stems)
+    return frozenset(file.folder for files in found for file in files)

@@ -103,11 +103,20 @@ def _tests(test: ast.expr, libraries: Collection[str]) -> bool:
         if _OF_RELEASES.fullmatch(name) or _of_library(name, libraries):
             return True
         if isinstance(node, ast.Call):
-            called = ast.unparse(node.func)
-            first = ast.unparse(node.args[0]).partition(".")[0] if node.args else ""
-            if called == "version.parse" or (called == "hasattr" and first.lower() in libraries):
+            called = _dotted(node.func)
+            if called == "version.parse":
+                return True
+            asked = node.args[:1] if called == "hasattr" else ()
+            if any(ast.unparse(each).partition(".")[0].lower() in libraries for each in asked):
                 return True
     return False
+
+
+def _dotted(node: ast.expr) -> str:
+    """Return a name, or one with what is asked of it (``version.parse``); to write out any other takes long."""
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+        return f"{node.value.id}.{node.attr}"
+    return node.id if isinstance(node, ast.Name) else ""
 
 
 def _of_library(name: str, libraries: Collection[str]) -> bool:

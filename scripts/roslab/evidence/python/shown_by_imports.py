@@ -26,9 +26,13 @@ def shown_by_imports(imported: Mapping[str, Iterable[str]], calls: Iterable[Depe
     by_file: dict[str, list[Dependency]] = {}
     for call in calls:
         by_file.setdefault(call.file, []).append(call)
+    names = {path.rpartition("/")[2] for path in by_file}
     for file, modules in imported.items() if by_file else ():
         bases = dict.fromkeys(("", posixpath.dirname(file), "src"))
         for name in modules:
-            paths = (posixpath.join(base, f"{name.replace('.', '/')}.py") for base in bases)
+            module = f"{name.replace('.', '/')}.py"
+            if module.rpartition("/")[2] not in names:
+                continue
+            paths = (posixpath.join(base, module) for base in bases)
             for call in next((by_file[path] for path in paths if path in by_file and path != file), ()):
                 yield replace(call, file=file, line=1)
