@@ -136,7 +136,12 @@ class Nowhere:
         """Tell whether a header has a template, or CMake names it with its folder, as it does to make it of a file."""
         if self.repository.named(f"{posixpath.basename(name)}.in"):
             return True
-        return any(name in self.repository.read(file) for file in self.repository.named("CMakeLists.txt"))
+        return any(name in text for text in self._lists)
+
+    @cached_property
+    def _lists(self) -> tuple[str, ...]:
+        """The texts of every list of CMake."""
+        return tuple(self.repository.read(file) for file in self.repository.named("CMakeLists.txt"))
 
     def _within(self, path: str, package: str) -> bool:
         """Tell whether a path is inside of a package, where it may be generated, or in a submodule."""

@@ -6,6 +6,7 @@ import ast
 import re
 import sys
 from collections.abc import Collection
+from functools import cache
 
 from roslab.evidence.python import asked_history
 from roslab.evidence.python.parsed import parsed
@@ -58,8 +59,9 @@ class SetupScript:
     """Names of the arguments of ``setup``; ``**`` for a dictionary that was not followed."""
 
 
+@cache
 def read(text: str) -> SetupScript:
-    """Read a script; one for Python 2 is read by patterns."""
+    """Read a script, for all who ask for it, and none changes it; one for Python 2 is read by patterns."""
     script = SetupScript(catkin="catkin_pkg" in text or "generate_distutils_setup" in text)
     tree = parsed(text)
     if tree is None:
@@ -138,7 +140,7 @@ def _opened(tree: ast.Module) -> tuple[str, ...]:
             made = made or any(_makes(node, own) for node in ast.walk(statement) if isinstance(node, ast.Call))
         always = not made and isinstance(statement, (ast.With, ast.Assign, ast.Expr))
         for node in ast.walk(statement):
-            if isinstance(node, ast.Call) and ast.unparse(node.func) in _OPENERS and node.args:
+            if isinstance(node, ast.Call) and _opens(node) and node.args:
                 name, mode = node.args[0], _mode(node)
                 if not isinstance(name, ast.Constant) or not isinstance(name.value, str):
                     continue
@@ -147,6 +149,10 @@ def _opened(tree: ast.Module) -> tuple[str, ...]:
                 else:
                     written.add(name.value)
     return tuple(name for name in found if name not in written)
+
+
+def _opens(call: ast.Call) -> bool:
+    return _called(call) == "open" and ast.unparse(call.func) in _OPENERS  # to write out every call takes long
 
 
 def _makes(call: ast.Call, own: Collection[str]) -> bool:
