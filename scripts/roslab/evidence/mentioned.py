@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from roslab.evidence import git_folder, matlab, started_programs, submodules
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import cloned_heads, copied_headers, cuda_paths, shared_objects, templates
+from roslab.evidence.native import cloned_heads, cuda_paths, shared_objects, templates
 from roslab.evidence.prose import (
     asked_options,
     branch_tables,
     container_scripts,
     container_starts,
+    copied_headers,
     for_reference,
     laid_as_sources,
     libtorch,

@@ -8,7 +8,6 @@ https://docs.ros.org/en/rolling/p/launch/launch.substitutions.html; all read 202
 from __future__ import annotations
 
 import ast
-import html
 import operator
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -62,7 +61,7 @@ class UnknownError(Exception):
 
 def expression(written: str) -> str:
     """Return what stands in a launch file as an expression of Python, with ``arg('NAME')``; ``""`` where it is none."""
-    text = html.unescape(written.strip())
+    text = _plain(written.strip())
     if len(text) > MOST:
         return ""
     if said := _EVAL.fullmatch(text):
@@ -72,6 +71,15 @@ def expression(written: str) -> str:
             inner = inner[1:-1].replace(f"\\{inner[0]}", inner[0])  # ROS 2 has the whole in quotes
         return _REFERENCE.sub(r"arg('\2')", inner)
     return _substituted(text) if text.startswith("$(") else ""
+
+
+def _plain(text: str) -> str:
+    """Return a text with the signs that XML's references stand for."""
+    if "&" not in text:
+        return text
+    from html import unescape  # noqa: PLC0415 - its table of names is long, and few conditions have such a sign
+
+    return unescape(text)
 
 
 def _substituted(text: str) -> str:

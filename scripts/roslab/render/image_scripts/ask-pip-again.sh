@@ -153,7 +153,7 @@ roslab_out_of_reach() { # PYTHON NAME
   local bound newest wanted_by
   bound="$(sed -n "s/.*No matching distribution found for $2[^ ;(]*>=\{0,1\}\([0-9][0-9.]*\).*/\1/p" "${log}" | tail -n 1)"
   newest="$(sed -n "s/.*requirement $2[^A-Za-z0-9._-].*(from versions: \(.*\)).*/\1/p; s/.*Ignored the following .*versions[^:]*: \(.*\)/\1/p" "${log}" \
-    | tr ',;' '\n\n' | sed 's/^ *//; s/ .*//' | { grep '^[0-9]' || true; } | sort -V | tail -n 1)"
+    | sed 's/[,;]/\n/g' | sed 's/^ *//; s/ .*//' | { grep '^[0-9]' || true; } | sort -V | tail -n 1)"
   if [ -z "${bound}" ] || [ -z "${newest}" ] || [ "$(printf '%s\n' "${bound}" "${newest}" | sort -V | tail -n 1)" = "${newest}" ]; then
     return 1
   fi
