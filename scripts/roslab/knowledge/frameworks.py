@@ -130,6 +130,11 @@ def framework(package: str, release: str) -> Framework | None:
     return next((row for first, row in series if numbers and first <= numbers), None)
 
 
+def meant_framework(package: str, release: str) -> Framework | None:
+    """Return the row for a release, that of the newest one before it where there never was such a release."""
+    return last_below(tabled(package), release) if never_released(package, release) else framework(package, release)
+
+
 def newest_framework(
     package: str, day: str | None = None, python: str | None = None, below: str | None = None
 ) -> Framework | None:

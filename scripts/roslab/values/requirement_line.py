@@ -24,6 +24,8 @@ _URL = pattern(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git
 _PATH = pattern(r"[\w./-]+(?:\[.*\])?")
 _NAME = pattern(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\])?\s*(.*)")
 _VERSIONS = pattern(r"\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?")
+_EITHER = pattern(r"(==\s*\d[\w.]*)\s*(?:/|\bor\b)\s*(?:==\s*)?\d[\w.]*")
+"""Two versions that were used, as prose has them: the first one is taken."""
 _EXPORTED = pattern(r"=([\w.+!-]+?)(?:=[^=\s]+)?")
 _SLIP = pattern(r"([=<>~!:\s-]*)v?(\d[\w.*+!]*?)\.?")
 """A version with signs in another order, too few or too many of them, or a last full stop."""
@@ -147,6 +149,8 @@ def _repaired(text: str) -> Requirement | None:
     extras = tuple(sorted(filter(None, listed.strip("[]").split(","))))
     if not rest or rest.startswith("@"):  # its marker was what pip cannot read, or conda's path of the author's machine
         return _NOWHERE(name=name, written=name + listed, extras=extras, role="repaired")
+    if either := _EITHER.fullmatch(rest):
+        rest = either[1]
     if slip := _slip(rest):
         return _NOWHERE(
             name=name, written=name + listed + slip, specifier=specifiers(slip) or FREE, extras=extras, role="repaired"

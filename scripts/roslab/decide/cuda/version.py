@@ -25,8 +25,8 @@ from roslab.knowledge.frameworks import (
     CudaImage,
     build_needs,
     cuda_image,
-    framework,
     framework_on_cuda,
+    meant_framework,
     nearest_cuda_image,
     newest_framework,
     tabled,
@@ -186,7 +186,7 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None, *,
     local = (cuda_of(asked.url) or cuda_of(pin.release or "")) if pin.name in BUILT_FOR else None
     release = pin.release or ""
     cpu = of_the_cpu(release) or without_gpu(pin.name, release)
-    row = framework(table, release) if table and release and not cpu else None
+    row = meant_framework(table, release) if table and release and not cpu else None
     if not pin.trust:  # from a lock, from an example, or deep in the tree
         weight = Weight.LOCKED if asked.origin == "lock" else Weight.ASIDE
         if answer := local or (row.cuda[0] if row else None):

@@ -15,7 +15,7 @@ from roslab.decide.reasons import Placed, because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.days import ended
-from roslab.knowledge.frameworks import Framework, framework, last_below
+from roslab.knowledge.frameworks import Framework, framework, last_below, meant_framework
 from roslab.values.dataclass import dataclass
 from roslab.values.interpreter import Interpreter
 from roslab.values.pattern import pattern
@@ -191,7 +191,7 @@ def _newest_allowed(pin: Pin) -> Framework | None:
     """Return the row of the release that a package is pinned to, or of the newest that its upper bound leaves."""
     release, below = pin.release, pin.requirement.below
     if release or below is None:
-        return framework(pin.name, release) if release else None
+        return meant_framework(pin.name, release) if release else None
     return framework(pin.name, below) if pin.requirement.specifier.contains(below) else last_below(pin.name, below)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Container, Iterable, Iterator
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.knowledge.backports import backports
-from roslab.knowledge.frameworks import Framework, framework, tabled
+from roslab.knowledge.frameworks import Framework, framework, never_released, tabled
 from roslab.knowledge.without_source import without_source
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
@@ -26,7 +26,12 @@ def unmet(asked: Requirement, python: str | None) -> bool:
     source for it. Robots that raise single lines of old lists leave such pins, and lists that were written on another
     machine such bounds: pip finds no release for them and stops.
     """
-    return _row(asked, python) is not None or _outgrown(asked, python) is not None
+    return never_was(asked) or _row(asked, python) is not None or _outgrown(asked, python) is not None
+
+
+def never_was(asked: Requirement) -> bool:
+    """Tell whether a requirement is pinned to a release that there never was: pip stops there, whatever the Python."""
+    return bool(asked.release and not asked.url and never_released(asked.key, asked.release))
 
 
 def _row(asked: Requirement, python: str | None) -> Framework | None:
@@ -77,7 +82,8 @@ def loosened(
         if in_python(asked, python):
             continue
         if asked in also or unmet(asked, python):
-            free = stated(asked.name or asked.key, asked.origin, asked.file, asked.line)
+            below = f"<{asked.release}" if never_was(asked) else ""
+            free = stated(f"{asked.name or asked.key}{below}", asked.origin, asked.file, asked.line)
             yield replace(free, marker=asked.marker, extras=asked.extras, role=asked.role)
         else:
             yield asked
@@ -88,6 +94,8 @@ def told(asked: Requirement, python: str | None) -> Warning_:
     if in_python(asked, python):
         message = f"{asked.written} is left out: Python {backports()[asked.key]} and newer have it themselves"
         return warn(f"{message}, and the image has {python}", asked)
+    if never_was(asked):
+        return warn(f"there never was {asked.written}: pip takes the newest release of {asked.name} before it", asked)
     row = _row(asked, python)
     needs = f"needs Python {row.python_min}" if row else f"needs a Python newer than {_outgrown(asked, python)}"
     if row and Version(python or "0") > Version(row.python_max):
