@@ -24,6 +24,7 @@ from roslab.render.layers import (
     native_parts,
     newer_cmake,
     own_scripts,
+    owners,
     patched,
     program,
     python,
@@ -116,6 +117,7 @@ TODAY = Order(
         author_folders.author_folders,
         native_parts.compile_modules,
         downloads.bring,
+        owners.environment_without_projects,
     ),
     source=(
         workspace.copy_source,  # 5.
@@ -123,7 +125,7 @@ TODAY = Order(
         python_projects.projects,
         native_parts.compile_of_projects,
         wheel_libraries.after_projects,
-        workspace.own_projects,
+        owners.own_projects,
         workspace.any_processor,
         own_scripts.before_program,
         inside.compile_inside,
@@ -157,7 +159,7 @@ OLD_FORMATS = Order(  # the order of the old generators, in which later steps us
         workspace.old_paths,
         python_projects.versions,
         python_projects.projects,
-        workspace.own_home,
+        owners.own_home,
         *END,
     ),
 )

@@ -90,6 +90,9 @@ RUN --mount=type=cache,id=pip-conda_environment-${TARGETARCH},target=/root/.cach
  && (cd /tmp/manifests && python3 -m pip install "$(pip-cache)" --upgrade --requirement environment.yml.pip) \
  && rm -rf /tmp/pip-downloads
 
+# The environment is the user's: packages write beside their modules, and pip installs more
+RUN find /opt/conda -type d -exec chown "${NB_UID}:${NB_UID}" {} +
+
 # The source
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/conda_environment

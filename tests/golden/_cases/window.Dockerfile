@@ -113,6 +113,9 @@ COPY --from=scripts /shared-objects.txt /usr/local/share/roslab/
 RUN --mount=type=cache,id=apt-lists-window-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
     install-wheel-libraries python3
 
+# The environment is the user's: packages write beside their modules, and pip installs more
+RUN find /opt/venv -type d -exec chown "${NB_UID}:${NB_UID}" {} +
+
 # The source
 USER ${NB_USER}
 WORKDIR /home/${NB_USER}/window

@@ -5,7 +5,8 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
-from roslab.render.layers.workspace import HOME, own_home, setups, source_folder
+from roslab.render.layers.owners import own_home
+from roslab.render.layers.workspace import HOME, setups, source_folder
 
 ENTRY_POINT = "roslab-entrypoint"
 ENVIRONMENT = "/usr/local/share/roslab/environment.bash"

@@ -6,7 +6,8 @@ from roslab.plan.plan import Plan
 from roslab.plan.workspace import Script
 from roslab.render import quote
 from roslab.render.layers import cloned_heads, gpu_said, shell
-from roslab.render.layers.workspace import own_home, source_folder
+from roslab.render.layers.owners import own_home
+from roslab.render.layers.workspace import source_folder
 from roslab.values.dataclass import replace
 
 

@@ -153,19 +153,6 @@ def folders_of_data(plan: Plan) -> str:
     return f"# Folders that git does not keep and in which programs write\n{shell.run(f'mkdir --parents {made}')}"
 
 
-def own_projects(plan: Plan) -> str:
-    """Give the user what pip wrote beside the projects that root installed."""
-    return own_home(plan) if plan.workspace.python_projects else ""
-
-
-def own_home(_: Plan) -> str:
-    """Give the user what root made in its home; files that are its own already are not written to the layer again."""
-    why = "# What root made in the user's home\n"
-    return (
-        why + 'RUN find "/home/${NB_USER}" ! -user "${NB_UID}" -exec chown --no-dereference "${NB_UID}:${NB_UID}" {} +'
-    )
-
-
 def setups(plan: Plan) -> list[str]:
     """Return the setup scripts of ROS and of the compiled workspace, each quoted for a shell."""
     found = ['"/opt/ros/${ROS_DISTRO}/setup.bash"'] if plan.workspace.underlay else []
