@@ -5,7 +5,7 @@ from __future__ import annotations
 import fnmatch
 import posixpath
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from itertools import accumulate
 
@@ -35,6 +35,8 @@ https://packaging.python.org/en/latest/guides/writing-pyproject-toml/#readme, 20
 """
 _FILE = pattern(r"(?![-./])[\w./-]{1,200}\.\w{1,10}")
 """A word of a command that may be a path from the root."""
+_CODE = (".py", ".sh", ".bash", "CMakeLists.txt")
+"""How the names of files end that are compiled or started, and are no data."""
 Parts = tuple[str, ...]
 """A line's shell patterns, one for each part of a path; ``**`` stands for any number of folders."""
 
@@ -50,7 +52,8 @@ def ignore(plan: Plan, unread: tuple[str, ...]) -> str:
     ``unread`` is what ``create`` writes and no program in the image reads: changing it must not repeat the build.
     The last line that matches a path decides. The author's file was written for another Dockerfile, so a file that this
     Dockerfile installs from is included again right after the line that excluded it, and so is all where the repository
-    itself is compiled or installed and a line excludes everything (``*``); the lines below still apply.
+    itself is compiled or installed, a line excludes everything (``*``) and none below it lets in what is compiled or
+    started; the lines below still apply.
     ``.git`` comes last, so that no ``!`` of the author's publishes the history and the runner's credentials.
     """
     lines = [*map(str.rstrip, plan.ignore)]
@@ -92,10 +95,16 @@ def _needed(plan: Plan) -> tuple[str, ...]:
     pages = (posixpath.normpath(posixpath.join(folder, page)) for folder in projects for page in _PAGES)
     command = line_of(plan.run.command).split()
     named = () if command[:1] in (["roslaunch"], ["rosrun"], ["ros2"]) else map(posixpath.normpath, command)
-    started = (word for word in named if _FILE.fullmatch(word))
+    started = [word for word in named if _FILE.fullmatch(word)]
     needed = {*python.manifests, *python.requirements, *conda, *folders, *files, *pages, *started}
     whole = plan.kind not in {"ros1", "ros2"} or any("/" not in path for path in manifests)
-    return tuple(sorted(needed | {ROOT} if whole else needed))
+    return tuple(sorted(needed | {ROOT} if whole and not _lets_in(plan.ignore, (*cmake, *started)) else needed))
+
+
+def _lets_in(lines: Sequence[str], files: Iterable[str]) -> bool:
+    """Tell whether an ignore file itself leaves what is compiled or started in the build: it knows this program."""
+    own = [path for path in files if path.endswith(_CODE)]
+    return bool(own) and not any(keeps_out(lines, path) for path in own)
 
 
 def _with_needed(lines: list[str], needed: tuple[str, ...]) -> list[str]:

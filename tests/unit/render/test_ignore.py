@@ -77,6 +77,25 @@ def test_all_comes_back_where_the_repository_itself_is_built(plan: Plans, line: 
     assert keeps_out(lines, "part/build")
 
 
+@pytest.mark.parametrize(
+    ("let_in", "whole"),
+    [
+        (("!src",), False),
+        (("!src/*.py", "!requirements.txt"), False),
+        (("!requirements.txt",), True),
+        (("!config",), True),  # an argument is no program
+        (("!src", "src/train.py"), True),
+    ],
+)
+def test_a_list_that_lets_in_the_program_stays_as_it_is(plan: Plans, let_in: tuple[str, ...], *, whole: bool) -> None:
+    """What else lies there, as a .env or data, the author keeps from every image of the program."""
+    command = ("python3", "src/train.py", "--config", "config/a.yaml")
+    lines = lines_of(ignore(plan(command=command, python_projects=(".",), ignore=("*", *let_in))))
+    assert ("!**" in lines) is whole
+    assert keeps_out(lines, ".env") is not whole
+    assert not keeps_out(lines, "src/train.py")
+
+
 def test_what_the_author_shuts_out_beside_it_stays_out(plan: Plans) -> None:
     lines = lines_of(ignore(plan(kind="cpp", ignore=("data", "*.bag", "*.*", "[a-m]*"))))
     assert "!**" not in lines
