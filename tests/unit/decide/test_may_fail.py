@@ -155,7 +155,17 @@ def test_a_module_of_pkg_config_that_nothing_brings(
     files = {**_package("mine", "roscpp"), **_package("arm", "roscpp"), **more}
     files["arm/CMakeLists.txt"] += f"{CHECK}{call}\n"
     assert planned(tmp_path, files)[0] == (("arm",) if told else ())
-    warnings = [each for each in plan_repository(tmp_path).plan.warnings if "pkg-config looks for" in each.message]
+    warnings = [each for each in plan_repository(tmp_path).plan.warnings if "asks pkg-config for" in each.message]
     assert [(each.file, "arm is left out" in each.message) for each in warnings] == [
         ("arm/CMakeLists.txt", True)
     ] * told
+
+
+def test_modules_of_one_call_are_told_together(tmp_path: Path) -> None:
+    """Of those of ``pkg_search_module`` one is enough."""
+    files = {**_package("mine", "roscpp"), **_package("arm", "roscpp")}
+    files["arm/CMakeLists.txt"] += f"{CHECK}pkg_search_module(ACME REQUIRED acme-sdk acme-sdk-2)\n"
+    planned(tmp_path, files)
+    told = [each.message for each in plan_repository(tmp_path).plan.warnings if "pkg-config" in each.message]
+    assert len(told) == 1
+    assert "acme-sdk and acme-sdk-2, and nothing is known that brings any of them" in told[0]

@@ -22,7 +22,7 @@ _SHORTEST = 3
 def without_modules(
     evidence: Evidence, packages: Packages, built: Built, may_hold: Callable[[str], bool]
 ) -> Iterator[tuple[str, Warning_]]:
-    """Yield the file that asks for each such module, with a warning.
+    """Yield the file of each call that asks for such modules, with a warning.
 
     Not where the call names another one that is there, for one may be enough, nor where something that is installed,
     cloned or made in the tree is called alike. ``may_hold``: whether what is cloned may be of a name.
@@ -37,12 +37,12 @@ def without_modules(
         for each in asked:
             if each.name in told or each.line in there or package in built.out or may_hold(each.name):
                 continue
-            told.add(each.name)
-            what = (
-                f"pkg-config looks for {each.name}, without which CMake of {package} stops, and nothing is known that"
-            )
+            call = tuple(dict.fromkeys(other.name for other in asked if other.line == each.line))
+            told.update(call)
+            what = f"CMake of {package} asks pkg-config for {' and '.join(call)}, and nothing is known that brings "
+            what += "it" if len(call) == 1 else "any of them"
             then = "give its package under `apt` or its repository under `source` in roslab.yaml"
-            yield each.file, warn(f"{what} brings it: {built.build_tool} will most likely stop there; {then}", each)
+            yield each.file, warn(f"{what}: {built.build_tool} will most likely stop there; {then}", each)
 
 
 def _stops(asked: Dependency) -> bool:
