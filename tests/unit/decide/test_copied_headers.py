@@ -42,3 +42,10 @@ def test_before_a_workspace(tree: Tree) -> None:
     manifest = "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
     decision = tree({**FILES, "package.xml": manifest, "README.md": f"# A\n`{COPY}`\n"})
     assert [(script.command, script.after) for script in decision.scripts] == [(COPY, False)]
+
+
+def test_a_template_in_a_folder_whose_name_has_a_space(tree: Tree) -> None:
+    files = {**FILES, "my code/config.example.hpp": FILES["src/config.example.hpp"]}
+    del files["src/config.example.hpp"]
+    decision = tree({**files, "README.md": "# A\n`cp config.example.hpp ../src/config.hpp`\n"})
+    assert [script.command for script in decision.scripts] == ["cp 'my code/config.example.hpp' src/config.hpp"]

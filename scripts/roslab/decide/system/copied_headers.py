@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shlex
+
 from roslab.decide.decision import Choice, OwnScript
 from roslab.decide.reasons import because
 from roslab.evidence.facts import Evidence
@@ -13,7 +15,10 @@ _WEIGHT = 300
 def with_copied_headers(choice: Choice[tuple[OwnScript, ...]], evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
     """Return the scripts with the copies before them."""
     said = [mention for mention in evidence.mentions if mention.topic == "copied_header"]
-    copies = (OwnScript(folder="", path=m.value, command=f"cp {m.files[0]} {m.value}", by_compiler=True) for m in said)
+    copies = (
+        OwnScript(folder="", path=m.value, command=shlex.join(("cp", m.files[0], m.value)), by_compiler=True)
+        for m in said
+    )
     why = "the code includes it, and it is copied from {} before the build"
     reasons = (because("source", m.value, why.format(m.files[0]), m, weight=_WEIGHT) for m in said)
     return replace(choice, answer=(*copies, *choice.answer), reasons=(*reasons, *choice.reasons))
