@@ -194,9 +194,9 @@ def _not_built(launch: LaunchFile, left_out: Collection[str]) -> Iterator[Warnin
         if asked.namespace == "ros" and asked.strength != "optional" and asked.name in {*left_out} - told:
             told.add(asked.name)
             message = (
-                f"the default command needs {asked.name}, which is left out of the build, and goes at most in part"
+                f"the default command needs {asked.name}, which is left out of the build: at most a part of it runs"
             )
-            yield warn(f"{message}: give what it lacks, or set `command` in roslab.yaml", asked)
+            yield warn(f"{message}; give what the package lacks, or set `command` in roslab.yaml", asked)
 
 
 def _of_windows(evidence: Evidence, launch: LaunchFile, sources: Sources, ros_distro: str | None) -> Iterator[Warning_]:

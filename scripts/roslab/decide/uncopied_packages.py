@@ -51,7 +51,7 @@ def empty_folders(authored: AuthorDockerfile) -> tuple[Warning_, ...]:
 
 
 def unbounded_jobs(authored: AuthorDockerfile, evidence: Evidence) -> tuple[Warning_, ...]:
-    """Return a warning for each step that starts all compilers at once: what they need together no machine may have."""
+    """Return a warning for each step that starts all compilers at once, which may need more memory than there is."""
     return tuple(
         warn(
             f"“{each.text}” of the author's Dockerfile starts every compiler at once, for -j has no number: where "
@@ -64,12 +64,12 @@ def unbounded_jobs(authored: AuthorDockerfile, evidence: Evidence) -> tuple[Warn
 
 
 def without_source(authored: AuthorDockerfile) -> tuple[Warning_, ...]:
-    """Return a warning where a Dockerfile that must be taken has nothing of the repository in its image."""
+    """Return a warning where a Dockerfile that roslab.yaml names copies nothing of the repository into its image."""
     if authored.copies_repository or authored.clones_itself or authored.copied:
         return ()
     message = (
-        f"{authored.file} copies nothing of the repository, which docker run -v gives to its containers: its image "
-        "has no program; add COPY . to the folder that is mounted, or leave `dockerfile` out of roslab.yaml"
+        f"{authored.file} copies nothing of the repository: what its image is to run from there only docker run -v "
+        "can give it; add COPY . to the folder that is mounted, or leave `dockerfile` out of roslab.yaml"
     )
     return (warn(message, Place(file=authored.file, line=authored.base_line)),)
 

@@ -49,7 +49,7 @@ def _unmatched(named: Sequence[Requirement]) -> Iterator[Warning_]:
         fits = [own for (key, own), made in released_with().items() if (key, made) == (each.key, (framework, there))]
         write = f"`{each.name}=={max(fits, key=Version)}`" if fits else f"the release of {each.name} for that one"
         what = f"{each.written} is made for {framework} {of}, and {other.written} is asked for: pip refuses such a pair"
-        yield warn(f"{what}, and the image may have it as it is, or another {framework}; write {write} here", each)
+        yield warn(f"{what}, and what the image gets of it may not work; write {write} here", each)
 
 
 def _pinned(asked: Requirement) -> str:
