@@ -29,6 +29,9 @@ def workspace(tmp_path: Path) -> Path:
     (remote / "acme_msgs/msg").mkdir(parents=True)
     (remote / "acme_msgs/package.xml").write_text(XML.format("acme_msgs"))
     (remote / "acme_msgs/msg/Pose.msg").write_text("int8 a\n")
+    for file in ("include/acme_msgs/Frames.h", "cfg/Gripper.cfg"):
+        (remote / "acme_msgs" / file).parent.mkdir(parents=True)
+        (remote / "acme_msgs" / file).write_text("\n")
     (remote / "acme").mkdir()
     (remote / "acme/package.xml").write_text(XML.format("acme"))
     _git(remote, "init", "--quiet")
@@ -65,6 +68,8 @@ def _run(workspace: Path, *words: str) -> tuple[str, set[str]]:
         (("acme_msgs/Grip", "acme_msgs/Lift"), {"Pose"}, "what includes that cannot be built"),
         (("acme_msgs/Lost",), {"Pose"}, "includes Lost of acme_msgs, which acme does not have"),
         (("other_msgs/Lost",), {"Pose"}, ""),
+        (("acme_msgs/Frames",), {"Pose"}, ""),  # a header of its own
+        (("acme_msgs/GripperConfig",), {"Pose"}, ""),  # of dynamic_reconfigure
     ],
 )
 def test_the_branch_with_the_messages(workspace: Path, interfaces: tuple[str, ...], has: set[str], said: str) -> None:
@@ -85,6 +90,7 @@ def test_a_day_and_a_given_commit(workspace: Path) -> None:
     ("include", "called"),
     [
         ("acme_msgs/Grip.h", " acme_msgs/Grip\n"),
+        ("acme_msgs/msg/grip__struct.hpp", " acme_msgs/grip\n"),
         ("sensor_msgs/Imu.h", ""),
         ("other_msgs/Own.h", ""),
     ],

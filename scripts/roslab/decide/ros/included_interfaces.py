@@ -25,5 +25,6 @@ def included_interfaces(evidence: Evidence, packages: Packages, ros_distro: str 
         if not name or name in there or places.aside(each.file) or header(each.name, None):
             continue
         if any(not folder or each.file.startswith(f"{folder}/") for folder in folders):
-            found.setdefault(f"{name}/{each.name.rpartition('/')[2].rpartition('.')[0]}")
+            file = each.name.rpartition("/")[2].rpartition(".")[0]
+            found.setdefault(f"{name}/{file.partition('__')[0]}")  # grip__struct.hpp of ROS 2 up to Eloquent
     return tuple(sorted(found))[:MOST]

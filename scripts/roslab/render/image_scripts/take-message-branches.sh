@@ -18,11 +18,11 @@ done
 folder="$1"
 shift
 plain() { tr --delete '_-' | tr '[:upper:]' '[:lower:]'; }
-# Tells whether one of the paths from standard input is the file that a header is generated from
+# Tells whether one of the paths from standard input is the file that a header is generated from, or is that header
 made_of() { # NAME
   local name
   name="$(plain <<<"$1")"
-  sed --quiet --regexp-extended 's#^(.*/)?([^/]+)\.(msg|srv|action|idl)$#\2#p' | plain |
+  sed --quiet --regexp-extended 's#^(.*/)?([^/]+)\.(msg|srv|action|idl|h|hpp)$#\2#p; s#^(.*/)?([^/]+)\.cfg$#\2Config#p' | plain |
     grep --line-regexp --extended-regexp "${name}|$(sed --regexp-extended 's/(action)?(request|response|goal|result|feedback|action)$//' <<<"${name}")" >/dev/null # not --quiet: what is before it would end with an error
 }
 all_made_of() { # PATHS NAME...
