@@ -117,7 +117,6 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         evidence, config, of.packages, of.layout.answer, of.build_tool.answer, image=of.base.answer.image
     )
     without = goes_without(of, evidence, config)
-    whole = bool(of.own.answer or config.compatible or not ros)
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),
@@ -202,7 +201,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         may_fail=() if of.own.answer or config.compatible else may_fail_in(evidence, of.packages, without.failing),
         spare=without.alone,
         most_spare=most(without.alone),
-        interfaces=() if whole else included_interfaces(evidence, of.packages, distro),
+        interfaces=() if without.whole else included_interfaces(evidence, of.packages, distro),
         must_build=without.needed,
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,

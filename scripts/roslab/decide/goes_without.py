@@ -31,6 +31,8 @@ _STOPS = pattern(r"\b[a-z_]+ will (?:most likely )?stop (?:there|at \w+)(?=; )")
 class GoesWithout:
     """The packages that the build may go without, those that it may not, and the choices that tell of them."""
 
+    whole: bool
+    """Nothing is left out: an author's Dockerfile, an old form of roslab.yaml, or no packages of ROS."""
     failing: tuple[str, ...]
     needed: tuple[str, ...]
     alone: tuple[str, ...]
@@ -52,13 +54,14 @@ def goes_without(of: Choices, evidence: Evidence, config: Config) -> GoesWithout
         left_out={*of.left_out, *failing},
         ros_distro=of.release.answer.name if of.release.answer else None,
     )
-    whole = of.own.answer or config.compatible or of.kind.answer not in {"ros1", "ros2"}
+    whole = bool(of.own.answer or config.compatible or of.kind.answer not in {"ros1", "ros2"})
     alone = () if whole else spare(evidence, config, of.command.answer, of.packages, {*of.left_out, *failing})
     told = stopping(once(of.system.warnings, of.missing.warnings), of.packages, needed, evidence)
     told = what_stops(told, of.packages, {*alone, *failing, *of.left_out}, of.build_tool.answer)
     may_go = {*failing} - {*needed} if not whole else set()
     missing = replace(of.missing, warnings=tuple(_left_out(of.missing.warnings, of.packages, may_go)))
     return GoesWithout(
+        whole=whole,
         failing=failing,
         needed=needed,
         alone=alone,

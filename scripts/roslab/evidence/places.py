@@ -31,6 +31,8 @@ _EXAMPLE = frozenset(
 )
 
 
+OF_CI = (".yml", ".yaml")
+"""How files of CI end, among those that install or clone something: most often they are for another machine."""
 _SCRIPTS = pattern(r"(?:scripts?|notebooks?|tools?|experiments?|benchmarks?)/", re.IGNORECASE)
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
-from roslab.evidence.native.torch_on_gpu import OF_CI, TOPIC
+from roslab.evidence.native.torch_on_gpu import TOPIC
 from roslab.knowledge.frameworks import cuda_image
 from roslab.values.version import Version
 
@@ -16,7 +17,9 @@ def for_libtorch(evidence: Evidence) -> tuple[Mention, str] | None:
 
     Not of a workflow, which is for another machine; nor one without a release, whose archive may not exist.
     """
-    said = next((m for m in evidence.mentions if m.topic == TOPIC and m.value and not m.file.endswith(OF_CI)), None)
+    said = next(
+        (m for m in evidence.mentions if m.topic == TOPIC and m.value and not m.file.endswith(places.OF_CI)), None
+    )
     cuda, _, release = said.value.partition(" ") if said else ("", "", "")
     if said is None or not release:
         return None

@@ -26,7 +26,6 @@ PAGES = (".md", ".rst", ".txt", "README", "INSTALL")
 """How the names of pages end. A script may clone for one robot or another; a page says what everybody needs."""
 BARE = "bare"
 """Role of a name that is linked and that nothing else is known to bring."""
-_CI = (".yml", ".yaml")
 _KINDS: frozenset[Kind] = frozenset({"ros1", "ros2", "cpp"})
 _TOOLS = ("cmake", "git")
 """What the image compiles with, by names that are those of their repositories, too."""
@@ -93,7 +92,12 @@ def built_by_everybody(
     """
     wanted = included or lacking
     written = git.file.endswith(PAGES) and "/" not in git.file
-    if kind not in _KINDS or git.kind != "clone" or git.aside or not (written or (wanted and git.file.endswith(_CI))):
+    if (
+        kind not in _KINDS
+        or git.kind != "clone"
+        or git.aside
+        or not (written or (wanted and git.file.endswith(places.OF_CI)))
+    ):
         return False
     if not git.installed or not (git.configured or (wanted and git.by_make)):
         return False

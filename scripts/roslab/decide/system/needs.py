@@ -20,7 +20,6 @@ from roslab.decide.system.unreached import unreached
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, Strength
 from roslab.evidence.facts import Evidence
-from roslab.evidence.native.torch_on_gpu import OF_CI
 from roslab.evidence.prose.called_in_scripts import IN_SCRIPT, PYTHON
 from roslab.evidence.python.of_python3 import ROLE, ROLE_ELSEWHERE
 from roslab.knowledge.authors_own import authors_own
@@ -243,7 +242,7 @@ def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependenc
     written = [each for each in evidence.prose if each.namespace == "apt" and not _lacking(each, ros_distro)]
     ours = {d.file for d in written if ros_distro and written_for(d.name) == ros_distro}
     fits = {ros_distro, "{distro}", None}
-    others = {d.file for d in written if ours and d.file.endswith(OF_CI) and written_for(d.name) not in fits}
+    others = {d.file for d in written if ours and d.file.endswith(places.OF_CI) and written_for(d.name) not in fits}
     others -= {d.file for d in written if d.file in ours or written_for(d.name) == "{distro}"}
     written = [each for each in written if each.file not in others or _HEADERS.fullmatch(each.name)]
     for dependency in written:

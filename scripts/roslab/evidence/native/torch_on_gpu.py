@@ -17,8 +17,6 @@ from roslab.values.pattern import pattern
 TOPIC: Literal["torch_on_gpu"] = "torch_on_gpu"
 _ARCHIVE = pattern(r"libtorch/cu(\d{2,3})/[^\s\"')]{0,200}?(?:-(\d+\.\d+\.\d+))?(?:%2B|\+|\.zip)")
 _SCRIPTS = (".sh", ".bash", ".md", ".rst", ".cmake", ".yml", ".yaml")
-OF_CI = (".yml", ".yaml")
-"""How files end that most often are for another machine."""
 _NAMES = ("Dockerfile", "CMakeLists.txt")
 _SOURCES = (".cpp", ".cc", ".cxx", ".h", ".hpp")
 _MOVES = pattern(r"(?:torch|at|c10)::(?:Device\s*\(\s*)?(?:torch::|at::)?kCUDA\b|\.cuda\(\)|DeviceType::CUDA\b")
@@ -50,7 +48,7 @@ def _archives(repository: Repository) -> Iterator[Mention]:
     files = [file for file in files if file.size <= MAX_SIZE and not places.vendored(file.path)]
     if any("libtorch/cpu/" in repository.read(file) for file in files):
         return
-    for file in sorted(files, key=lambda each: each.path.endswith(OF_CI)):
+    for file in sorted(files, key=lambda each: each.path.endswith(places.OF_CI)):
         text = repository.read(file)
         for match in _ARCHIVE.finditer(text) if "libtorch/cu" in text else ():
             start = text.rfind("\n", 0, match.start()) + 1
