@@ -54,6 +54,8 @@ def test_no_number_is_told(tree: Tree, line: str) -> None:
         "make",
         "ninja -j",
         "cmake --build . -j 2",
+        "make -j -l4",
+        "cmake -G Ninja .. && cmake --build . -j",
         "git fetch -j",
     ],
 )
