@@ -9,7 +9,7 @@ import pytest
 from roslab.evidence.prose import author_dockerfile
 from roslab.repository.checkout import Repository
 
-TREE = ("main.py", "present.repos", "requirements.txt", "scripts/setup.sh", "config/a.yaml")
+TREE = ("main.py", "present.repos", "requirements.txt", "scripts/setup.sh", "config/a.yaml", "models.tar.gz")
 
 
 def problem(tmp_path: Path, steps: str) -> str | None:
@@ -43,6 +43,8 @@ def problem(tmp_path: Path, steps: str) -> str | None:
             5,
         ),
         ('COPY [".", "/app"]\nWORKDIR /app\nRUN xargs apt-get install -y < gone.txt', "gone.txt", 4),
+        ("COPY . /app\nCOPY --from=other /uv /bin/\nRUN sh /app/gone.sh", "/app/gone.sh", 4),
+        ("COPY . /app\nWORKDIR /app\nRUN --mount=type=cache,target=/c pip install -r gone.txt", "gone.txt", 4),
         ("FROM ros:humble AS base\nCOPY . /app\nFROM base\nRUN sh /app/gone.sh", "/app/gone.sh", 5),
     ],
 )
@@ -62,6 +64,11 @@ def test_a_build_stops_where_a_step_reads_what_the_tree_lacks(tmp_path: Path, st
         "COPY . /app\nRUN git clone https://a.b/c /app/c\nRUN sh /app/gone.sh",
         "COPY . /app\nWORKDIR /app\nRUN <<END\nmake\nEND\nRUN sh gone.sh",
         "COPY . /app\nCOPY --from=other /gone.sh /app/\nRUN sh /app/gone.sh",
+        "COPY . /app\nWORKDIR /app\nCOPY --from=other /out .\nRUN chmod +x gone.sh",
+        "COPY . /app\nWORKDIR /app\nADD https://a.b/c.git /app\nRUN sh gone.sh",
+        "COPY . /app\nWORKDIR /app\nADD models.tar.gz .\nRUN cp gone.pt /opt/",
+        "COPY . /app\nWORKDIR /app\nRUN pip download numpy && cp gone.whl /opt/",
+        "COPY . /app\nWORKDIR /app\nRUN conda env export -f gone.yml",
         # It lies in a folder that the tree does not have: a build made that
         "COPY . /ws/src/demo\nWORKDIR /ws/src/demo\nRUN . install/setup.sh",
         "COPY . /ws/src/demo\nWORKDIR /ws\nRUN colcon build\nRUN . install/setup.sh",
@@ -75,6 +82,7 @@ def test_a_build_stops_where_a_step_reads_what_the_tree_lacks(tmp_path: Path, st
         "COPY . /app\nWORKDIR /opt\nRUN pip install -r gone.txt",
         "COPY . /app\nWORKDIR /app\nRUN chmod +x *.bash && pip install -r $LIST",
         "COPY . /app\nWORKDIR /app\nRUN --mount=type=bind,source=.,target=/app pip install -r gone.txt",
+        "COPY . /app\nWORKDIR /app\nRUN --mount=from=other,target=/app sh gone.sh",
         # A stage that the image does not come from
         "COPY . /app\nRUN sh /app/gone.sh\nFROM ros:humble\nCOPY . /app",
     ],

@@ -16,7 +16,8 @@ from roslab.values.pattern import pattern
 _FROM = pattern(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", 2)
 _OPTIONS = pattern(r"^(?:--\S+\s+)+")
 _BRANCHED = pattern(
-    r"[;|]|(?:^|\s)\[{1,2}\s|\\\n\s*(?:if|for|while)\b|^\s*(?:if|for|while)\b|\btest\b|--mount=type=bind"
+    r"[;|]|(?:^|\s)\[{1,2}\s|\\\n\s*(?:if|for|while)\b|^\s*(?:if|for|while)\b|\btest\b|"
+    r"--mount=(?!\S*\btype=(?:cache|secret|ssh|tmpfs)\b)"
 )
 """A text in which a command that fails may stop nothing, or that has other files: only what ``&&`` joins is judged."""
 _REMOVES = pattern(r"[ \t]*rm((?:[ \t]+-\S+)*)((?:[ \t]+[\w.][\w./-]*)+)[ \t]*(?:$|[;\n]|&&)")
@@ -33,6 +34,9 @@ _HARMLESS = frozenset(
     )
 )
 """Programs that make no file of the tree; what any other makes is not known."""
+_FETCHES = frozenset({"download", "wheel", "export"})
+"""What such a program is told to do where it writes files all the same."""
+_ARCHIVE = pattern(r".*\.(?:tar|tar\.\w+|t[bgx]z\d?)")
 _UNKNOWN = frozenset(f"*?[]{{}}~${UNKNOWN}")
 
 
@@ -45,6 +49,8 @@ class _Stage:
     """Its folders that hold a folder of the context, and that one."""
     acted: list[tuple[str | None, tuple[str, ...]]] = field(default_factory=list)
     """The commands that may have made files, each with the folder in which it ran."""
+    filled: list[str | None] = field(default_factory=list)
+    """Its folders that get files of which nothing here tells the names, ``None`` where that may be any."""
     said: str = ""
     """All that its steps say."""
 
@@ -95,13 +101,15 @@ def _reads_absent(
     for each in written:
         if each.name == "FROM" and (match := _FROM.match(expand(each.text.strip(), known))):
             before = stages.get(match[1].lower(), _Stage())
-            now = replace(before, copies=[*before.copies], acted=[*before.acted])
+            now = replace(before, copies=[*before.copies], acted=[*before.acted], filled=[*before.filled])
             if match[2]:
                 stages[match[2].lower()] = now
         elif each.name == "WORKDIR":
             now.workdir = _joined(now.workdir, expand(each.text.strip().strip("\"'"), known))
         elif each.name in {"COPY", "ADD"}:
-            now.copies += _copies(expand(each.text, known), now.workdir, repository, context)
+            body = expand(each.text, known)
+            now.copies += _copies(body, now.workdir, repository, context)
+            now.filled += _filled(body, now.workdir, extracts=each.name == "ADD")
         elif each.name == "RUN":
             found = _stops(repository, each, known, now)
             if found:
@@ -118,13 +126,30 @@ def _joined(folder: str | None, path: str) -> str | None:
 
 
 def _copies(body: str, workdir: str | None, repository: Repository, context: str) -> Iterator[tuple[str, str]]:
-    words = [word for word in body.split() if not word.startswith("--")]
-    into = argv(body[body.index("[") :]) if "[" in body else tuple(words)
-    folder = _joined(workdir, into[-1]) if into else None
+    folder = _into(body, workdir)
     for source in sources(body):
         where = _below(context, source)
         if folder is not None and where in repository.folders:
             yield folder, where
+
+
+def _into(body: str, workdir: str | None) -> str | None:
+    words = _words(body)
+    return _joined(workdir, words[-1]) if words else None
+
+
+def _words(body: str) -> tuple[str, ...]:
+    return argv(body[body.index("[") :]) if "[" in body else tuple(w for w in body.split() if not w.startswith("--"))
+
+
+def _filled(body: str, workdir: str | None, *, extracts: bool) -> Iterator[str | None]:
+    """Yield the folder that gets files of another stage or image, of an address, or of an archive.
+
+    https://docs.docker.com/reference/dockerfile/#adding-local-tar-archives, read 2026-11-28.
+    """
+    taken = sources(body)
+    if len(taken) < len(_words(body)) - 1 or (extracts and any(map(_ARCHIVE.fullmatch, taken))):
+        yield _into(body, workdir)
 
 
 def _below(context: str, path: str) -> str:
@@ -152,9 +177,13 @@ def _stops(
                 return path, command.line
         if program in {"cd", "pushd"}:
             folder = _joined(folder, command.words[1]) if len(command.words) > 1 else None
-        elif program not in _HARMLESS and (program not in _SHELLS or _of_tree(command, folder, stage)):
+        elif not _harmless(program, command) and (program not in _SHELLS or _of_tree(command, folder, stage)):
             stage.acted.append((folder, command.words))
     return None
+
+
+def _harmless(program: str, command: Command) -> bool:
+    return program in _HARMLESS and _FETCHES.isdisjoint(command.words)
 
 
 def _program(command: Command) -> str:
@@ -178,7 +207,7 @@ def _read(program: str, command: Command) -> Iterator[str]:
         yield from plain[1:]
     elif program in {"cp", "mv"}:
         yield from plain[:-1]
-    options = _LISTS.get(program, ())
+    options = () if "export" in words else _LISTS.get(program, ())
     for option, value in pairwise(words):
         if option in options:
             yield value
@@ -201,6 +230,8 @@ def _inside(path: str, folder: str) -> bool:
 def _lacks(repository: Repository, path: str, stage: _Stage) -> bool:
     """Tell whether a copied folder has no file of this path, and no command can have made one there."""
     copies = [(folder, where) for folder, where in stage.copies if _inside(path, folder)]
+    if any(each is None or _inside(path, each) for each in stage.filled):
+        return False
     if not copies or any(_may_act(acted, folder) for acted in stage.acted for folder, _ in copies):
         return False
     held = [_below(where, posixpath.relpath(path, folder)) for folder, where in copies]
