@@ -133,6 +133,8 @@ def test_what_is_evaluated(condition: str, expected: bool | None) -> None:
         ("$(not)", None),
         ("$(and $(var real) $(not $(var sim))", None),
         ("$(not $(find sim))", None),
+        ("$(eval '$(var real)' in ['true', 'yes'])", True),
+        ("$(eval '$(var sim)' in ['true', 'yes'])", False),
     ],
 )
 def test_substitutions_of_ros_2(condition: str, expected: bool | None) -> None:

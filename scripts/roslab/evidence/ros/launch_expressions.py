@@ -9,17 +9,16 @@ from __future__ import annotations
 
 import ast
 import operator
+import re
+import warnings
 from collections.abc import Callable, Iterator
 from functools import cache
 
 from roslab.values.pattern import pattern
 
 MOST = 400
-"""Most characters of an expression."""
+"""Most characters of an expression, and of what it comes to: the next one may ask for that twice."""
 _EVAL = pattern(r"\$\(\s?eval\s+([^\n]{1,400})\)")
-_QUOTED = pattern(
-    r"([\"'])(.*)\1",
-)
 _REFERENCE = pattern(r"([\"']?)\$\(\s?(?:arg|var)\s+(\w{1,60})\s?\)\1")
 _JOINED = {
     "not": "not",
@@ -60,7 +59,10 @@ class UnknownError(Exception):
 
 
 def expression(written: str) -> str:
-    """Return what stands in a launch file as an expression of Python, with ``arg('NAME')``; ``""`` where it is none."""
+    """Return what stands in a launch file as an expression of Python, ``""`` where it is none.
+
+    It has ``arg('NAME')`` for the value of an argument, and ``text('NAME')`` where that is in quotes.
+    """
     text = _plain(written.strip())
     if len(text) > MOST:
         return ""
@@ -69,7 +71,7 @@ def expression(written: str) -> str:
         tree = _parsed(inner)
         if tree and isinstance(tree.body, ast.Constant) and "$(" in inner and not _REFERENCE.fullmatch(inner):
             inner = inner[1:-1].replace(f"\\{inner[0]}", inner[0])  # ROS 2 has the whole in quotes
-        return _REFERENCE.sub(r"arg('\2')", inner)
+        return _REFERENCE.sub(_asked, inner)
     return _substituted(text) if text.startswith("$(") else ""
 
 
@@ -80,6 +82,10 @@ def _plain(text: str) -> str:
     from html import unescape  # noqa: PLC0415 - its table of names is long, and few conditions have such a sign
 
     return unescape(text)
+
+
+def _asked(reference: re.Match[str]) -> str:
+    return f"{'text' if reference[1] else 'arg'}({reference[2]!r})"
 
 
 def _substituted(text: str) -> str:
@@ -124,7 +130,7 @@ def _names(text: str) -> Iterator[str]:
     for node in ast.walk(tree) if (tree := _parsed(text)) else ():
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
             called.add(node.func)
-            if node.func.id == "arg" and node.args and isinstance(node.args[0], ast.Constant):
+            if node.func.id in {"arg", "text"} and node.args and isinstance(node.args[0], ast.Constant):
                 yield str(node.args[0].value)
         elif isinstance(node, ast.Name) and node not in called and node.id not in _NAMES:
             yield node.id
@@ -134,9 +140,10 @@ def result(text: str, look: Look) -> str | None:
     """Return what an expression comes to, as a launch file has it, ``None`` where that is not known."""
     tree = _parsed(text)
     try:
-        return str(_worked_out(tree.body, look)) if tree else None
+        found = str(_worked_out(tree.body, look)) if tree else None
     except (UnknownError, RecursionError):
         return None
+    return found if found is None or len(found) <= MOST else None
 
 
 def truth(value: str | None) -> bool | None:
@@ -147,7 +154,9 @@ def truth(value: str | None) -> bool | None:
 @cache
 def _parsed(text: str) -> ast.Expression | None:
     try:
-        return ast.parse(text.strip(), mode="eval") if 0 < len(text) <= MOST else None
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # about the file, which is not our user's to correct now
+            return ast.parse(text.strip(), mode="eval") if 0 < len(text) <= MOST else None
     except (SyntaxError, ValueError, MemoryError, RecursionError):
         return None
 
@@ -175,6 +184,8 @@ def _call(node: ast.expr, look: Look) -> object:
     match node:
         case ast.Call(func=ast.Name(id="arg"), args=[ast.Constant(value=str() as name)], keywords=[]):
             return _of_argument(name, look)
+        case ast.Call(func=ast.Name(id="text"), args=[ast.Constant(value=str() as name)], keywords=[]):
+            return _sure(look(name))
         case ast.Call(func=ast.Name(id="truth"), args=[part], keywords=[]):
             return _sure(truth(str(_worked_out(part, look))))
         case (
