@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from hanging import ends
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
 from roslab.evidence.prose.here_lists import spelled_out
@@ -69,3 +70,9 @@ def test_the_list_is_installed(
 )
 def test_what_is_no_list_is_left(text: str) -> None:
     assert spelled_out(text) == text
+
+
+def test_long_lines_end() -> None:
+    for line in (f"echo a{' ' * 60_000}x xargs", "xargs " + "echo a " * 9_000):
+        with ends():
+            assert spelled_out(line) == line
