@@ -40,6 +40,14 @@ def page(line: str) -> str:
         ),
         ("docker run --volume=${PWD}:/work:ro -w /work/tools net python eval.py", "python tools/eval.py"),
         ("docker run -v $(pwd)/data:/work net python train.py", "python train.py"),
+        (
+            "docker run -v $CONFIGS:/cfg net python train.py --config /cfg/a.yaml",
+            "python train.py --config /cfg/a.yaml",
+        ),
+        (
+            "docker run -v $CONFIGS:/cfg -v $(pwd):/work net python /work/train.py --config /cfg/a.yaml",
+            "python train.py --config /cfg/a.yaml",
+        ),
         ('docker run net -c "python train.py --config cfg/a.yaml"', "python train.py --config cfg/a.yaml"),
         ('docker run -it net "python train.py"', "python train.py"),
     ],

@@ -8,7 +8,7 @@ from __future__ import annotations
 import itertools
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.evidence.lex.shell import UNKNOWN
 from roslab.values.pattern import pattern
@@ -18,6 +18,8 @@ _WORKDIR = frozenset({"-w", "--workdir"})
 _HERE = frozenset({UNKNOWN, ".", "./", "$PWD", "${PWD}", "$(pwd)", "`pwd`"})
 """The folder where the page's reader stands, as a shell may write it or no reader of it knows."""
 _OPTION = pattern(r"(?:^|,)(source|src|target|destination|dst)=([^,]+)")
+_PROGRAM = 3
+"""Most words of a command that tell its program: the last may be the line of a shell."""
 _SCRIPT = pattern(r"[\w.+-][\w.+/-]*\.(?:py|sh|bash)")
 
 
@@ -26,11 +28,12 @@ def of_tree(options: tuple[str, ...], words: tuple[str, ...]) -> tuple[str, ...]
 
     ``options``: what stands before the image's name. A script that is started in a folder of it is that folder's.
     """
-    mounts = tuple(_mounts(options))
+    folders = tuple(_values(options, _WORKDIR))
+    mounts = tuple(mount for mount in _mounts(options) if _holds(mount, (*words[:_PROGRAM], *folders)))
     if not mounts:
         return words
     found = [_below(word, mounts) for word in words]
-    inside = next((_below(folder, mounts) for folder in _values(options, _WORKDIR)), "")
+    inside = next((_below(folder, mounts) for folder in folders), "")
     if inside and not inside.startswith("/") and inside != ".":
         index = next((n for n, word in enumerate(found[:2]) if _SCRIPT.fullmatch(word) and word == words[n]), None)
         if index is not None:
@@ -50,6 +53,11 @@ def _mounts(options: tuple[str, ...]) -> Iterator[str]:
         target = said.get("target") or said.get("destination") or said.get("dst") or ""
         if source in _HERE and target.startswith("/"):
             yield target.rstrip("/")
+
+
+def _holds(mount: str, words: Iterable[str]) -> bool:
+    """Tell whether the program or its folder is in a mount: another unknown folder is the reader's, as of data."""
+    return any(f"{mount}/" in f"{word}/" for word in words)
 
 
 def _values(options: tuple[str, ...], names: frozenset[str]) -> Iterator[str]:
