@@ -33,6 +33,11 @@ def test_a_macro_that_no_code_names_is_not_told(tmp_path: Path, code: str) -> No
     assert _told(tmp_path, DEFINES, code) == []
 
 
+def test_a_library_is_a_file(tmp_path: Path) -> None:
+    ((message, *_),) = _told(tmp_path, "target_link_libraries(a /home/ana/lib/libx.so.2)\n", "int main() {}\n")
+    assert message.startswith("/home/ana/lib/libx.so.2 is a file of its author's computer: ")
+
+
 def test_what_the_build_takes_is_told_with_what_else_there_is(tmp_path: Path) -> None:
     cmake = f"{DEFINES}include_directories(/home/ana/lib/include)\n"
     ((message, _, line),) = _told(tmp_path, cmake, "int main() {}\n")

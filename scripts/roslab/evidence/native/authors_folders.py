@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.lex.cmake import EVERY, calls
+from roslab.evidence.native.authors_parts import LIBRARY
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -55,7 +56,8 @@ def read(repository: Repository, meant: Collection[tuple[str, int]] = ()) -> Ite
         *others, first = told.values()
         more = f", and so are {len(others)} more" if len(others) > 1 else ", and so is one more" if others else ""
         why = _READ.format(first.macro) if first.macro else _TAKEN
-        yield f"{first.path} is a folder of its author's computer{more}: {why}", first.file, first.line
+        what = "file" if LIBRARY.fullmatch(first.path) else "folder"
+        yield f"{first.path} is a {what} of its author's computer{more}: {why}", first.file, first.line
 
 
 def _places(file: str, text: str) -> Iterator[_Place]:
