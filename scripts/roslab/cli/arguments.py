@@ -29,7 +29,7 @@ _HELP = {
     "--command": ("TEXT", "default command of the image, run by bash; it wins over roslab.yaml's"),
     "--test": ("TEXT", "command that proves the image, run by bash; it wins over roslab.yaml's"),
 }
-argparse._ = str  # type: ignore[attr-defined]  # its words stay English as ours: to look for others imports ``locale``
+argparse._ = lambda word: word  # type: ignore[attr-defined]  # English as ours: to look for others imports ``locale``
 ROUNDS = 3
 """Rounds of ``--repair`` without a number; ``MOST_ROUNDS`` keeps a typing error from building all night."""
 MOST_ROUNDS = 20
