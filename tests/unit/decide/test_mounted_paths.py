@@ -14,7 +14,7 @@ MAIN = (
     "    parser.add_argument('--config')\n    print(parser.parse_args())\n"
 )
 DEPENDENCIES = (
-    "FROM python:3.9-slim\nCOPY requirements.txt /tmp/\nRUN pip install -r /tmp/requirements.txt\nWORKDIR /work\n"
+    "FROM python:3.9-slim\nCOPY requirements.txt /tmp/\nRUN pip install -r /tmp/requirements.txt\nWORKDIR /app\n"
 )
 SHELL = (
     "FROM python:3.9-slim\nCOPY . /app\nWORKDIR /app\nRUN pip install -r requirements.txt\nENTRYPOINT ['/bin/bash']\n"
@@ -29,23 +29,23 @@ def page(line: str) -> str:
 @pytest.mark.parametrize(
     ("line", "command"),
     [
-        ("docker run -it -v $(pwd):/work net python /work/train.py", "python train.py"),
+        ("docker run -it -v $(pwd):/app net python /app/train.py", "python train.py"),
         (
-            "docker run -v $PWD:/work/ net python /work/train.py --config=/work/cfg/a.yaml",
+            "docker run -v $PWD:/app/ net python /app/train.py --config=/app/cfg/a.yaml",
             "python train.py --config=cfg/a.yaml",
         ),
         (
-            'docker run --mount type=bind,source="$(pwd)",target=/work net bash -c "cd /work && python train.py"',
+            'docker run --mount type=bind,source="$(pwd)",target=/app net bash -c "cd /app && python train.py"',
             "python train.py",
         ),
-        ("docker run --volume=${PWD}:/work:ro -w /work/tools net python eval.py", "python tools/eval.py"),
-        ("docker run -v $(pwd)/data:/work net python train.py", "python train.py"),
+        ("docker run --volume=${PWD}:/app:ro -w /app/tools net python eval.py", "python tools/eval.py"),
+        ("docker run -v $(pwd)/data:/app net python train.py", "python train.py"),
         (
             "docker run -v $CONFIGS:/cfg net python train.py --config /cfg/a.yaml",
             "python train.py --config /cfg/a.yaml",
         ),
         (
-            "docker run -v $CONFIGS:/cfg -v $(pwd):/work net python /work/train.py --config /cfg/a.yaml",
+            "docker run -v $CONFIGS:/cfg -v $(pwd):/app net python /app/train.py --config /cfg/a.yaml",
             "python train.py --config /cfg/a.yaml",
         ),
         ('docker run net -c "python train.py --config cfg/a.yaml"', "python train.py --config cfg/a.yaml"),

@@ -70,10 +70,10 @@ def test_a_script_that_it_runs_is_read(tree: Tree) -> None:
 
 
 def test_a_dockerfile_that_roslab_yaml_names_is_told_too(tmp_path: Path) -> None:
-    mounted = "FROM ubuntu:22.04\nRUN apt-get update && apt-get install -y make\nRUN make -j\nWORKDIR /work\n"
+    mounted = "FROM ubuntu:22.04\nRUN apt-get update && apt-get install -y make\nRUN make -j\nWORKDIR /app\n"
     decision = decided(tmp_path, {**FILES, "Dockerfile": mounted}, config=Config(dockerfile="Dockerfile"))
     assert told(decision) == [("Dockerfile", 3)]
     (line,) = (each.line for each in decision.warnings if "copies nothing of the repository" in each.message)
     assert line == 1
-    copied = decided(tmp_path, {"Dockerfile": f"{mounted}COPY . /work\n"}, config=Config(dockerfile="Dockerfile"))
+    copied = decided(tmp_path, {"Dockerfile": f"{mounted}COPY . /app\n"}, config=Config(dockerfile="Dockerfile"))
     assert not [each for each in copied.warnings if "copies nothing" in each.message]

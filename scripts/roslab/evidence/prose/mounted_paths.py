@@ -1,4 +1,4 @@
-"""Paths of a container, as those of the tree: ``docker run -v $(pwd):/work IMAGE python /work/train.py``.
+"""Paths of a container, as those of the tree: ``docker run -v $(pwd):/app IMAGE python /app/train.py``.
 
 https://docs.docker.com/engine/storage/bind-mounts/, read 2026-11-28
 """
