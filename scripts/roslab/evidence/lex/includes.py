@@ -12,7 +12,7 @@ _INCLUDE = pattern(r"#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]")
 
 
 def includes(text: str, passed_over: Collection[str] = ()) -> Iterator[re.Match[str]]:
-    """Yield the includes of a file but those of some headers, the name in the first group; in a comment is none."""
+    """Yield the includes of a file but those of some headers, the name in the first group; behind ``//`` is none."""
     for match in _INCLUDE.finditer(text):
         if match[1] in passed_over:
             continue

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from roslab.evidence import places
+from roslab.evidence.lex.includes import includes
 from roslab.evidence.native.cpp import MAX_READ, MAX_SIZE
 from roslab.evidence.old_code import OldCode
 from roslab.evidence.python_project import PythonProject
@@ -20,7 +20,6 @@ MAX_SOURCES = 300
 """Most files that are read for one build script."""
 _SOURCES = (".cpp", ".cc", ".cxx", ".c", ".cu")
 _HEADERS = (".h", ".hpp", ".hh", ".cuh")
-_INCLUDE = pattern(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
 _LISTS = pattern(r"\b(?:r?glob|listdir|walk|scandir)\b")
 _CHOOSES = ("TORCH_VERSION", "__has_include")
 """A file with one of them is written for several releases."""
@@ -97,7 +96,7 @@ def compiled(repository: Repository, script: str, folder: str, folders: set[str]
     for file in pending:  # it grows by what is included
         code = repository.read_bytes(file, limit=MAX_READ).decode("utf-8", errors="replace")
         yield file.path, code
-        for match in _INCLUDE.finditer(code):
+        for match in includes(code):
             for each in by_name.get(match[1].rpartition("/")[2], ()):
                 if each.path not in seen and len(seen) < MAX_SOURCES:
                     seen.add(each.path)

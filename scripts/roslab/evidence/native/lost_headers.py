@@ -5,20 +5,18 @@ What a licensed program makes is told by ``made_headers``; here stands what may 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.includes import includes
 from roslab.evidence.native import made_headers
 from roslab.evidence.native.extension_code import compiled
 from roslab.evidence.native.limits import conditional
 from roslab.evidence.native.nowhere import Nowhere
 from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
-from roslab.values.pattern import pattern
 
 _COMPILES = frozenset({"c", "cython", "cuda"})
-_INCLUDE = pattern(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w./+-]+)[>\"]", re.MULTILINE)
 
 
 def read(repository: Repository, projects: Iterable[PythonProject]) -> Iterator[Mention]:
@@ -34,7 +32,7 @@ def _of(repository: Repository, script: str, folder: str, folders: set[str]) -> 
     """Yield the first include of each library's headers, none that the script itself names or that may be left out."""
     text, seen, nowhere = repository.read(script), set[str](), Nowhere(repository, ())
     for path, code in compiled(repository, text, folder, folders):
-        for match in _INCLUDE.finditer(code):
+        for match in includes(code):
             name = match[1]
             library = name.partition("/")[0]
             if library in seen or library in text or not nowhere.of_library(name):

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.includes import includes
 from roslab.evidence.native.extension_code import compiled
 from roslab.evidence.native.limits import conditional
 from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
-from roslab.values.pattern import pattern
 
 _COMPILES = frozenset({"c", "cython", "cuda"})
-_INCLUDE = pattern(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?:[\w.+-]+/)*([\w.+-]+\.h)[>\"]", re.MULTILINE)
 
 
 def read(repository: Repository, projects: Iterable[PythonProject]) -> Iterator[Mention]:
@@ -31,8 +29,8 @@ def _of(repository: Repository, script: str, folder: str, folders: set[str]) -> 
 
     text, seen = repository.read(script), set[str]()
     for path, code in compiled(repository, text, folder, folders):
-        for match in _INCLUDE.finditer(code):
-            name = match[1]
+        for match in includes(code):
+            name = match[1].rpartition("/")[2]
             tool = made_by(name) if name not in seen and name not in text else None
             if tool is None or repository.named(name) or conditional(code, match.start(1)):
                 continue

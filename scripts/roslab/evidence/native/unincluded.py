@@ -13,17 +13,16 @@ from collections.abc import Iterable
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.c_comments import without_c_comments
+from roslab.evidence.lex.includes import includes
 from roslab.evidence.native.limits import conditional
 from roslab.evidence.native.unlisted import Unlisted
 from roslab.knowledge.standard_headers import MissedHeader, missed_headers, standard_headers
 from roslab.repository.checkout import File, Repository
-from roslab.values.pattern import pattern
 
 MAX_READ = 64 * 1024
 MAX_HEADERS = 60
 """Most headers of the tree that one source may reach."""
 _SOURCES = (".cpp", ".cc", ".cxx")
-_INCLUDE = pattern(r"^[ \t]*#[ \t]*include[ \t]*([<\"])([^>\"\n]+)[>\"]", re.MULTILINE)
 _DEFINES = (
     r"\b(?:define|using|class|struct)[ \t]+{0}\b|\btypedef\b[^;\n]*\b{0}[ \t]*;|"
     r"\bconst(?:expr)?\b[^;\n=(]*\b{0}[ \t]*[={{]"
@@ -95,14 +94,14 @@ class _Reading:
         """Return the headers of the tree that a file includes, ``None`` where one is not known."""
         headers: dict[str, None] = {}
         brought = self._brought[path] = set[str]()
-        for match in _INCLUDE.finditer(self._text(path)):
-            header = _of_tree(match[2], path, self._repository, quoted=match[1] == '"')
+        for match in includes(self._text(path)):
+            header = _of_tree(match[1], path, self._repository, quoted=match[0].endswith('"'))
             if header is None:
                 return None
             if header:
                 headers[header] = None
             else:
-                brought |= standard_headers()[match[2]]
+                brought |= standard_headers()[match[1]]
         return tuple(headers)
 
     def _uses(self, path: str) -> dict[str, Dependency]:

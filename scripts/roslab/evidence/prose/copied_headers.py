@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.includes import includes
 from roslab.evidence.prose.pages import pages
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
@@ -83,6 +84,7 @@ def _made(written: str, from_: str, template: str) -> str:
 
 def _included(made: str, template: str, repository: Repository) -> bool:
     """Tell whether the code includes a header of that name."""
-    included = re.compile(rf"#[ \t]*include[ \t]*[<\"](?:[\w./-]*/)?{re.escape(posixpath.basename(made))}[>\"]")
+    name = posixpath.basename(made)
     files = (f for f in repository.suffixed(*_CODE) if f.size <= MAX_SIZE and f.path != template)
-    return any(included.search(repository.read(file)) for file in nearest(files)[:MAX_FILES])
+    texts = (text for file in nearest(files)[:MAX_FILES] if name in (text := repository.read(file)))
+    return any(posixpath.basename(each[1]) == name for text in texts for each in includes(text))
