@@ -48,7 +48,7 @@ def read(
                 where[file] = imported(found.by_file[file], names)
             for name, line in where[file].items():
                 told.setdefault(name, _mention(name, file, line, start))
-            for each in needed(found.by_file[file], file, compiled, start):
+            for each in needed(found, file, compiled, start):
                 extensions.setdefault(each.value, each)
         yield from islice(told.values(), MOST)
         yield from extensions.values()

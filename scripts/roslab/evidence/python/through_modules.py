@@ -69,9 +69,9 @@ class Modules:
         return frozenset(name.partition(".")[0] for name in self._imported_by(file) if not name.endswith("/"))
 
     def imported(self, file: str) -> tuple[str, ...]:
-        """Return what a module imports at its top, each once, as ``imported_names`` names it."""
+        """Return what a module imports at its top, each once, as ``_imported`` names it."""
         if file not in self._written:
-            names = imported_names(self.by_file[file].text, posixpath.dirname(file))
+            names = _imported(self.by_file[file].text, posixpath.dirname(file))
             self._written[file] = tuple(dict.fromkeys(names))
         return self._written[file]
 
@@ -133,7 +133,7 @@ def _importable(path: str, packages: Collection[str]) -> str:
     return ".".join(parts)
 
 
-def imported_names(text: str, folder: str) -> Iterator[str]:
+def _imported(text: str, folder: str) -> Iterator[str]:
     """Yield the whole names that a module imports at its top, and for relative ones their paths without an ending.
 
     What stands behind ``import`` may be a module or something in one.
