@@ -26,6 +26,9 @@ _GAP = pattern(
     rf"(?<!\\)(\\[ \t]*\n)((?:[ \t]*(?:#[^\n]*)?\n)+)(?=[ \t]*[^\s#])(?![ \t]*(?:{'|'.join(sorted(_KNOWN))})\s)"
 )
 """A continued line, and empty lines and comments below it: Docker skips both, and only warns of the empty ones."""
+FROM = pattern(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
+"""The text of FROM: the image or stage that a stage starts from, and the name that it gets."""
+_OPTIONS = pattern(r"^(?:--\S+\s+)+")
 _HEREDOC = pattern(r"<<-?\s*[\"']?(\w+)[\"']?")
 
 
@@ -38,6 +41,11 @@ class Instruction:
     line: int
     script: bool = False
     """The text is a here-document, not one line with continuations."""
+
+    @property
+    def steps(self) -> str:
+        """What RUN has a shell do: the text without the options of RUN itself, as ``--mount=type=cache,target=/c``."""
+        return _OPTIONS.sub("", self.text)
 
 
 def instructions(text: str) -> Iterator[Instruction]:

@@ -6,15 +6,13 @@ import posixpath
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
-from roslab.evidence.lex.dockerfile import Instruction, argv, sources
+from roslab.evidence.lex.dockerfile import FROM, Instruction, argv, sources
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, expand
 from roslab.evidence.prose.stage import Start
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 
-_FROM = pattern(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", 2)
-_OPTIONS = pattern(r"^(?:--\S+\s+)+")
 _BRANCHED = pattern(
     r"[;|]|(?:^|\s)\[{1,2}\s|\\\n\s*(?:if|for|while)\b|^\s*(?:if|for|while)\b|\btest\b|"
     r"--mount=(?!\S*\btype=(?:cache|secret|ssh|tmpfs)\b)"
@@ -99,7 +97,7 @@ def _reads_absent(
     stages: dict[str, _Stage] = {}
     now = _Stage()
     for each in written:
-        if each.name == "FROM" and (match := _FROM.match(expand(each.text.strip(), known))):
+        if each.name == "FROM" and (match := FROM.match(expand(each.text.strip(), known))):
             before = stages.get(match[1].lower(), _Stage())
             now = replace(before, copies=[*before.copies], acted=[*before.acted], filled=[*before.filled])
             if match[2]:
@@ -167,7 +165,7 @@ def _stops(
         return None
     judged = bool(stage.copies) and not _BRANCHED.search(text)
     folder = stage.workdir
-    for command in commands(_OPTIONS.sub("", text), step.line, known):
+    for command in commands(step.steps, step.line, known):
         program = _program(command)
         for path in _read(program, command) if judged and not command.may_fail else ():
             name = posixpath.basename(path)
@@ -201,7 +199,7 @@ def _read(program: str, command: Command) -> Iterator[str]:
         yield command.given
     if words[0].startswith("./"):
         yield words[0]
-    if program in _SHELLS or (_PYTHON.match(program) and words[-1] and words[1:2] and words[1].endswith(".py")):
+    if program in _SHELLS or (_PYTHON.match(program) and words[1:2] and words[1].endswith(".py")):
         yield from plain[:1]
     elif program == "chmod":
         yield from plain[1:]

@@ -30,7 +30,6 @@ _NAME = pattern(r"^(?:dockerfile(?:[-_.].*)?|.*\.dockerfile|.*[-_.]dockerfile|co
 _NOT = pattern(
     r"\.(?:md|rst|html?|py|ya?ml|json|sh|png|jpe?g|svg|j2|jinja2?|em|in|template|tmpl|erb|dockerignore|txt)$"
 )
-_FROM = pattern(r"^(?:--\S+\s+)*(\S+)(?:\s+as\s+(\S+))?\s*$", re.IGNORECASE)
 _UPDATE = pattern(r"\brosdep\s+update\b(?!\s+--(?:include-eol-distros|rosdistro))")
 """Not told to keep distributions that have ended. https://github.com/ros-infrastructure/rosdep/issues/818"""
 _PAIR = pattern(r"(\w+)=(\"[^\"]*\"|'[^']*'|\S*)")
@@ -40,8 +39,6 @@ _PRIVATE = pattern(
 )
 _MOUNT = pattern(r"--mount=(\S*\btype=(?:ssh|secret)\b\S*)")
 _COMPILES = pattern(r"\b(?:cmake|make|ninja|git\s+(?:apply|am)|patch)\b")
-_OPTIONS = pattern(r"^(?:--\S+\s+)+")
-"""Options of RUN."""
 _COMMENT = pattern(r"^[ \t]*#.*$", re.MULTILINE)
 
 
@@ -125,8 +122,8 @@ class _Reading:
             self._enter(body, line)
             self.start.kept = None if "type=bind" in body else self.start.kept
             _collect(self.collector, instruction)
-            self._install(_OPTIONS.sub("", body))
-            if wrong := "" if instruction.script else unbalanced(_OPTIONS.sub("", body)):
+            self._install(instruction.steps)
+            if wrong := "" if instruction.script else unbalanced(instruction.steps):
                 self.problem = self.problem or f"line {line} is nothing that a shell reads: {wrong}"
             if _UPDATE.search(body):
                 self.updates_rosdep = self.updates_rosdep or line
@@ -178,7 +175,9 @@ class _Reading:
             self.start.source = posixpath.normpath(posixpath.join(self.start.workdir, expand(words[1], self.known)))
 
     def _from(self, body: str, line: int) -> None:
-        if match := _FROM.match(expand(body.strip(), self.known)):
+        from roslab.evidence.lex.dockerfile import FROM  # noqa: PLC0415 - as above
+
+        if match := FROM.match(expand(body.strip(), self.known)):
             if match[1].lower() not in self.stages and match[1] != "scratch":
                 self.bases.append((match[1], line))
             self.inside = ""
@@ -292,7 +291,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
 
 
 def _collect(collector: Collector, instruction: Instruction) -> None:
-    text = _OPTIONS.sub("", instruction.text)
+    text = instruction.steps
     if instruction.script:
         collector.text(text, instruction.line)
     else:

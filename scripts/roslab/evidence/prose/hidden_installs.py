@@ -10,7 +10,6 @@ from roslab.values.pattern import pattern
 
 _PIP = pattern(r"pip[\d.]*")
 _PYTHON = pattern(r"python[\d.]*")
-_OPTIONS = pattern(r"^(?:--\S+\s+)+")
 """Options of RUN."""
 _BRINGS_NOTHING = frozenset(
     (
@@ -35,7 +34,7 @@ _ARCHIVES = (".whl", ".gz", ".zip", ".deb", ".tar")
 
 def hides(written: Iterable[Instruction]) -> bool:
     """Tell whether it may: only a few programs are known not to, and pip with what is written out."""
-    texts = (_OPTIONS.sub("", each.text) for each in written if each.name == "RUN")
+    texts = (each.steps for each in written if each.name == "RUN")
     lines = (line for text in texts for _, line in logical_lines(text))
     return any(not _known(command) for line in lines for command in commands(line))
 

@@ -14,8 +14,6 @@ if TYPE_CHECKING:
 _PIP = pattern(r"(?:.*/)?pip(?:\d(?:\.\d+)?)?")
 _PROGRAM = pattern(r"(?:.*/)?(?:pip|python|pypy)[\d.]*")
 _UPGRADE = pattern(r"--upgrade|-[a-zA-Z]*U[a-zA-Z]*")
-_OPTIONS = pattern(r"^(?:--\S+\s+)+")
-"""Options of RUN."""
 MAY_CALL_PIP = pattern(r"\bpip|\bconda\b|\bmamba\b|\bsetup\.py\b|\.sh\b")
 """As ``shell-as-of`` knows a step that may call pip; a test holds them to each other."""
 _CHANGES = pattern(r"\bsed\b[^\n]*\bsetup\.py\b|\bis_available\b|\bpatch\b|\bgit\s+(?:apply|am)\b")
@@ -29,7 +27,7 @@ def newest_pips(written: Sequence[Instruction], images: Sequence[tuple[int, str]
     for step in written:
         if step.name == "RUN" and "pip" in step.text:
             image = image_at(step.line, images)
-            yield from ((image, line) for line in _upgrades(_OPTIONS.sub("", step.text), step.line) if image)
+            yield from ((image, line) for line in _upgrades(step.steps, step.line) if image)
 
 
 def image_at(line: int, images: Sequence[tuple[int, str]]) -> str:
