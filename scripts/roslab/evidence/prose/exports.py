@@ -64,7 +64,7 @@ def of_line(repository: Repository, file: File, line: int, code: str, heading: s
     ours = HERE.match(parts[0]) or any(bare_name(part) == bare_name(repository.name) for part in parts[:-1])
     if ours and ("/" in value or parts[0] != "."):
         folder = folder_of(value, repository)
-        value = (search_paths.HERE if folder == "." else f"{search_paths.HERE}{folder}") if folder else ""
+        value = search_paths.joined([folder]) if folder else ""
     if value and "$" not in value:
         said = f"{match[1]}={value}"
         yield Mention(

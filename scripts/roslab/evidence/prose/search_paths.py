@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.python_path import DEEPEST, folder_of
@@ -30,13 +30,17 @@ def read(repository: Repository, file: File, text: str, *, deepest: int = DEEPES
         parts = (part for part in value.split(":") if not part.startswith(_SYSTEM))
         folders = [folder for folder in dict.fromkeys(folder_of(part, repository) for part in parts) if folder]
         if match[1] in search_paths() and folders:
-            said = ":".join(HERE if folder == "." else f"{HERE}{folder}" for folder in folders)
             line = match.string.count("\n", 0, match.start(1)) + 1
             yield Mention(
                 topic="variable",
-                value=f"{match[1]}={said}",
+                value=f"{match[1]}={joined(folders)}",
                 source="readme",
                 file=file.path,
                 line=line,
                 text=re.sub(r"\s+", " ", match[0][:80]),
             )
+
+
+def joined(folders: Iterable[str]) -> str:
+    """Return folders of the tree, ``.`` for its root, as the value of such a variable."""
+    return ":".join(HERE if folder == "." else f"{HERE}{folder}" for folder in folders)

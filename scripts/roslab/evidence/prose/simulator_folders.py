@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.prose.search_paths import HERE
+from roslab.evidence.prose.search_paths import joined
 from roslab.knowledge.search_paths import search_paths
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.name import bare_name
@@ -33,24 +33,17 @@ def read(repository: Repository, _: Collection[Mention]) -> Iterator[Mention]:
     The folder of the script itself, that of a package, and one below the repository's own name are known; where the
     script is started from, ``$(pwd)``, is the root or the script's folder.
     """
-    found: dict[str, tuple[Mention, dict[str, None]]] = {}
+    found: dict[str, dict[str, tuple[str, int]]] = {}
     scripts = (file for file in repository.suffixed(*_SUFFIXES) if file.size <= MAX_SIZE)
     for file in nearest(file for file in scripts if not (places.vendored(file.path) or places.aside(file.path)))[:MOST]:
         text = repository.read(file)
         if any(name in text for name in search_paths()):
             for name, folder, line in _folders(text, file, repository):
-                said = Mention(topic="variable", value=name, source="script", file=file.path, line=line, text=name)
-                found.setdefault(name, (said, {}))[1].setdefault(folder)
-    for name, (said, folders) in found.items():
-        value = ":".join(HERE if folder == "." else f"{HERE}{folder}" for folder in folders)
-        yield Mention(
-            topic="variable",
-            value=f"{name}={value}",
-            source="script",
-            file=said.file,
-            line=said.line,
-            text=f"{name}={value}"[:80],
-        )
+                found.setdefault(name, {}).setdefault(folder, (file.path, line))
+    for name, folders in found.items():
+        value = f"{name}={joined(folders)}"
+        path, line = next(iter(folders.values()))
+        yield Mention(topic="variable", value=value, source="script", file=path, line=line, text=value[:80])
 
 
 def _folders(text: str, file: File, repository: Repository) -> Iterator[tuple[str, str, int]]:
