@@ -70,11 +70,12 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
     lines = [line for line in lines_of(text) if not line.elsewhere and len(line.text) <= MAX_LINE]
     found: dict[str, Mention] = {}
     for line in lines:
-        named = () if line.fenced or line.heading or "`" not in line.text else _named(line.text)
-        for written, rest in named:
+        if line.fenced or line.heading or "`" not in line.text:
+            continue
+        for written, rest in _named(line.text):
             _keep(found, _mention(written, rest, line, page, repository), known)
-        for each in () if line.fenced or line.heading or "`" not in line.text else _compiled(line, page):
-            if not {each.value.split()[0], each.value.split()[0].removeprefix("./")} & known:
+        for path, each in _compiled(line, page):
+            if known.isdisjoint((path, f"./{path}")):
                 found.setdefault(each.value, each)
     taken = {m.heading for m in (*commands, *found.values())}
     for line, written, rest in _alone(lines, taken, page, repository):
@@ -100,22 +101,20 @@ def _named(text: str) -> Iterator[tuple[str, str]]:
                 yield match["path"], match["rest"]
 
 
-def _compiled(line: Line, page: File) -> Iterator[Mention]:
-    """Yield the command of each compiled program that a line says is to be run."""
+def _compiled(line: Line, page: File) -> Iterator[tuple[str, Mention]]:
+    """Yield path and command of each compiled program that a line says is to be run."""
     for match in _COMPILED.finditer(line.text):
         around = line.text[max(0, match.start() - 30) : match.start()] + line.text[match.end() : match.end() + 40]
         if not (_TESTS.search(around) or _NO_MORE.search(around)):
-            value = joined((f"./{match['path'].removeprefix('./')}", *match["rest"].split()))
-            heading = " / ".join(line.titles.values())
-            yield Mention(
-                topic="command",
-                value=value,
-                source="readme",
-                file=page.path,
-                line=line.number,
-                text=value,
-                heading=heading,
-            )
+            path = match["path"].removeprefix("./")
+            yield path, _command((f"./{path}", *match["rest"].split()), line, page)
+
+
+def _command(words: Iterable[str], line: Line, page: File) -> Mention:
+    value, heading = joined(words), " / ".join(line.titles.values())
+    return Mention(
+        topic="command", value=value, source="readme", file=page.path, line=line.number, text=value, heading=heading
+    )
 
 
 def _alone(
@@ -150,12 +149,7 @@ def _mention(written: str, rest: str, line: Line, page: File, repository: Reposi
     if path is None:
         return None
     program = "python" if path.endswith(".py") else "bash"
-    value = joined((program, path, *rest.split()))
-    heading = " / ".join(line.titles.values())
-    said = Mention(
-        topic="command", value=value, source="readme", file=page.path, line=line.number, text=value, heading=heading
-    )
-    said = with_files(said, repository)
+    said = with_files(_command((program, path, *rest.split()), line, page), repository)
     folder, name = posixpath.split(path)
     if said.inside or not folder or program != "python":
         return said
