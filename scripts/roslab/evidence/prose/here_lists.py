@@ -60,8 +60,7 @@ def _of_echo(line: str) -> str:
 
 def _of_string(line: str, match: re.Match[str]) -> str:
     called = _command(line[: match.start()], line[match.end() :])
-    words = _given(match)
-    return f"{called} {' '.join(_words(words, called)) if called else ''}" if called else line
+    return f"{called} {' '.join(_words(_given(match), called))}" if called else line
 
 
 def _of_document(lines: list[str], index: int, match: re.Match[str]) -> int:

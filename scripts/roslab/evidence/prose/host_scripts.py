@@ -39,8 +39,7 @@ def _started(
     if starts_container(text):
         line = next(filter(starts_container, lines), "")
         if _GIVEN.search(line) and given:
-            handed = ("bash", *given) if _script(repository, given) else given
-            return handed if handed != given or _known(repository, given) else ()
+            return _handed(repository, given)
         found = [each.words for command in commands(line, 1) for each in inside(command)] if line else []
         return found[0] if found and not any(map(_on_host, lines)) else ()
     last = _words(lines[-1]) if further and lines and not any(map(_on_host, lines[:-1])) else ()
@@ -60,6 +59,13 @@ def _words(text: str) -> tuple[str, ...]:
         return tuple(shlex.split(text))
     except ValueError:
         return ()
+
+
+def _handed(repository: Repository, words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return what the words that a script hands to its container start there, none where that is not known."""
+    if _script(repository, words):
+        return ("bash", *words)
+    return words if _known(repository, words) else ()
 
 
 def _script(repository: Repository, words: tuple[str, ...]) -> bool:

@@ -18,7 +18,7 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
 _MAKE = frozenset({"make", "gmake", "catkin_make"})
-_JOBS = frozenset({"-j", "--jobs", "--parallel"})
+_JOBS = ("-j", "--jobs", "--parallel")
 _LOAD = ("-l", "--load-average", "--max-load")
 _NINJA = pattern(r"\bninja\b", re.IGNORECASE)
 """What CMake calls may be that."""
@@ -67,7 +67,7 @@ def _unbounded(command: Command) -> bool:
     words = command.words
     if words[0].rpartition("/")[2] not in _MAKE and words[:2] != ("cmake", "--build"):
         return False
-    last = next((n for n in range(len(words) - 1, 0, -1) if words[n].startswith(("-j", "--jobs", "--parallel"))), 0)
+    last = next((n for n in range(len(words) - 1, 0, -1) if words[n].startswith(_JOBS)), 0)
     after = words[last + 1 : last + 2]
     loaded = any(word.startswith(_LOAD) for word in words)
     return words[last] in _JOBS and not loaded and not (after and _NUMBER.match(after[0]))
