@@ -29,8 +29,6 @@ _TEST = frozenset(
 _EXAMPLE = frozenset(
     f"{name}{plural}" for name in ("example", "demo", "sample", "template", "tutorial") for plural in ("", "s")
 )
-
-
 OF_CI = (".yml", ".yaml")
 """How files of CI end, among those that install or clone something: most often they are for another machine."""
 _SCRIPTS = pattern(r"(?:scripts?|notebooks?|tools?|experiments?|benchmarks?)/", re.IGNORECASE)

@@ -1,9 +1,8 @@
-"""Jobs of GitLab's CI that bring something out and build nothing: what they install is for that alone."""
+"""Jobs of GitLab's CI that by their stage bring something out: what they install is for that alone."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 
 from roslab.evidence.lex.yaml import Scalar
 from roslab.values.pattern import pattern
@@ -16,9 +15,8 @@ _STAGE = pattern(
 """The stage of a job, by its name: https://docs.gitlab.com/ci/yaml/#stage, read 2026-11-28."""
 
 
-def without_deploys(values: Iterable[Scalar], text: str, path: str) -> tuple[Scalar, ...]:
+def without_deploys(values: tuple[Scalar, ...], text: str, path: str) -> tuple[Scalar, ...]:
     """Return the values of a CI file without those of such jobs; only GitLab's files have jobs as their keys."""
-    values = tuple(values)
     if not path.startswith(".gitlab"):
         return values
     job, aside = 0, set()

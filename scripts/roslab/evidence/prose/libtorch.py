@@ -32,7 +32,7 @@ def read(file: str, text: str) -> Iterator[Mention]:
 
 
 def in_scripts(repository: Repository) -> Iterator[Mention]:
-    """Yield the release of each archive for Linux that no page downloads."""
+    """Yield the release of each archive for Linux that a script, CI or a Dockerfile downloads."""
     files = [*repository.suffixed(*_SCRIPTS), *repository.named("Dockerfile")]
     files = [file for file in files if file.size <= MAX_SIZE and not places.vendored(file.path)]
     for file in nearest(files)[:MAX_FILES]:
