@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
@@ -27,7 +27,7 @@ _WORKING = frozenset({".", "$PWD", "${PWD}", "$(pwd)", "`pwd`"})
 """Where a script is started."""
 
 
-def read(repository: Repository, _: Collection[Mention]) -> Iterator[Mention]:
+def read(repository: Repository) -> Iterator[Mention]:
     """Yield each variable once with all folders of the tree that scripts put into it under no condition.
 
     The folder of the script itself, that of a package, and one below the repository's own name are known; where the
