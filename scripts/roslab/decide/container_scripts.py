@@ -10,7 +10,7 @@ from roslab.decide.entry_scripts import told
 from roslab.decide.reasons import warn
 from roslab.decide.windows import opens_windows
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
-from roslab.knowledge.official_images import without_tag
+from roslab.values.image import without_tag
 
 
 def shown(text: str, config: Config, evidence: Evidence, authored: AuthorDockerfile | None) -> bool:

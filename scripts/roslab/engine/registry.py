@@ -14,6 +14,7 @@ from typing import Any
 from roslab.engine.docker import last_line, output
 from roslab.errors import BuildError, Problem
 from roslab.values.dataclass import dataclass
+from roslab.values.image import without_tag
 from roslab.values.pattern import pattern
 
 TRANSIENT = pattern(
@@ -169,9 +170,8 @@ def _base(reference: str, platform: str) -> list[dict[str, Any]]:
     try:
         found = _inspect(reference, attempts=1)
         if "manifests" in found:
-            name = reference.partition("@")[0]
             fitting = [e for e in found["manifests"] if platform_name(e.get("platform", {})) == platform]
-            found = _inspect(f"{without_tag(name)}@{fitting[0]['digest']}", attempts=1) if fitting else {}
+            found = _inspect(f"{without_tag(reference)}@{fitting[0]['digest']}", attempts=1) if fitting else {}
     except BuildError:
         return []
     layers: list[dict[str, Any]] = found.get("layers", [])
@@ -188,12 +188,6 @@ def digest_of(reference: str, *, attempts: int = ATTEMPTS) -> str:
         return str(json.loads(answer.stdout)["digest"])
     except (ValueError, KeyError, TypeError):
         raise BuildError(Problem(message=f"the registry does not say the digest of {reference}")) from None
-
-
-def without_tag(name: str) -> str:
-    """Return the name of an image without its tag."""
-    path, colon, tag = name.rpartition(":")
-    return path if colon and "/" not in tag else name
 
 
 def _inspect(reference: str, *, attempts: int = ATTEMPTS) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from roslab.knowledge.table import rows
+from roslab.values.image import without_tag
 
 
 @cache
@@ -15,12 +16,6 @@ def _names() -> frozenset[str]:
 @cache
 def _of_publishers() -> frozenset[str]:
     return frozenset(row["image"] for row in rows("usual_shells"))
-
-
-def without_tag(reference: str) -> str:
-    """Return the name of an image without its tag and digest; a registry may have a port."""
-    folder, slash, name = reference.partition("@")[0].rpartition("/")
-    return f"{folder}{slash}{name.partition(':')[0]}"
 
 
 def with_usual_shell(reference: str) -> bool:

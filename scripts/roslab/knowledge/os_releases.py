@@ -9,8 +9,8 @@ import re
 from functools import cache
 
 from roslab.knowledge.distros import distro, ubuntus
-from roslab.knowledge.official_images import without_tag
 from roslab.knowledge.table import rows
+from roslab.values.image import without_tag
 from roslab.values.pattern import pattern
 
 _REGISTRY = pattern(r"^(?:docker\.io/)?(?:library/)?")

@@ -17,6 +17,7 @@ from roslab.plan.lock import python_of
 from roslab.plan.locked import Environment, Lock, LockedSource, Machine, Material
 from roslab.plan.plan import Plan
 from roslab.values.dataclass import replace
+from roslab.values.image import without_tag
 
 ROSDISTRO = "https://github.com/ros/rosdistro.git"
 PYTHONS = {"image": "python3", "jupyter": "/opt/jupyter/bin/python", "python2": "python2"}
@@ -104,7 +105,7 @@ def _bases(name: str, images: Sequence[tuple[str, Inventory]]) -> list[tuple[str
         pass  # BuildKit keeps what it pulled to itself
     try:
         digest = registry.digest_of(name)
-        repository = registry.without_tag(name)
+        repository = without_tag(name)
         configurations = registry.configurations(repository, digest)
         layers_of = {
             platform: tuple(entry.get("rootfs", {}).get("diff_ids") or ()) for platform, entry in configurations.items()
