@@ -62,7 +62,9 @@ def projects(plan: Plan) -> str:
     elif whole:
         commands.append(f"{pip}{_own(whole, copied)}")
     commands += [f"{pip} --no-deps{_own(alone, copied)}"] if alone else []
-    commands += [_or_its_needs(folder, pip, f"{pip}{_own([folder], copied)}", lines) for folder, lines in lost.items()]
+    for folder, lines in lost.items():
+        needs = f"{pip}{shell.words(lines)}" if lines else ""
+        commands.append(_or_its_needs(folder, f"{pip}{_own([folder], copied)}", needs, python.interpreter(plan)))
     run = shell.run(*commands, secrets=secrets.for_pip(plan))
     editable = "" if copied.issuperset(folders) else ", editable"
     header = f"{text}\n" if (text := building.older_names(plan)) else ""
@@ -75,13 +77,13 @@ def _if_there(folder: str, install: str, plan: Plan) -> str:
 
     A package of ROS for which nothing but an import speaks is left to the tool that builds the workspace.
     """
-    packaged = quote.shell(f"./{folder}/package.xml") if plan.workspace.ros and folder in plan.python.imported else ""
-    built = (
-        f"if [ -e {packaged} ]; then echo {quote.shell(f'roslab: {folder} is built with the workspace')}; \\\n    el"
-    )
+    unless = ""
+    if plan.workspace.ros and folder in plan.python.imported:
+        built = quote.shell(f"roslab: {folder} is built with the workspace")
+        unless = f"if [ -e {quote.shell(f'./{folder}/package.xml')} ]; then echo {built}; \\\n    el"
     has = " || ".join(f"[ -e {quote.shell(f'./{folder}/{name}')} ]" for name in ("setup.py", "pyproject.toml"))
     left_out = quote.shell(f"roslab: left out: {folder} has neither setup.py nor pyproject.toml")
-    return f"{built if packaged else ''}if {has}; then \\\n      {install}; \\\n    else echo {left_out}; fi"
+    return f"{unless}if {has}; then \\\n      {install}; \\\n    else echo {left_out}; fi"
 
 
 def _or_not(folder: str, plan: Plan) -> str:
@@ -90,14 +92,13 @@ def _or_not(folder: str, plan: Plan) -> str:
     return f" || echo {told}" if folder in plan.python.imported else ""
 
 
-def _or_its_needs(folder: str, pip: str, install: str, lines: Sequence[str]) -> str:
-    """Return the command for a project whose extension lacks something: where it fails, what the project requires."""
+def _or_its_needs(folder: str, install: str, needs: str, interpreter: str) -> str:
+    """Return the command for a project whose extension lacks something: where it fails, that of what it requires."""
     name = folder if folder not in ("", ".") else "the repository"
     told = f"roslab: left out: pip cannot compile the extension of {name}"
-    told += "; what that requires is installed alone" if lines else ""
-    then = [f"echo {quote.shell(told)}", *([f"{pip}{shell.words(lines)}"] if lines else [])]
-    then.append(_on_path(folder, pip.partition(" -m pip ")[0].rpartition(" ")[2]))
-    otherwise = " \\\n      && ".join(then)
+    told += "; what that requires is installed alone" if needs else ""
+    then = (f"echo {quote.shell(told)}", needs, _on_path(folder, interpreter))
+    otherwise = " \\\n      && ".join(filter(None, then))
     return f"{{ {install} \\\n      || {{ {otherwise}; }}; }}"
 
 
