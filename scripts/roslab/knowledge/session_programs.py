@@ -10,10 +10,10 @@ from roslab.knowledge.table import rows
 @cache
 def terminals() -> frozenset[str]:
     """Return the programs that keep or open terminals."""
-    return frozenset(row["program"] for row in rows("session_programs") if row["for"] == "terminals")
+    return frozenset(row["program"] for row in rows("programs") if row["session"] == "terminals")
 
 
 @cache
 def session_programs() -> frozenset[str]:
     """Return them and the small programs without which such a script goes wrong: no image has them of itself."""
-    return frozenset(row["program"] for row in rows("session_programs"))
+    return frozenset(row["program"] for row in rows("programs") if row["session"])

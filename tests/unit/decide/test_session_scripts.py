@@ -7,8 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
-from roslab.knowledge.compiled import programs
-from roslab.knowledge.session_programs import session_programs, terminals
+from roslab.knowledge.table import rows
 
 Tree = Callable[[dict[str, str]], Decision]
 FILES = {
@@ -44,5 +43,5 @@ def test_what_other_scripts_call_is_not(tree: Tree, path: str, script: str) -> N
     assert _asked(tree, path, script) == set()
 
 
-def test_apt_has_each_of_the_table() -> None:
-    assert terminals() < session_programs() <= programs().keys()
+def test_the_table_says_of_no_program_anything_else() -> None:
+    assert {row["session"] for row in rows("programs")} == {"", "terminals", "work"}
