@@ -12,11 +12,10 @@ from roslab.values.pattern import named_by
 
 @cache
 def tooling(asked_by: Literal["installers", "developers", "compilers", "backends", "ros"]) -> frozenset[str]:
-    """Return the tools that install packages, that check code or that compile C++ in conda, or ROS's own packages.
+    """Return the tools that install packages, that check code or that compile C++ in conda, backends, or ROS's own.
 
-    Or the backends that compile nothing unless a script or a plugin of the project does.
-
-    ROS's are those that its core brings and that ``pip freeze`` lists on a machine with it: pip's index has none.
+    The backends are those that compile nothing unless a script or a plugin of the project does. ROS's own are what its
+    core brings and ``pip freeze`` lists on a machine with it: pip's index has none.
     """
     return frozenset(row["pip"] for row in rows("python_tooling") if row["asked_by"] == asked_by)
 

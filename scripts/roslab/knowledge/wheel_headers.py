@@ -8,6 +8,6 @@ from roslab.knowledge.table import rows
 
 
 @cache
-def wheel_headers() -> dict[str, str]:
-    """Return the pip package that brings each folder, ``""`` for CUDA's toolkit."""
-    return {row["folder"]: row["pip"] for row in rows("wheel_headers")}
+def wheel_headers() -> frozenset[str]:
+    """Return the folders; the table also tells which pip package brings each, none for those of CUDA's toolkit."""
+    return frozenset(row["folder"] for row in rows("wheel_headers"))
