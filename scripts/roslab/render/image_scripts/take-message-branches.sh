@@ -42,10 +42,11 @@ for package in $(printf '%s\n' "$@" | cut --delimiter=/ --fields=1 | sort --uniq
     if [ "${interface%%/*}" = "${package}" ] && ! made_of "${interface#*/}" <<<"${paths}"; then lacking+=("${interface#*/}"); fi
   done
   if [ "${#lacking[@]}" -eq 0 ] || ! clone="$(git -C "${there}" rev-parse --show-toplevel 2>/dev/null)"; then continue; fi
-  name="$(basename "${clone}")" taken=''
-  mapfile -t branches < <(git -C "${clone}" for-each-ref --sort=-committerdate --format='%(refname:strip=3)' refs/remotes/origin | grep --invert-match --line-regexp HEAD | head --lines=60)
+  name="$(basename "${clone}")" taken='' branches=()
+  if [[ " ${keep[*]} " != *" ${name} "* ]]; then
+    mapfile -t branches < <(git -C "${clone}" for-each-ref --sort=-committerdate --format='%(refname:strip=3)' refs/remotes/origin | grep --invert-match --line-regexp HEAD | head --lines=60)
+  fi
   for branch in "${branches[@]}"; do
-    if [[ " ${keep[*]} " = *" ${name} "* ]]; then break; fi
     at="origin/${branch}"
     if [ -n "${day}" ]; then at="$(git -C "${clone}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" "${at}")"; fi
     if [ -n "${at}" ] && all_made_of "$(git -C "${clone}" ls-tree -r --name-only "${at}")" "${lacking[@]}"; then
