@@ -1,6 +1,6 @@
 """The program's compiled modules in one file, beside those in which Python keeps each by itself.
 
-A plan imports some seven hundred small modules. To look for each along the path, and to open, check and read its own
+A plan imports eight to nine hundred small modules. To look for each along the path, and to open, check and read its own
 file, is a fifth of its time (``benchmarks/plan.py``). Here only the date and the size of each source are looked at, by
 which Python, too, sees whether what it compiled is still true. A module that is new or was changed is imported as ever.
 
@@ -28,8 +28,6 @@ _HEADER = 16
 
 https://peps.python.org/pep-0552/#specification
 """
-
-
 Row = tuple[str, str, Stamp, str, CodeType]
 """Of a module that is kept with others: its name, its source and that file's stamp, Python's own file, its code."""
 

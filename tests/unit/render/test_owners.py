@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 PROGRAM = {"main.py": "import numpy\n", "requirements.txt": "numpy\n"}
 PROJECT = {"pyproject.toml": '[project]\nname = "a"\nversion = "1"\n[build-system]\nrequires = ["setuptools"]\n'}
@@ -30,10 +30,9 @@ OWNED = 'RUN find {} -type d -exec chown "${{NB_UID}}:${{NB_UID}}" {{}} +\n'
     ],
 )
 def test_an_environment_is_the_users_after_all_that_root_installs(
-    tmp_path: Path, files: Mapping[str, str], folder: str | None
+    tmp_path: Path, files: dict[str, str], folder: str | None
 ) -> None:
-    for name, text in files.items():
-        (tmp_path / name).write_text(text)
+    tree_of(tmp_path, files)
     text = dockerfile(plan_repository(tmp_path).plan)
     if folder is None:
         assert "-type d -exec chown" not in text

@@ -10,6 +10,7 @@ import pytest
 
 from roslab.knowledge.libraries import cmake_packages
 from roslab.render import image_scripts
+from trees import tree_of
 
 pytestmark = pytest.mark.usefixtures("scripts_on_path")
 SCRIPT = Path(image_scripts.__path__[0]) / "required-components.sh"
@@ -125,8 +126,6 @@ def test_without_ros_there_is_nothing_to_ask(tmp_path: Path) -> None:
     ],
 )
 def test_what_files_that_are_included_require(tmp_path: Path, files: dict[str, str], names: list[str]) -> None:
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+    tree_of(tmp_path, files)
     command = ["required-by-cmake", str(tmp_path / "CMakeLists.txt")]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split() == names
