@@ -6,6 +6,7 @@ import re
 from functools import cache
 from typing import Literal
 
+from roslab.knowledge.record import grouped
 from roslab.knowledge.table import rows
 from roslab.values.pattern import named_by
 
@@ -35,18 +36,13 @@ def same_module(name: str, other: str) -> bool:
 def _rows_of(name: str) -> frozenset[int]:
     """Return the numbers of the rows that name a package."""
     plain, patterns = _names()
-    return plain.get(name, frozenset()).union(number for number, names in patterns if names.match(name))
+    return frozenset(plain.get(name, ())).union(number for number, names in patterns if names.match(name))
 
 
 @cache
-def _names() -> tuple[dict[str, frozenset[int]], tuple[tuple[int, re.Pattern[str]], ...]]:
+def _names() -> tuple[dict[str, tuple[int, ...]], tuple[tuple[int, re.Pattern[str]], ...]]:
     """Return the rows of each name that is written out, and for the other rows what their names look like."""
-    plain: dict[str, frozenset[int]] = {}
-    patterns: list[tuple[int, re.Pattern[str]]] = []
-    for number, row in enumerate(rows("same_module")):
-        names = row["names"].split()
-        for name in names:
-            plain[name] = plain.get(name, frozenset()) | {number}
-        if "*" in row["names"]:
-            patterns.append((number, named_by(name for name in names if "*" in name)))
-    return plain, tuple(patterns)
+    listed = [(number, row["names"].split()) for number, row in enumerate(rows("same_module"))]
+    starred = [(number, [name for name in names if "*" in name]) for number, names in listed]
+    patterns = tuple((number, named_by(names)) for number, names in starred if names)
+    return grouped((name, number) for number, names in listed for name in names), patterns
