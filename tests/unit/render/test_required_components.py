@@ -129,3 +129,11 @@ def test_what_files_that_are_included_require(tmp_path: Path, files: dict[str, s
     tree_of(tmp_path, files)
     command = ["required-by-cmake", str(tmp_path / "CMakeLists.txt")]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split() == names
+
+
+def test_what_one_file_turns_off_another_one_requires(tmp_path: Path) -> None:
+    include = "include(../needs.cmake)\n"
+    files = {"a/CMakeLists.txt": f"option(A off OFF)\nif(A)\n{include}endif()\n", "b/CMakeLists.txt": include}
+    tree_of(tmp_path, {**files, "needs.cmake": "find_package(GDAL REQUIRED)\n"})
+    command = ["required-by-cmake", *(str(tmp_path / name) for name in files)]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split() == ["GDAL"]

@@ -157,6 +157,7 @@ elif [ "$1" = --programs ]; then
 else
   for file in "$@"; do
     top="$(dirname "${file}")"
+    : >"${seen}" # another file may have turned off what it includes
     with_added "${file}" "${top}" 0 | required ''
   done
 fi | grep --line-regexp --extended-regexp '((pkg|link|header|run):)?[A-Za-z][A-Za-z0-9_+./-]*' |
