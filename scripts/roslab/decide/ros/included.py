@@ -27,15 +27,22 @@ MESSAGES = "messages"
 
 def included(evidence: Evidence, packages: Packages) -> Iterator[Dependency]:
     """Yield each package of whose messages code of the built packages includes a header, under no condition."""
-    folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built)
     told: set[str] = set()
-    for each in evidence.code:
-        name = package_of(each.name) if each.namespace == "include" and each.strength != "optional" else ""
-        if not name or name in told or name in packages.names or places.aside(each.file) or header(each.name, None):
-            continue
-        if any(not folder or each.file.startswith(f"{folder}/") for folder in folders):
+    for name, each in generated_headers(evidence, packages):
+        if name not in told:
             told.add(name)
             yield Dependency(namespace="ros", name=name, strength="declared", file=each.file, line=each.line, role=ROLE)
+
+
+def generated_headers(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, Dependency]]:
+    """Yield each include of such a header, with the package of its message; none of the tree's own."""
+    folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built)
+    for each in evidence.code:
+        name = package_of(each.name) if each.namespace == "include" and each.strength != "optional" else ""
+        if not name or name in packages.names or places.aside(each.file) or header(each.name, None):
+            continue
+        if any(not folder or each.file.startswith(f"{folder}/") for folder in folders):
+            yield name, each
 
 
 def without_headers(
