@@ -23,15 +23,13 @@ _RUN = {"ros1": ("rosrun",), "ros2": ("ros2", "run")}
 
 def in_bin(evidence: Evidence, kind: Kind) -> Mapping[str, str]:
     """Return these programs, each with its package; of ROS 1 those of plain CMake alone, for catkin places its own."""
-    if kind not in _RUN or not any(project.in_bin for project in evidence.cmake):
-        return {}
-    manifests = {m.file.rpartition("/")[0]: m for m in packages_of(evidence).built if m.name}
-    by_tool = {folder: m.name for folder, m in manifests.items() if kind == "ros2" or types(m, 1) == {"cmake"}}
+    making = [project for project in evidence.cmake if project.in_bin] if kind in _RUN else []
+    folders = {m.file.rpartition("/")[0]: m for m in packages_of(evidence).built} if making else {}
     found: dict[str, str] = {}
-    for project in evidence.cmake:
-        package = configured_by(project, {folder: m.name for folder, m in manifests.items()})
-        if package in by_tool.values():
-            found |= {name: package for name in project.in_bin if package}
+    for project in making:
+        package = configured_by(project, folders)
+        if package and package.name and (kind == "ros2" or types(package, 1) == {"cmake"}):
+            found |= dict.fromkeys(project.in_bin, package.name)
     return found
 
 
