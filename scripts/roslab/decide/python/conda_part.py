@@ -5,12 +5,12 @@ conda hands these lines to one call of pip, so that one which pip refuses would 
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Collection, Mapping, Sequence, Set
 from typing import NamedTuple
 
 from roslab.decide.decision import Warning_
 from roslab.decide.python.bare import needs_of
+from roslab.decide.python.manifests import path_of
 from roslab.decide.python.mistaken import mistaken
 from roslab.decide.python.of_manifests import of_environment, own_names
 from roslab.decide.python.packages import Chosen
@@ -67,26 +67,18 @@ def conda_part(
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
     off, instead, tried, warnings = _repaired(listed, python, names, of_pages(evidence, own_names(evidence)))
     folders = [each.written for each in listed if each.role == "project"]
-    lists = [each for each in listed if each.role == "file" and _beside(each) in by_name]
+    lists = [each for each in listed if each.role == "file" and path_of(each) in by_name]
+    out = (*folders, *(each.written.removeprefix("./") for each in lists), *(each.name for each in off))
     others = by_file and any(each.role != "project" and each not in (*off, *lists) for each in listed)
     kept = [] if by_file else [each for each in listed if each not in off and not each.role]
     return CondaPart(
-        local=tuple(dict.fromkeys((*folders, *map(_written, lists), *(each.name for each in off)))) if by_file else (),
+        local=tuple(dict.fromkeys(out)) if by_file else (),
         others=others,
         instead=tuple(instead) if others else (),
         declared=(*kept, *instead),
         tried=tuple(tried),
         warnings=tuple(warnings),
     )
-
-
-def _beside(included: Requirement) -> str:
-    """Return the path of a list that an environment includes: pip looks for it beside the file."""
-    return posixpath.normpath(posixpath.join(posixpath.dirname(included.file), included.written))
-
-
-def _written(included: Requirement) -> str:
-    return included.written.removeprefix("./")
 
 
 class _Repaired(NamedTuple):

@@ -96,6 +96,8 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
     if config.requirements is not None:
         wanted = {posixpath.normpath(path) for path in config.requirements}
         return tuple(file for file in evidence.requirements if file.file in wanted)
+    if conda:  # one of tests, too: conda hands it to pip
+        return tuple(file for each in evidence.conda if each.file == conda for file in files_of(evidence, each))
     aside = for_reference(evidence) | of_parts(evidence) | of_machines(evidence) | of_pages_below(evidence)
     aside |= beside_lock(evidence)
     run = {
@@ -103,12 +105,6 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
         for file in evidence.requirements
         if file.purpose == "run" and not places.example(file.file) and file.file not in aside
     }
-    if conda:
-        named = {r.written for e in evidence.conda if e.file == conda for r in e.requirements if r.role == "file"}
-        folder = conda.rpartition("/")[0]
-        there = {file.file: file for file in evidence.requirements}  # one of tests, too: conda hands it to pip
-        paths = (posixpath.normpath(posixpath.join(folder, name)) for name in sorted(named))
-        return tuple(there[path] for path in paths if path in there)
     chosen: dict[str, RequirementFile] = {}
     for asked in _prose(evidence):
         if asked.role in {"file", "environment"} and (path := resolve(asked, run)):
@@ -275,11 +271,14 @@ def with_includes(evidence: Evidence, files: Iterable[RequirementFile]) -> list[
 
 
 def files_of(evidence: Evidence, environment: CondaEnvironment) -> list[RequirementFile]:
-    """Return the requirement files that the ``pip:`` part of an environment names; conda looks for them beside it."""
-    folder = environment.file.rpartition("/")[0]
-    named = (each.written for each in environment.requirements if each.role == "file")
-    paths = {posixpath.normpath(posixpath.join(folder, name)) for name in named}
+    """Return the requirement files that the ``pip:`` part of an environment names."""
+    paths = {path_of(each) for each in environment.requirements if each.role == "file"}
     return [file for file in evidence.requirements if file.file in paths]
+
+
+def path_of(included: Requirement) -> str:
+    """Return the path of a list that an environment includes: conda looks for it beside the environment's file."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(included.file), included.written))
 
 
 def beside(evidence: Evidence, files: Sequence[RequirementFile], conda: str | None) -> tuple[str, ...]:
