@@ -15,7 +15,7 @@ from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
 from roslab.decide.cuda.weight import Weight
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
-from roslab.decide.python.pythons import PREFERRED
+from roslab.decide.python.pythons import DEFAULT as PYTHON
 from roslab.decide.python.version import python_version
 from roslab.decide.reasons import because, configured, outweighed, warn
 from roslab.evidence import places
@@ -123,8 +123,8 @@ Candidate = tuple[Reason, tuple[str, ...]]
 def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> Iterator[Candidate]:
     """Yield every answer that anything speaks for."""
     day, python = evidence.pip_day, python_version(evidence, config, pins).answer.version
-    if not day and python is None:  # the usual Ubuntu's, for which pip takes an older release than the newest
-        python = PREFERRED[0]
+    if not day and python is None:  # for the default pip takes an older release than the newest
+        python = PYTHON
     compiles = bool(evidence.cuda_files) or any("cuda" in project.extensions for project in evidence.python)
     compiles = compiles or any("torch" in build_needs().get(pin.name, ()) for pin in pins)
     lowest = {use.bound.key: use.bound.below for use in evidence.bounds}

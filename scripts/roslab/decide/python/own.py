@@ -9,7 +9,7 @@ from roslab.decide.python.base import cuda_ubuntu
 from roslab.decide.python.image_python import Manager
 from roslab.decide.python.packages import Chosen, choose
 from roslab.decide.python.pins import Pin
-from roslab.decide.python.pythons import PREFERRED
+from roslab.decide.python.pythons import DEFAULT, PREFERRED
 from roslab.decide.python.version import Wanted, python_version, read_by
 from roslab.decide.python.weights import VersionWeight
 from roslab.decide.reasons import because, warn
@@ -20,8 +20,6 @@ from roslab.knowledge.distros import distro, python_of_ubuntu, ubuntus_with_pyth
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
-DEFAULT = "3.10"
-"""The default: that of Ubuntu 22.04, for which most old and new wheels exist."""
 OLDEST = "3.5"
 """The default for code older than any Python 3 that is still in use; what needs Python 2 shows it by its syntax."""
 _SURE = VersionWeight.SAID["readme"]
@@ -60,13 +58,12 @@ def decide_version(
         number, first = _of_ros(evidence, ros_distro, meant)
         own = OwnPython(version=number, system=True, wanted=said.answer.version, chosen=chosen)
         return Choice(answer=own, reasons=(*first, *said.reasons))
-    wanted, fitting = said.answer.version, said.answer.fitting
-    number = wanted or _then(evidence.day) or _default(config, kind, cuda, _usual(evidence.pip_day))
-    newer = None if wanted or kind == "cpp" else read_by(evidence, number)
-    if newer and (number := newer.answer.version or number):
-        own = OwnPython(version=number, system=False, wanted=number, chosen=chosen, fitting=newer.answer.fitting)
-        return Choice(answer=own, reasons=(*newer.reasons, *said.reasons))
-    own = OwnPython(version=number, system=False, wanted=wanted, chosen=chosen, fitting=fitting)
+    number = said.answer.version or _then(evidence.day) or _default(config, kind, cuda, _usual(evidence.pip_day))
+    if said.answer.version is None and kind != "cpp" and (newer := read_by(evidence, number)):
+        said = replace(newer, reasons=(*newer.reasons, *said.reasons))
+    wanted = said.answer.version
+    number = wanted or number
+    own = OwnPython(version=number, system=False, wanted=wanted, chosen=chosen, fitting=said.answer.fitting)
     if wanted:
         return Choice(answer=own, reasons=said.reasons)
     which = f"one that was usual on {evidence.pip_day}" if evidence.pip_day else "the Python of the base"
