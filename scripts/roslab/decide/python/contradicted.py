@@ -43,8 +43,10 @@ def _unmatched(named: Sequence[Requirement]) -> Iterator[Warning_]:
     pins = {each.key: (each, release) for each in reversed(named) if (release := _pinned(each))}
     for each, release in pins.values():
         framework, of = released_with().get((each.key, release), ("", ""))
-        other, there = pins.get(framework, (each, of))
-        if Version(there or "0") == Version(of or "0"):
+        if framework not in pins:
+            continue
+        other, there = pins[framework]
+        if Version(there) == Version(of):
             continue
         fits = [own for (key, own), made in released_with().items() if (key, made) == (each.key, (framework, there))]
         write = f"`{each.name}=={max(fits, key=Version)}`" if fits else f"the release of {each.name} for that one"
