@@ -95,7 +95,9 @@ class OwnScript:
     after: bool = False
     """It is run once all else is built: it needs the library of the project, or a page runs it after the workspace."""
     by_compiler: bool = False
-    """CMake has no part in it: a Makefile that calls compilers alone, or a copy of a file."""
+    """It is a Makefile that calls compilers alone: CMake has no part in it."""
+    copies: bool = False
+    """It compiles nothing, and copies a header from its template."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

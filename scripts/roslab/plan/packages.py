@@ -87,7 +87,7 @@ def _compilers(decision: Decision, *, own_python: bool) -> list[str]:
         return []
     has_one = decision.kind in ("ros1", "ros2") or "-devel" in decision.base_image
     needs = [] if has_one else ["build-essential"]
-    needs += [] if all(script.by_compiler for script in decision.scripts) else ["cmake"]
+    needs += [] if all(script.by_compiler or script.copies for script in decision.scripts) else ["cmake"]
     if decision.python.conda_file:  # its pip part is compiled while the environment is made, before pip's own steps
         needs += [programs()[each.key] for each in decision.python.first if each.key in programs()]
     of_python = decision.compiling.compiler or decision.kind != "cpp"

@@ -48,6 +48,8 @@ class Script:
     """Nothing else is built: what fails stops the build."""
     after: bool = False
     """It needs what the program installs."""
+    copies: bool = False
+    """It compiles nothing, and copies what is compiled later."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -155,7 +157,13 @@ def workspace(
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
         inside_installed=decision.inside_installed,
         scripts=tuple(
-            Script(folder=each.folder, command=each.command, required=each.required, after=each.after)
+            Script(
+                folder=each.folder,
+                command=each.command,
+                required=each.required,
+                after=each.after,
+                copies=each.copies,
+            )
             for each in decision.scripts
         ),
         downloads=decision.downloads,

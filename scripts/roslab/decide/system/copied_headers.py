@@ -16,8 +16,7 @@ def with_copied_headers(choice: Choice[tuple[OwnScript, ...]], evidence: Evidenc
     """Return the scripts with the copies before them."""
     said = [mention for mention in evidence.mentions if mention.topic == "copied_header"]
     copies = (
-        OwnScript(folder="", path=m.value, command=shlex.join(("cp", m.files[0], m.value)), by_compiler=True)
-        for m in said
+        OwnScript(folder="", path=m.value, command=shlex.join(("cp", m.files[0], m.value)), copies=True) for m in said
     )
     why = "the code includes it, and it is copied from {} before the build"
     reasons = (because("source", m.value, why.format(m.files[0]), m, weight=_WEIGHT) for m in said)

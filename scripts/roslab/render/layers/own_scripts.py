@@ -17,7 +17,7 @@ def before_program(plan: Plan) -> str:
     head = "# What is compiled beside the program: by scripts that the README runs, and in other folders"
     if any(script.required for script in scripts):
         head = "# What the script of the repository compiles"
-    if scripts and all(script.command.startswith("cp ") for script in scripts):
+    if scripts and all(script.copies for script in scripts):
         head = "# What is copied before it is compiled, as a page or a script says"
     return _run(plan, scripts, head)
 
