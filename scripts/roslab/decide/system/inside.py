@@ -32,7 +32,7 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
     folders = {project.file.rpartition("/")[0] for project in evidence.cmake if places.vendored(project.file)}
     folders = {folder for folder in {*folders, *absent} if folder}
     if kind in {"ros1", "ros2"}:
-        folders -= {manifest.file.rpartition("/")[0] for manifest in evidence.manifests} - {*_put_into_system(evidence)}
+        folders -= {manifest.file.rpartition("/")[0] for manifest in evidence.manifests} - _put_into_system(evidence)
     run = {file for m in evidence.mentions if m.topic == "command" for file in m.files}
     found: dict[str, Mention] = {}
     for mention in evidence.mentions:
@@ -60,19 +60,20 @@ def compiled_inside(evidence: Evidence, config: Config, kind: Kind) -> Choice[tu
     return Choice(answer=tuple(answer.items()), reasons=tuple(reasons))
 
 
-def _put_into_system(evidence: Evidence) -> Iterator[str]:
-    """Yield the folders of packages that CMake alone builds, without ROS, and that a page of the tree installs."""
-    plain = [m.file.rpartition("/")[0] for m in evidence.manifests if [name for name, _ in m.build_types] == ["cmake"]]
-    for mention in evidence.mentions:
-        if mention.topic == "installed_here" and mention.source == "readme" and not places.vendored(mention.file):
-            yield from (folder for folder in (meant(mention.value, {*plain} - {""}),) if folder)
+def _put_into_system(evidence: Evidence) -> set[str]:
+    """Return the folders of packages that CMake alone builds, without ROS, and that a page of the tree installs."""
+    plain = {m.file.rpartition("/")[0] for m in evidence.manifests if [name for name, _ in m.build_types] == ["cmake"]}
+    return _installed(plain, (mention for mention in evidence.mentions if mention.source == "readme"))
 
 
 def installed_inside(evidence: Evidence, inside: Iterable[tuple[str, str]]) -> tuple[str, ...]:
-    """Return those of the folders that a page of the tree installs after it has compiled them."""
-    folders = {folder for folder, _ in inside if folder}
-    said = (m for m in evidence.mentions if m.topic == "installed_here" and not places.vendored(m.file))
-    return tuple(sorted({folder for m in said if (folder := meant(m.value, folders))}))
+    """Return those of the folders that a page or a script of the tree installs after it has compiled them."""
+    return tuple(sorted(_installed({folder for folder, _ in inside}, evidence.mentions)))
+
+
+def _installed(folders: set[str], said: Iterable[Mention]) -> set[str]:
+    told = (m for m in said if m.topic == "installed_here" and not places.vendored(m.file))
+    return {folder for m in told if (folder := meant(m.value, folders - {""}))}
 
 
 def _linked(evidence: Evidence, folders: Collection[str]) -> Iterator[tuple[str, str, Place]]:
