@@ -33,7 +33,7 @@ def may_fail(
     """Return the packages that CMake or the compiler will stop in where no clone has what they need.
 
     With those that need them; none where no others are left. What a clone is called like is most likely in that.
-    ``stopping``: files of CMake that look for a library which nothing brings.
+    ``stopping``: files of CMake or code that look for a library which nothing brings.
     """
     if not target.ros_distro:
         return ()

@@ -246,7 +246,7 @@ def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependenc
     others -= {d.file for d in written if d.file in ours or written_for(d.name) == "{distro}"}
     written = [each for each in written if each.file not in others or _HEADERS.fullmatch(each.name)]
     for dependency in written:
-        if dependency.file not in ours or written_for(dependency.name) in {None, ros_distro, "{distro}"}:
+        if dependency.file not in ours or written_for(dependency.name) in fits:
             yield dependency
     used = {m.value.split(" ")[0] for m in evidence.mentions if m.topic in {"command", "session", "started"}}
     own = authors_own(ros=ros_distro is not None)
