@@ -34,9 +34,11 @@ def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict
 def _free(authored: AuthorDockerfile, evidence: Evidence) -> Iterator[Requirement]:
     """Yield what pip is asked for in the Dockerfile's own lines that may be of any version, or needs what may be."""
     listed = [each for file in files_of(authored, evidence) for each in file.requirements if each.package]
-    free = not listed or any(each.release is None and not each.url for each in listed)
+    free = not listed or any(map(_unpinned, listed))
     for asked in authored.requirements:
-        if asked.role == "file":
-            yield from (asked,) if free else ()
-        elif asked.role == "project" or (asked.package and asked.release is None and not asked.url):
+        if asked.role == "project" or _unpinned(asked) or (asked.role == "file" and free):
             yield asked
+
+
+def _unpinned(asked: Requirement) -> bool:
+    return asked.package and asked.release is None and not asked.url

@@ -23,9 +23,9 @@ def by_packages(evidence: Evidence, ros: int) -> tuple[str, str, Dependency] | N
     asked = {name: each for name, each in asked.items() if not outlived(name, evidence, released)}
     if not asked or any(name.replace("python-", "python3-", 1) in names - {name} for name in asked):
         return None
-    having = [name for name in found if all(distros()[name].ubuntu in ubuntus_of(each) for each in asked)]
+    having = [name for name in found if all(found[name].ubuntu in ubuntus_of(each) for each in asked)]
     if not having:
         return None
-    best = max(having, key=lambda name: distros()[name].preference)
+    best = max(having, key=lambda name: found[name].preference)
     first = next(iter(asked.values()))
-    return best, f"no distribution is named, and Ubuntu {distros()[best].ubuntu} is the last with {first.name}", first
+    return best, f"no distribution is named, and Ubuntu {found[best].ubuntu} is the last with {first.name}", first

@@ -30,9 +30,8 @@ def asked(
     Without the unknown keys that what pip installs brings (``installed``).
     """
     keys, by_pip = declared_keys(packages, target, kind), {each.key for each in installed}
-    there = released(target.ros_distro or "")
-    known = {key.name for key in keys if key.name in there or key.name in rosdep_keys()}
-    keys = tuple(key for key in keys if key.name in known or not brought_by_pip(key, by_pip, evidence))
+    known = (released(target.ros_distro or ""), rosdep_keys())
+    keys = tuple(k for k in keys if any(k.name in each for each in known) or not brought_by_pip(k, by_pip, evidence))
     ours = own_targets(keys, evidence)
     return (
         *(key for key in keys if key.name not in ours),

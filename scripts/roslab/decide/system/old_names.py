@@ -8,7 +8,7 @@ from roslab.decide.ros.distro_dates import dated, later
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.apt_ubuntus import ubuntus_of
 
-OUTLIVED = 730
+_OUTLIVED = 730
 """Days from the release of what has a tool under its name for Python 3 alone, until a page's old name tells nothing. Of
 three repositories that name no distribution of ROS, one of 2021 is for the older one, and of two of 2022 and 2023 one
 compiles on the newer alone."""
@@ -25,4 +25,4 @@ def outlived(name: str, evidence: Evidence, released: Mapping[str, str]) -> bool
     having = ubuntus_of(name)
     last = max((day for ubuntu, day in released.items() if ubuntu in having), default="")
     newer = [day for ubuntu, day in released.items() if ubuntu not in having and day > last]
-    return bool(newer) and date.value >= later(min(newer), OUTLIVED)
+    return bool(newer) and date.value >= later(min(newer), _OUTLIVED)
