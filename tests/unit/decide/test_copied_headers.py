@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 FILES = {
@@ -42,6 +46,11 @@ def test_before_a_workspace(tree: Tree) -> None:
     manifest = "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
     decision = tree({**FILES, "package.xml": manifest, "README.md": f"# A\n`{COPY}`\n"})
     assert [(script.command, script.after) for script in decision.scripts] == [(COPY, False)]
+
+
+def test_the_dockerfile_says_that_it_only_copies(tmp_path: Path) -> None:
+    tree_of(tmp_path, {**FILES, "README.md": f"# A\n`{COPY}`\n"})
+    assert "# What is copied before it is compiled" in dockerfile(plan_repository(tmp_path).plan)
 
 
 def test_a_template_in_a_folder_whose_name_has_a_space(tree: Tree) -> None:
