@@ -11,6 +11,7 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 
@@ -122,9 +123,7 @@ def test_a_list_that_pip_would_refuse_is_not_included_by_the_environment(
 ) -> None:
     setup = "from setuptools import setup\nsetup(name='{}', packages=['a'])\n"
     texts = {file: environment(line, "numpy"), list_: lines, "setup.py": setup.format("a"), "a/__init__.py": ""}
-    for path, text in {**texts, "sub/knn/setup.py": setup.format("knn")}.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text)
+    tree_of(tmp_path, {**texts, "sub/knn/setup.py": setup.format("knn")})
     python = plan_repository(tmp_path, config_text=f"format: 3\nconda: {file}\n").plan.python
     assert (posixpath.basename(list_) in python.conda_local) is not whole
     assert ("click" in python.pip) is not whole

@@ -6,16 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
-from roslab.decide import decide
-from roslab.evidence.facts import Mention
-from roslab.evidence.gather import gather
-from roslab.repository.checkout import Repository
-from roslab.values.dataclass import replace
+from trees import decided
 
 MANIFEST = (
     "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend></package>"
 )
+FILES = {"package.xml": MANIFEST, "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"}
 
 
 @pytest.mark.parametrize(
@@ -32,10 +28,7 @@ MANIFEST = (
     ],
 )
 def test_names_of_packages_tell_more_than_no_name_and_less_than_one(tmp_path: Path, page: str, ros: str) -> None:
-    (tmp_path / "package.xml").write_text(MANIFEST, encoding="utf-8")
-    (tmp_path / "CMakeLists.txt").write_text("project(demo)\nfind_package(catkin REQUIRED)\n", encoding="utf-8")
-    (tmp_path / "README.md").write_text(f"# demo\n\n```\n{page}\n```\n", encoding="utf-8")
-    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    found = decided(tmp_path, {**FILES, "README.md": f"# demo\n\n```\n{page}\n```\n"})
     assert found.ros_distro == ros
 
 
@@ -51,10 +44,5 @@ def test_names_of_packages_tell_more_than_no_name_and_less_than_one(tmp_path: Pa
     ],
 )
 def test_the_old_name_of_a_tool_tells_nothing_years_later(tmp_path: Path, packages: str, date: str, ros: str) -> None:
-    (tmp_path / "package.xml").write_text(MANIFEST, encoding="utf-8")
-    (tmp_path / "CMakeLists.txt").write_text("project(demo)\nfind_package(catkin REQUIRED)\n", encoding="utf-8")
-    (tmp_path / "README.md").write_text(f"# demo\n\n```\nsudo apt install {packages}\n```\n", encoding="utf-8")
-    evidence = gather(Repository.open(tmp_path))
-    day = Mention(topic="date", value=date, text="", file=".git/HEAD", line=1, source="commit")
-    found = decide(replace(evidence, mentions=(*evidence.mentions, day)), Config(), folder_name="demo")
-    assert found.ros_distro == ros
+    page = f"# demo\n\n```\nsudo apt install {packages}\n```\n"
+    assert decided(tmp_path, {**FILES, "README.md": page}, date).ros_distro == ros

@@ -11,29 +11,20 @@ import pytest
 from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan
 from roslab.render.layers.python_projects import projects
+from trees import linked
 
 BUILDS = "<buildtool_depend>{0}</buildtool_depend><export><build_type>{0}</build_type></export>"
 COMMIT = "0123456789012345678901234567890123456789"
 
 
 def planned(folder: Path, submodule: str, node: str, *, depends: str = "", ros: str = "ament_cmake") -> Plan:
-    def git(*words: str) -> None:
-        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
-        subprocess.run(["git", "-C", str(folder), *identity, *words], check=True, capture_output=True)
-
     files = {
         "package.xml": f"<package><name>demo</name>{depends}{BUILDS.format(ros)}</package>",
         "CMakeLists.txt": f"project(demo)\nfind_package({ros} REQUIRED)\n",
         "scripts/node.py": node,
         ".gitmodules": f'[submodule "a"]\n\tpath = {submodule}\n\turl = https://github.com/lab/{submodule}.git\n',
     }
-    for path, text in files.items():
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_text(text, encoding="utf-8")
-    git("init")
-    git("add", ".")
-    git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{submodule}")
-    git("commit", "--message", "a")
+    linked(folder, files, COMMIT, submodule)
     return plan_repository(folder).plan
 
 

@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
-from roslab.decide import decide
 from roslab.decide.decision import Decision
-from roslab.evidence.facts import Mention
-from roslab.evidence.gather import gather
-from roslab.repository.checkout import Repository
+from trees import decided
 
 Tree = Callable[[dict[str, str]], Decision]
 CMAKE = "cmake_minimum_required(VERSION 2.8)\nproject(demo)\nadd_executable(demo a.cpp)\n"
@@ -43,23 +38,13 @@ def test_the_ubuntu_of_the_packages_where_none_is_named(
     assert tree(page(*names, said=said)).ubuntu == ubuntu
 
 
-def dated(tmp_path: Path, files: dict[str, str], day: str) -> str | None:
-    """Return the Ubuntu for a tree whose last commit is of a day."""
-    for name, text in files.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    date = Mention(topic="date", value=day, source="commit", file=".git/HEAD", line=1, text="")
-    evidence = gather(Repository.open(tmp_path))
-    evidence = replace(evidence, mentions=(*(m for m in evidence.mentions if m.topic != "date"), date))
-    return decide(evidence, Config(), folder_name="demo").ubuntu
-
-
 @pytest.mark.parametrize(
     ("lines", "ubuntu"),
     [("find_package(Eigen3 REQUIRED)\n", "bionic"), ("find_package(OpenCV 4 REQUIRED)\n", "focal")],
 )
 def test_one_on_which_the_code_does_not_compile_is_not_taken_for_them(tmp_path: Path, lines: str, ubuntu: str) -> None:
     files = {**page("python-pip"), "CMakeLists.txt": CMAKE.replace("add_exec", f"{lines}add_exec")}
-    assert dated(tmp_path, files, "2022-01-01") == ubuntu
+    assert decided(tmp_path, files, "2022-01-01").ubuntu == ubuntu
 
 
 @pytest.mark.parametrize(
@@ -74,7 +59,7 @@ def test_one_on_which_the_code_does_not_compile_is_not_taken_for_them(tmp_path: 
 def test_an_old_name_of_a_tool_tells_nothing_years_later(
     tmp_path: Path, names: tuple[str, ...], day: str, ubuntu: str
 ) -> None:
-    assert dated(tmp_path, page(*names), day) == ubuntu
+    assert decided(tmp_path, page(*names), day).ubuntu == ubuntu
 
 
 def test_one_whose_cmake_is_too_old_is_not_taken_for_them(tree: Tree) -> None:

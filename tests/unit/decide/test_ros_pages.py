@@ -7,12 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from roslab.config.model import Config
-from roslab.decide import decide
 from roslab.decide.decision import Decision
-from roslab.evidence.gather import gather
-from roslab.repository.checkout import Repository
-from trees import tree_of
+from trees import decided
 
 CATKIN = (
     "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend><build_depend>roscpp</build_depend>"
@@ -22,11 +18,6 @@ AMENT = (
     '<package format="3"><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend>'
     "<export><build_type>ament_cmake</build_type></export></package>"
 )
-
-
-def decided(tmp_path: Path, files: dict[str, str], branch: str | None = None) -> Decision:
-    tree_of(tmp_path, files)
-    return decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="demo")
 
 
 def catkin(more: str = "") -> dict[str, str]:
@@ -304,8 +295,7 @@ CI = "jobs:\n  build:\n    runs-on: ubuntu-latest\n    container: ros:noetic\n  
 def test_the_name_of_a_branch_yields_to_a_ci_that_tests_only_others(tmp_path: Path, ci: str, distro: str) -> None:
     package = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
     files = {"package.xml": package, "CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\n"}
-    tree_of(tmp_path, files | ({".github/workflows/ci.yml": ci} if ci else {}))
-    found = decide(gather(Repository.open(tmp_path, branch="kinetic-devel")), Config(), folder_name="a")
+    found = decided(tmp_path, files | ({".github/workflows/ci.yml": ci} if ci else {}), branch="kinetic-devel")
     assert found.ros_distro == distro
 
 
@@ -335,9 +325,11 @@ def test_ci_of_another_branch(tmp_path: Path, branch: str, files: dict[str, tupl
     for name, (tested, more) in files.items():
         text = TESTS.format(distro=tested)
         (tmp_path / f".github/workflows/{name}.yml").write_text(more + text if more.startswith("on") else text + more)
-    (tmp_path / "package.xml").write_text(IN_ROS2)
-    (tmp_path / "CMakeLists.txt").write_text("project(a)\nfind_package(ament_cmake REQUIRED)\nament_package()\n")
-    found = decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="a")
+    made = {
+        "package.xml": IN_ROS2,
+        "CMakeLists.txt": "project(a)\nfind_package(ament_cmake REQUIRED)\nament_package()\n",
+    }
+    found = decided(tmp_path, made, branch=branch)
     assert found.ros_distro == distro
 
 
@@ -372,8 +364,8 @@ def test_a_branch_for_a_newer_distribution_than_ci_has_is_no_old_name(
     package += "<export><build_type>ament_cmake</build_type></export></package>"
     ci = f"jobs:\n  build:\n    strategy:\n      matrix:\n        distro: [{tested}]\n    runs-on: ubuntu-latest\n"
     cmake = "project(a)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
-    tree_of(tmp_path, {"package.xml": package, "CMakeLists.txt": cmake, ".github/workflows/ci.yml": ci})
-    found = decide(gather(Repository.open(tmp_path, branch=branch)), Config(), folder_name="a")
+    files = {"package.xml": package, "CMakeLists.txt": cmake, ".github/workflows/ci.yml": ci}
+    found = decided(tmp_path, files, branch=branch)
     assert found.ros_distro == distro
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +10,7 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import linked
 
 Tree = Callable[[dict[str, str]], Decision]
 COMMIT = "0dbfc6e1cb0bd7fc209bee6de83c01b49ac9398a"
@@ -53,16 +53,7 @@ def test_no_path_leads_out_of_the_repository(tree: Tree, path: str) -> None:
 
 
 def test_the_recorded_commit_is_cloned(tmp_path: Path) -> None:
-    def git(*words: str) -> None:
-        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
-        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
-
-    for path, text in FILES.items():
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    git("init")
-    git("add", ".")
-    git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},third_party/planner")
-    git("commit", "--message", "a")
+    linked(tmp_path, FILES, COMMIT, "third_party/planner")
     text = dockerfile(plan_repository(tmp_path).plan)
     folder = f"ws/src/{plan_repository(tmp_path).plan.name}/third_party/planner"
     assert f"git clone https://github.com/lab/planner.git /home/${{NB_USER}}/{folder}" in text
@@ -76,17 +67,7 @@ def test_the_recorded_commit_is_cloned(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("lost", ["ycb", ""])
 def test_the_advice_names_what_has_an_address_where_git_would_stop_at_another(tmp_path: Path, lost: str) -> None:
-    def git(*words: str) -> None:
-        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
-        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
-
-    for path, text in FILES.items():
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    git("init")
-    git("add", ".")
-    for path in filter(None, ("third_party/planner", lost)):
-        git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{path}")
-    git("commit", "--message", "a")
+    linked(tmp_path, FILES, COMMIT, *filter(None, ("third_party/planner", lost)))
     said = next(w.message for w in plan_repository(tmp_path).plan.warnings if "git submodule update" in w.message)
     command = said.partition("git submodule update --init --recursive")[2]
     named = " third_party/planner (.gitmodules has no address for ycb, which stays empty)"
@@ -105,23 +86,12 @@ def test_the_advice_names_what_has_an_address_where_git_would_stop_at_another(tm
 def test_a_commit_without_an_address_is_of_what_a_page_clones(
     tmp_path: Path, line: str, found: list[tuple[str, str, str]]
 ) -> None:
-    def git(*words: str) -> None:
-        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
-        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
-
     package = {
         "src/core/package.xml": PACKAGE.replace("catkin_simple", "acme_msgs"),
         "src/core/CMakeLists.txt": FILES["CMakeLists.txt"].replace("catkin_simple", "acme_msgs"),
         "src/core/README.md": f"ROS Noetic\n\n    cd src\n    {line}\n",
     }
-    for path, text in package.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    git("init")
-    git("add", ".")
-    for path in ("src/planner", "extra/src/planner"):
-        git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{path}")
-    git("commit", "--message", "a")
+    linked(tmp_path, package, COMMIT, "src/planner", "extra/src/planner")
     plan = plan_repository(tmp_path).plan
     assert [
         (each.name, (each.repo or "").removesuffix(".git"), each.ref) for each in plan.workspace.submodules
@@ -141,19 +111,10 @@ def test_a_commit_without_an_address_is_of_what_a_page_clones(
 def test_a_submodule_that_was_moved_keeps_its_address(
     tmp_path: Path, recorded: tuple[str, ...], cloned: list[tuple[str, str | None]]
 ) -> None:
-    def git(*words: str) -> None:
-        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
-        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
-
     modules = '[submodule "planner"]\n\tpath = old/planner\n\turl = https://github.com/lab/planner.git\n'
-    for path, text in {**FILES, ".gitmodules": modules}.items():
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    git("init")
-    git("add", ".")
+    linked(tmp_path, {**FILES, ".gitmodules": modules}, COMMIT, *recorded)
     for path in recorded:
-        git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{path}")
         (tmp_path / path).mkdir(parents=True)
-    git("commit", "--message", "a")
     plan = plan_repository(tmp_path).plan
     assert [(each.name, each.ref) for each in plan.workspace.submodules] == cloned
     told = " ".join(each.message for each in plan.warnings)
@@ -234,21 +195,6 @@ def test_the_distributions_library_in_place_of_a_submodule_is_told(
     assert bool(warnings) == told
 
 
-def linked(tmp_path: Path, files: dict[str, str], folder: str) -> Path:
-    def git(*words: str) -> None:
-        identity = ("-c", "user.name=a", "-c", "user.email=a@example.org")
-        subprocess.run(["git", "-C", str(tmp_path), *identity, *words], check=True, capture_output=True)
-
-    for path, text in files.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    git("init")
-    git("add", ".")
-    git("update-index", "--add", "--cacheinfo", f"160000,{COMMIT},{folder}")
-    git("commit", "--message", "a")
-    return tmp_path
-
-
 PLAY = {"play.py": f"import numpy\nfrom brumby.utils import load\n{MAIN}", "requirements.txt": "numpy\n"}
 
 
@@ -263,7 +209,8 @@ PLAY = {"play.py": f"import numpy\nfrom brumby.utils import load\n{MAIN}", "requ
 )
 def test_an_address_of_ssh_is_cloned_by_https(tmp_path: Path, url: str) -> None:
     page = f"# Install\n```\ngit clone {url}\n```\n# Run\n```\npython play.py\n```\n"
-    plan = plan_repository(linked(tmp_path, {"README.md": page, **PLAY}, "brumby_control")).plan
+    linked(tmp_path, {"README.md": page, **PLAY}, COMMIT, "brumby_control")
+    plan = plan_repository(tmp_path).plan
     modules = [(each.name, each.repo, each.ref) for each in plan.workspace.submodules]
     assert modules == [("brumby_control", "https://github.com/lab/brumby_control.git", COMMIT)]
     (told,) = [each for each in plan.warnings if "is called like it" in each.message]
@@ -321,7 +268,8 @@ def test_an_entry_that_the_commit_has_no_more_is_cloned_where_it_is_needed(
 ) -> None:
     modules = '[submodule "a"]\n\tpath = training/brumby_net\n\turl = https://github.com/lab/brumby_net.git\n'
     files = {"play.py": f"import numpy\n{MAIN}", "requirements.txt": "numpy\n", ".gitmodules": modules}
-    plan = plan_repository(linked(tmp_path, {**files, **more}, "other")).plan
+    linked(tmp_path, {**files, **more}, COMMIT, "other")
+    plan = plan_repository(tmp_path).plan
     assert [each.name for each in plan.workspace.submodules] == ["training/brumby_net"] * cloned
     (said,) = [each.message for each in plan.warnings if "no submodule in this commit" in each.message]
     assert said.endswith("the image clones its newest state" if cloned else "nothing names it, and it is left out")
@@ -341,8 +289,8 @@ def test_an_entry_is_left_over_where_the_commit_has_its_repository_elsewhere(
     modules = f'[submodule "a"]\n\tpath = old/net\n\turl = {url}\n'
     modules += '[submodule "b"]\n\tpath = libs/net\n\turl = https://github.com/lab/net.git\n'
     files = {"play.py": f"import numpy\n{MAIN}", "requirements.txt": "numpy\n", ".gitmodules": modules}
-    tree = linked(tmp_path, {**files, "README.md": f"```\n{step}\n```\n"}, "libs/net")
-    plan = plan_repository(tree).plan
+    linked(tmp_path, {**files, "README.md": f"```\n{step}\n```\n"}, COMMIT, "libs/net")
+    plan = plan_repository(tmp_path).plan
     assert sorted(each.name for each in plan.workspace.submodules) == cloned
     said = [each.message for each in plan.warnings if "no submodule in this commit" in each.message]
     ends = "libs/net is of the same repository, and it is left out" if len(cloned) == 1 else "clones its newest state"
@@ -354,7 +302,8 @@ def test_no_clone_is_promised_of_what_cannot_be_cloned(tmp_path: Path) -> None:
     modules += '[submodule "b"]\n\tpath = libs/arm\n\turl = https://github.com/lab/arm.git\n'
     page = "```\npip install -e libs/net -e libs/arm\n```\n"
     files = {"play.py": f"import numpy\n{MAIN}", "requirements.txt": "numpy\n", ".gitmodules": modules}
-    plan = plan_repository(linked(tmp_path, {**files, "README.md": page}, "other")).plan
+    linked(tmp_path, {**files, "README.md": page}, COMMIT, "other")
+    plan = plan_repository(tmp_path).plan
     assert [each.name for each in plan.workspace.submodules] == ["libs/arm"]
     said = [each.message for each in plan.warnings if "no submodule in this commit" in each.message]
     ends = ("libs/net; the image cannot clone it either", "libs/arm; the image clones its newest state")
