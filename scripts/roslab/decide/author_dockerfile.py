@@ -10,19 +10,13 @@ from roslab.decide.best_dockerfile import PUBLISHED, best_of
 from roslab.decide.chains import Local, local_bases
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Choice, Reason, Warning_
+from roslab.decide.image_warnings import empty_folders, unbounded_jobs, without_source
 from roslab.decide.launch_calls import started_launch
 from roslab.decide.newest_pip import files_of
 from roslab.decide.python.raised_pins import raised_pins
 from roslab.decide.reasons import because, configured
 from roslab.decide.stops_without_gpu import without_gpu
-from roslab.decide.uncopied_packages import (
-    empty_folders,
-    only_manifest,
-    unbounded_jobs,
-    uncopied_by_command,
-    uncopied_package,
-    without_source,
-)
+from roslab.decide.uncopied_packages import only_manifest, uncopied_by_command, uncopied_package
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import cuda_image
