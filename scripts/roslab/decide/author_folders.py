@@ -91,7 +91,7 @@ def absent_paths(
     command: tuple[str, ...] | str,
     launch: LaunchFile | None,
     linked: Iterable[tuple[str, str]],
-    programs: Iterable[tuple[str, str]] = (),
+    programs: Iterable[tuple[str, str]],
 ) -> Iterator[Warning_]:
     """Yield a warning for each file that a launch file loads and that names what no link stands for.
 

@@ -42,9 +42,9 @@ def decide_launch_needs(
     there: Iterable[tuple[str, str]],
     sources: Sources,
     ros_distro: str | None,
-    linked: Iterable[tuple[str, str]] = (),
-    folders: Iterable[tuple[str, str]] = (),
-    left_out: Collection[str] = (),
+    linked: Iterable[tuple[str, str]],
+    folders: Iterable[tuple[str, str]],
+    left_out: Collection[str],
 ) -> Choice[None]:
     """Return a warning for each variable, package, interpreter and launch file without which the default command stops.
 

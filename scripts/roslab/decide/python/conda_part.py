@@ -56,7 +56,7 @@ class CondaPart:
 
 
 def conda_part(
-    evidence: Evidence, chosen: Chosen, python: str | None, *, by_file: bool, by_name: Collection[str] = ()
+    evidence: Evidence, chosen: Chosen, python: str | None, *, by_file: bool, by_name: Collection[str]
 ) -> CondaPart:
     """Return how what the chosen environment has for pip is installed, for the image's ``python``.
 

@@ -66,8 +66,8 @@ def from_pip(
     evidence: Evidence,
     kind: Kind,
     ubuntu: str | None,
-    projects: Iterable[PythonProject] = (),
-    ros_distro: str | None = None,
+    projects: Iterable[PythonProject],
+    ros_distro: str | None,
 ) -> Requirement | None:
     """Return CMake as a pip requirement if the Ubuntu's is too old, below the next major version.
 
