@@ -74,7 +74,7 @@ def _left_out(warnings: Iterable[Warning_], packages: Packages, may_go: Collecti
     """Yield the warnings; where the build goes on without a package that does not compile, with that."""
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
     for warning in warnings:
-        package = owner(warning.file, folders) if warning.file else None
+        package = owner(warning.file or "", folders)
         if package is None or package not in may_go:
             yield warning
             continue

@@ -10,7 +10,7 @@ from roslab.values.dataclass import replace
 
 _LAB = "jupyterlab"
 _OWN = frozenset({"jupyter", "notebook"})
-"""Packages with ``jupyter notebook``; JupyterLab brings it along before its release 3 alone."""
+"""Packages with ``jupyter notebook``, which JupyterLab alone may lack."""
 
 
 def server(evidence: Evidence) -> tuple[str, ...]:
