@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 
 from roslab.knowledge.table import rows
@@ -31,3 +32,9 @@ def without_gpu(name: str, release: str) -> bool:
     ranges = next((row["without_gpu"] for row in rows("accelerated") if row["name"] == name), "")
     allowed = (specifiers(text) for text in ranges.split())
     return bool(release) and any(each and each.contains(release, prereleases=True) for each in allowed)
+
+
+def cuda_of_extras(extras: Iterable[str]) -> str | None:
+    """Return the CUDA that the first of these extras of JAX names: ``cuda12``, ``cuda12_pip``, ``cuda12-local``."""
+    known = {row["extra"]: row["cuda"] for row in rows("jax_extras")}
+    return next((cuda for extra in extras for name, cuda in known.items() if extra.startswith(name)), None)

@@ -20,7 +20,7 @@ from roslab.decide.python.version import python_version
 from roslab.decide.reasons import because, configured, outweighed, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.accelerated import without_gpu
+from roslab.knowledge.accelerated import cuda_of_extras, without_gpu
 from roslab.knowledge.frameworks import (
     CudaImage,
     build_needs,
@@ -41,11 +41,6 @@ DEFAULT = "11.8"
 _OLDEST = Version("8")
 _WHY = {"tensorflow": "loads it", "torch": "has it in its wheel", "jax": "is built for it"}
 _CONDA_HAS = "the conda environment has"
-_OF_JAX = {"cuda11": "11.8", "cuda12": "12.3", "cuda13": "13.0"}
-"""CUDA by the first letters of a JAX extra. https://docs.jax.dev/en/latest/installation.html, read 2026-08-22.
-
-``cuda13`` is an extra since jax 0.7 (requires_dist of its wheel, read 2026-11-28).
-"""
 _IMAGE = pattern(r"(?:^|/)cuda(?:gl)?:(\d+\.\d+)|(?:^|/)[\w./-]+:[\w.-]*cuda(\d+\.\d+)")
 _LEAST = pattern(r"or (?:above|higher|newer|later|greater)|>=|≥|\d\+(?!cu)|at least|minimum", re.IGNORECASE)
 _SHOWN = 20
@@ -196,7 +191,7 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None, *,
             because("cuda", local, f"{asked.written} is built for it", asked, weight=Weight.LOCAL_VERSION + pin.trust),
             (),
         )
-    elif pin.name == "jax" and (named := next((_OF_JAX[e[:6]] for e in asked.extras if e[:6] in _OF_JAX), None)):
+    elif pin.name == "jax" and (named := cuda_of_extras(asked.extras)):
         yield because("cuda", named, f"{asked.written} names it", asked, weight=Weight.EXTRA + pin.trust), ()
     elif row and table:
         why = f"{pin.name} {pin.release} {_WHY[table]}"
