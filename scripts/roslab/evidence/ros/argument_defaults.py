@@ -20,21 +20,9 @@ _VARIABLE = pattern(r"\b(\w+)\s?=\s?LaunchConfiguration\(\s{0,99}[\"'](\w+)[\"']
 
 
 @cache
-def exact(text: str) -> dict[str, str]:
-    """Return the default or value of each argument of an XML file that has one alone, which may be empty."""
-    found: dict[str, set[str | None]] = {}
-    for said in _arguments(text):
-        value, name = said.get("default", said.get("value")), said.get("name", "")
-        if not _passed_on(name, value or ""):
-            found.setdefault(name, set()).add(value)
-    alone = {name: next(iter(values)) for name, values in found.items() if len(values) == 1}
-    return {name: value for name, value in alone.items() if value is not None}
-
-
-@cache
 def defaults(text: str) -> dict[str, str]:
-    """Return the default or value of each argument of an XML file that has one alone."""
-    return _alone((said.get("name", ""), said.get("default", said.get("value", ""))) for said in _arguments(text))
+    """Return the default or value, which may be empty, of each argument of an XML file that has one alone."""
+    return _alone((said.get("name", ""), said.get("default", said.get("value"))) for said in _arguments(text))
 
 
 def _arguments(text: str) -> Iterator[dict[str, str]]:
@@ -50,8 +38,8 @@ def _arguments(text: str) -> Iterator[dict[str, str]]:
 
 @cache
 def declared(text: str) -> dict[str, str]:
-    """Return the default of each argument that a file in Python declares once."""
-    return _alone((match[1], match[2] or "") for match in matches_at(_DECLARED, text, "DeclareLaunchArgument("))
+    """Return the default of each argument that a file in Python declares with one alone, written out."""
+    return _alone((match[1], match[2]) for match in matches_at(_DECLARED, text, "DeclareLaunchArgument("))
 
 
 @cache
@@ -60,13 +48,13 @@ def variables(text: str) -> dict[str, str]:
     return dict(_VARIABLE.findall(text))
 
 
-def _alone(said: Iterable[tuple[str, str]]) -> dict[str, str]:
-    found: dict[str, str] = {}
+def _alone(said: Iterable[tuple[str, str | None]]) -> dict[str, str]:
+    """Return the values of the names that have one alone; ``None`` is one that is not known."""
+    found: dict[str, set[str | None]] = {}
     for name, value in said:
-        if _passed_on(name, value):
-            continue
-        found[name] = value if found.get(name, value) == value else ""
-    return found
+        if not _passed_on(name, value or ""):
+            found.setdefault(name, set()).add(value)
+    return {name: value for name, (value, *others) in found.items() if value is not None and not others}
 
 
 def _passed_on(name: str, value: str) -> bool:

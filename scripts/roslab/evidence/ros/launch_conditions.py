@@ -15,7 +15,7 @@ from typing import NamedTuple
 from roslab.evidence.launch_file import When
 from roslab.evidence.lex.lines import matches_at
 from roslab.evidence.ros import launch_expressions as expressions
-from roslab.evidence.ros.argument_defaults import REFERENCE, declared, defaults, exact, variables
+from roslab.evidence.ros.argument_defaults import REFERENCE, declared, defaults, variables
 from roslab.values.pattern import pattern
 
 NEAR = 300
@@ -53,8 +53,6 @@ class _Condition(NamedTuple):
     holds_if: bool
     written: str
     defaults: Mapping[str, str]
-    exact: Mapping[str, str]
-    """The same without those that are not known: an empty one is known here."""
 
 
 _Around = tuple[_Condition, ...]
@@ -126,9 +124,9 @@ def _of_expression(condition: _Condition, *, plain: bool) -> When | None:
     defaults: dict[str, str] = {}
     whole = not (named or plain)
     for name in asked:
-        if name in defaults or name not in condition.exact or len(defaults) >= _DEEPEST:
+        if name in defaults or name not in condition.defaults or len(defaults) >= _DEEPEST:
             continue
-        defaults[name] = written = condition.exact[name]
+        defaults[name] = written = condition.defaults[name]
         inner = expressions.expression(written)
         follows = REFERENCE.fullmatch(written.strip())
         asked += expressions.names(inner) if inner else (follows[1],) if follows else ()
@@ -210,7 +208,7 @@ def _of_tag(text: str, begin: int, end: int) -> Iterator[_Condition]:
 
 def _ifs(tag: str, text: str) -> Iterator[_Condition]:
     for said in matches_at(_IF, tag, *_IFS):
-        yield from _terms(_Condition(said[1] == "if", said[2] or said[3] or "", defaults(text), exact(text)))
+        yield from _terms(_Condition(said[1] == "if", said[2] or said[3] or "", defaults(text)))
 
 
 def _at(places: _Places, begin: int) -> _Around:
@@ -268,9 +266,9 @@ def _of_call(text: str, begin: int) -> _Condition:
     """Return a condition of a call."""
     said = _CALLED.match(text, begin)
     if said is None:
-        return _Condition(True, "", {}, {})
+        return _Condition(True, "", {})
     name = said[2] or variables(text).get(said[3] or "", "")
-    return _Condition(said[1] == "If", f"$(arg {name})" if name else said[4] or "", declared(text), {})
+    return _Condition(said[1] == "If", f"$(arg {name})" if name else said[4] or "", declared(text))
 
 
 def _followed(written: str, defaults: Mapping[str, str]) -> tuple[str, ...]:
