@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import cache
 
+from roslab.evidence.lex.attributes import attributes
 from roslab.evidence.lex.lines import matches_at
 from roslab.values.pattern import pattern
 
 _INCLUDE = pattern(r"<include\b[^>]{0,600}>|</include\b")
 ARGUMENT = pattern(r"<arg\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
-ATTRIBUTES = pattern(r"([\w-]{1,40})\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
 REFERENCE = pattern(r"\$\(\s?(?:arg|var)\s+(\w+)\s?\)")
 _DECLARED = pattern(
     r"DeclareLaunchArgument\(\s{0,99}(?:name\s?=\s?)?[\"']([\w.-]{1,60})[\"']\s?,[^()]{0,600}?"
@@ -33,7 +33,7 @@ def _arguments(text: str) -> Iterator[dict[str, str]]:
         if not match[0].startswith("<arg"):
             included = match[0].startswith("<include") and not match[0].endswith("/>")
         elif not included:
-            yield {name: one or other for name, one, other in ATTRIBUTES.findall(match[1])}
+            yield attributes(match[1])
 
 
 @cache

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from roslab.evidence.launch_file import Demand
+from roslab.evidence.lex.attributes import attributes
 from roslab.evidence.lex.lines import matches_at
-from roslab.evidence.ros.argument_defaults import ARGUMENT, ATTRIBUTES
+from roslab.evidence.ros.argument_defaults import ARGUMENT
 from roslab.evidence.ros.launch_conditions import decided_by
 from roslab.values.pattern import pattern
 
@@ -24,7 +25,7 @@ def in_xml(text: str) -> tuple[Demand, ...]:
     """
     found: dict[Demand, None] = {}
     for match in matches_at(ARGUMENT, text, "<arg"):
-        said = {name: one or other for name, one, other in ATTRIBUTES.findall(match[1])}
+        said = attributes(match[1])
         if said.get("name") and not said.keys() & {"default", "value", "if", "unless"}:
             found[_demand(said["name"], match.start(1), text)] = None
     return tuple(found)

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 
-from roslab.evidence.ros.argument_defaults import ARGUMENT, ATTRIBUTES
+from roslab.evidence.lex.attributes import attributes
+from roslab.evidence.ros.argument_defaults import ARGUMENT
 from roslab.values.pattern import pattern
 
 Given = tuple[tuple[str, str], ...]
@@ -21,7 +22,7 @@ def given_to(text: str, place: int) -> Given:
     """Return what the ``<include>`` gives whose file is named at a place of a launch file in XML."""
     begin = text.rfind("<", 0, place)
     inside = _INSIDE.match(text, place) if begin >= 0 and _OPENED.match(text, begin, place) else None
-    said = (_attributes(match) for match in ARGUMENT.finditer(inside[1])) if inside else ()
+    said = (attributes(match[1]) for match in ARGUMENT.finditer(inside[1])) if inside else ()
     pairs = {each.get("name", ""): each.get("value", "") for each in said if not each.keys() & {"if", "unless"}}
     return tuple(sorted((name, value) for name, value in pairs.items() if value.lower() in _DECIDES))
 
@@ -31,7 +32,7 @@ def filled(text: str, given: Given) -> str:
     values = dict(given)
 
     def fill(match: re.Match[str]) -> str:
-        said = _attributes(match)
+        said = attributes(match[1])
         name = said.get("name", "")
         if name not in values or "value" in said:
             return match[0]
@@ -39,7 +40,3 @@ def filled(text: str, given: Given) -> str:
         return f'<arg name="{name}" default="{values[name]}"{lines}/>'
 
     return ARGUMENT.sub(fill, text) if values else text
-
-
-def _attributes(match: re.Match[str]) -> dict[str, str]:
-    return {name: one or other for name, one, other in ATTRIBUTES.findall(match[1])}

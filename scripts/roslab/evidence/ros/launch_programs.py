@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.lex.attributes import attributes
 from roslab.evidence.lex.lines import matches_at
 from roslab.evidence.ros.executed import executed
 from roslab.evidence.ros.launch_conditions import started
@@ -33,7 +34,6 @@ _NODE = pattern(rf"{_OF_PACKAGE}[^<>()]{{0,160}}?{_PROGRAM}")
 _NODE_AFTER = pattern(rf"{_PROGRAM}[^<>()]{{0,160}}?{_OF_PACKAGE}")
 """The package and the program of a node in a call or an element, in either order."""
 _TAG = pattern(r"<(arg|param)\s((?:[^<>\"']|\"[^\"<]{0,600}\"|'[^'<]{0,600}'){0,900})>")
-_SAID = pattern(r"\b(name|default|value)\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
 _PYTHON = pattern(r"python[\d.]*")
 """ROS's own, which the image has."""
 _ARGUMENT = pattern(r"\$\(\s*arg\s+(\w+)\s*\)")
@@ -67,7 +67,7 @@ def _window_of_joints(text: str, file: File) -> Iterator[Dependency]:
     """
     if "use_gui" not in text or "joint_state_publisher" not in text:
         return
-    tags = [(m, {name: one or other for name, one, other in _SAID.findall(m[2])}) for m in _TAG.finditer(text)]
+    tags = [(m, attributes(m[2])) for m in _TAG.finditer(text)]
     given = {said.get("name", ""): said.get("default", said.get("value", "")) for m, said in tags if m[1] == "arg"}
     for match, said in tags:
         value = said.get("value", "") if match[1] == "param" and said.get("name", "").strip("/~") == "use_gui" else ""

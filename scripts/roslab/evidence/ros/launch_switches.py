@@ -5,7 +5,8 @@
 
 from __future__ import annotations
 
-from roslab.evidence.ros.argument_defaults import ARGUMENT, ATTRIBUTES
+from roslab.evidence.lex.attributes import attributes
+from roslab.evidence.ros.argument_defaults import ARGUMENT
 from roslab.values.pattern import pattern
 
 _INCLUDE = pattern(r"<include\s([^<>]{0,900})>")
@@ -21,19 +22,15 @@ def switches(text: str) -> tuple[tuple[str, str], ...]:
     """
     if "<include" not in text or "if=" not in text:
         return ()
-    said = [_attributes(match[1]) for match in ARGUMENT.finditer(text)]
+    said = [attributes(match[1]) for match in ARGUMENT.finditer(text)]
     on = {each.get("name", "") for each in said if each.get("default", "").lower() in _ON}
     found: dict[str, str] = {}
     behind: dict[str, int] = {}
     for match in _INCLUDE.finditer(text):
-        tag = _attributes(match[1])
+        tag = attributes(match[1])
         named, switch = _FILE.match(tag.get("file", "")), _SWITCH.fullmatch(tag.get("if", ""))
         if named and switch and switch[1] in on and found.setdefault(named[1], switch[1]) == switch[1]:
             behind[named[1]] = behind.get(named[1], 0) + match[1].count(named[0])
     named_at_all = [match[1] for match in _FILE.finditer(text)]
     alone = (name for name in found if named_at_all.count(name) == behind[name])
     return tuple((name, found[name]) for name in alone if f'pkg="{name}"' not in text)
-
-
-def _attributes(text: str) -> dict[str, str]:
-    return {name: one or other for name, one, other in ATTRIBUTES.findall(text)}

@@ -10,12 +10,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from roslab.evidence.lex.attributes import attributes
 from roslab.values.pattern import pattern
 
 _ENV = pattern(r"\$\(\s*env\s+([A-Za-z_]\w*)\s*\)")
 _EMPTY = pattern(r"\$\(\s*optenv\s+([A-Za-z_]\w*)\s*\)")
 _ARGUMENT = pattern(r"<arg\s[^<>]{0,300}>")
-_ATTRIBUTE = pattern(r"\b(name|default|value)\s{0,9}=\s{0,9}(?:\"([^\"]*)\"|'([^']*)')")
 _MUST = pattern(r"\b(?:ns|name|type|pkg|file)\s{0,9}=\s{0,9}([\"'])\s{0,9}\$\(\s*(arg|optenv)\s+(\w+)\s*\)\s{0,9}\1")
 """An attribute that is nothing but a value, and that must not be empty."""
 
@@ -42,7 +42,7 @@ def _left_empty(text: str, conditional: Callable[[str, int, int], bool]) -> list
         return []
     arguments: dict[str, str] = {}
     for match in _ARGUMENT.finditer(text):
-        said = {name: one or other for name, one, other in _ATTRIBUTE.findall(match[0])}
+        said = attributes(match[0])
         value = _EMPTY.fullmatch(said.get("default", said.get("value", "")).strip())
         if value and "name" in said:
             arguments[said["name"]] = value[1]

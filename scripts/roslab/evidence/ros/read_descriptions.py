@@ -9,7 +9,8 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cache
 from typing import NamedTuple
 
-from roslab.evidence.ros.xacro_values import Condition, attributes, holds, of_call, with_declared
+from roslab.evidence.lex.attributes import attributes
+from roslab.evidence.ros.xacro_values import Condition, holds, of_call, with_declared
 from roslab.values.pattern import pattern
 
 MOST = 60

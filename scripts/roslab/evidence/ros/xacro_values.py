@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
+from roslab.evidence.lex.attributes import attributes
 from roslab.evidence.ros import launch_expressions as expressions
 from roslab.values.pattern import pattern
 
-_ATTRIBUTES = pattern(r"([\w:.-]{1,60})\s{0,9}=\s{0,9}(?:\"([^\"<>]{0,400})\"|'([^'<>]{0,400})')")
 _PROPERTY = pattern(r"<xacro:(property|arg)\s([^<>]{0,900})>")
 _PARAMETER = pattern(r"([*\w]{1,60})(?:\s*:?=\s*(?:'([^']*)'|(\S+)))?(?=\s|$)")
 _EXPRESSION = pattern(r"\$\{([^{}]{1,400})\}")
@@ -26,11 +26,6 @@ class Condition(NamedTuple):
 
     holds_if: bool
     value: str
-
-
-def attributes(text: str) -> dict[str, str]:
-    """Return the attributes of an element."""
-    return {name: one or other for name, one, other in _ATTRIBUTES.findall(text)}
 
 
 def holds(conditions: Collection[Condition], values: Values) -> bool:
