@@ -9,17 +9,13 @@ from roslab.values.dataclass import dataclass
 
 
 class When(NamedTuple):
-    """A condition that the value of an argument decides."""
+    """A condition that the values of arguments may decide."""
 
-    arguments: tuple[str, ...]
-    """The argument, and those whose value it has by its default: the first that is given counts."""
-    default: str
-    value: str
-    """What it is compared with, ``""`` where it has to be true."""
     holds_if: bool
-    expression: str = ""
-    """One of Python that several values may decide; ``default`` and ``value`` then say nothing."""
-    defaults: tuple[tuple[str, str], ...] = ()
+    """It holds where the expression is true, or where it is not."""
+    expression: str
+    """One of Python, ``""`` where nothing is known of it."""
+    defaults: tuple[tuple[str, str], ...]
     """Of the arguments that it asks for, and those of which these have their values: what each has by itself."""
 
 

@@ -82,6 +82,9 @@ SIM = (
         ("sim or x", None),
         ("sim or arm == 'ur3'", False),
         ("sim and x or arm == 'ur5'", True),
+        ("sim == 'false' or sim == 'False'", False),
+        ("arm == 'UR5'", False),
+        ("arm and number and real", True),
         ("not (sim or real)", False),
         ("not (sim or x)", None),
         ("(sim or arm == 'ur5') and not (x and sim)", True),
@@ -145,20 +148,39 @@ def test_substitutions_of_ros_2(condition: str, expected: bool | None) -> None:
 
 def test_what_a_command_gives_decides() -> None:
     text = SIM + """<group if="$(eval (arg('arm') == 'ur3' or derived) and not sim)"><node pkg="rviz"/></group>"""
-    (when,) = decided_by(text, text.index("rviz"), text.index("rviz"))
+    conditions = decided_by(text, text.index("rviz"), text.index("rviz"))
     cases: tuple[tuple[dict[str, str], bool], ...] = (
         ({}, True),
         ({"arm": "ur3"}, True),
         ({"arm": "ur10"}, False),
         ({"sim": "true"}, False),
     )
-    assert [holds(when, given) for given, _ in cases] == [expected for _, expected in cases]
+    assert [all(holds(when, given) for when in conditions) for given, _ in cases] == [expected for _, expected in cases]
     assert kept_by(text, text.index("rviz"), text.index("rviz")) == ()
-    for condition in ("not (derived)", "number in [1, 2]"):
-        text = SIM + NODE.format(f'if="$(eval {condition})"')
-        place = text.index("rviz")
-        names = dict(kept_by(text, place, place))
-        assert names == ({"number": "3"} if "number" in condition else {})
+
+
+def test_one_of_two_is_enough() -> None:
+    text = SIM + NODE.format('if="$(eval sim or empty)"')
+    (when,) = decided_by(text, text.index("rviz"), text.index("rviz"))
+    assert [holds(when, given) for given in ({}, {"sim": "true"}, {"empty": "1"})] == [None, True, True]
+
+
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("$(arg sim)", {"sim": "false"}),
+        ("$(eval number in [1, 2])", {"number": "3"}),
+        ("$(eval other == 'ur3')", {"other": "ur5", "arm": "ur5"}),
+        ("$(eval not (derived))", {"derived": "true", "arm": "ur5"}),
+        ("$(eval real and sim)", {"sim": "false"}),
+        ("$(eval real and x)", {}),
+        ("$(arg real)", {}),
+    ],
+)
+def test_arguments_that_keep_it(condition: str, expected: dict[str, str]) -> None:
+    text = SIM + NODE.format(f'if="{condition}"')
+    place = text.index("rviz")
+    assert dict(kept_by(text, place, place)) == expected
 
 
 def test_deep_and_long_expressions_end() -> None:

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
 from roslab.evidence.lex.attributes import attributes
-from roslab.evidence.ros import launch_expressions as expressions
+from roslab.evidence.ros import expressions
 from roslab.values.pattern import pattern
 
 _PROPERTY = pattern(r"<xacro:(property|arg)\s([^<>]{0,900})>")
