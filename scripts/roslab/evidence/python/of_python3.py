@@ -32,7 +32,7 @@ def of_python3(module: Module, imported: Collection[str]) -> Iterator[Dependency
     role = _role(module)
     if role is None or places.test(module.file.path):
         return
-    for top in imported:
+    for top in sorted(imported):
         kept = package_of(top)
         for name in filter(None, (kept, *_OF_MODULES.get(top, ()))):
             yield Dependency(namespace="apt", name=name, strength="used", file=module.file.path, line=1, role=role)
