@@ -1,4 +1,4 @@
-"""``roslab build --repair``: repositories that lack one thing each build with exactly the lines that were missing."""
+"""The repairs of ``roslab build``: what lacks one thing in each repository builds with exactly the missing lines."""
 
 from __future__ import annotations
 
@@ -25,6 +25,8 @@ BASES = {
 }
 NATIVE = "format: 3\nkind: cpp\nbase:\n  image: repro-lab/repair:native\n"
 PYTHON = "format: 3\nkind: python\nbase:\n  image: repro-lab/repair:python\n"
+WHOLE = "format: 3\nkind: cpp\nbase:\n  image: ros:noetic-ros-base\n"
+"""A base whose apt has all packages of its distribution, and the index of their files."""
 ROS = "format: 3\nbase:\n  ros: jazzy\n  image: repro-lab/ros:jazzy\n"
 CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(robot CXX)\n"
 MAIN = "int main() { return 0; }\n"
@@ -84,6 +86,11 @@ MENDED = {
         config=NATIVE,
         files={"CMakeLists.txt": EXECUTABLE + LINKS, "main.cpp": MAIN, **NEEDS},
         lines="apt:\n  - libmodbus-dev  # for the library modbus\n",
+    ),
+    "library-of-no-table": Broken(
+        config=WHOLE,
+        files={"CMakeLists.txt": EXECUTABLE + LINKS, "main.cpp": MAIN, **NEEDS, "links.txt": "fstrcmp\n"},
+        lines="apt:\n  - libfstrcmp-dev  # for the library fstrcmp\n",
     ),
     "program": Broken(
         config=NATIVE, files={"CMakeLists.txt": CMAKE + CALLS, **NEEDS}, lines="apt:\n  - bc  # for the program bc\n"
@@ -168,9 +175,14 @@ LEFT = {
         why="not repaired: no known cause",
     ),
     "a header of no known package": Broken(
+        config=WHOLE,
+        files={"CMakeLists.txt": EXECUTABLE, "main.cpp": f"#include <no_such/thing.hpp>\n{MAIN}"},
+        why="not repaired: no package of the image's sources holds the header no_such/thing.hpp (main.cpp:1)",
+    ),
+    "a header that apt cannot be asked for": Broken(
         config=NATIVE,
         files={"CMakeLists.txt": EXECUTABLE, "main.cpp": f"#include <no_such/thing.hpp>\n{MAIN}"},
-        why="not repaired: ",
+        why="not repaired: apt was not asked which package holds it: ",
     ),
     "what was added does not help": Broken(
         config=NATIVE,
@@ -212,8 +224,8 @@ def repository(folder: Path, broken: Broken) -> Path:
 
 
 def build(lab: Laboratory, folder: Path, *options: str) -> CompletedProcess[str]:
-    """Run ``roslab build --repair``; a proof's own traceback is no error of its."""
-    command = [sys.executable, "-I", str(SCRIPTS), "build", str(folder), "--tag", "repro-lab", "--repair", "--write"]
+    """Run ``roslab build``; a proof's own traceback is no error of its."""
+    command = [sys.executable, "-I", str(SCRIPTS), "build", str(folder), "--tag", "repro-lab", "--write"]
     names = {name: value for name, value in lab.environment.items() if not name.startswith(("GITHUB_", "ROSLAB_"))}
     return subprocess.run([*command, *options], env=names, capture_output=True, text=True, timeout=1800, check=False)
 
@@ -235,6 +247,28 @@ def test_it_builds_with_what_was_missing(lab: Laboratory, tmp_path: Path, name: 
 
 
 @pytest.mark.usefixtures("bases")
+def test_the_first_failure_stands_where_that_is_asked_for(lab: Laboratory, tmp_path: Path) -> None:
+    folder = repository(tmp_path / "repair-once", MENDED["header"])
+    command = [
+        sys.executable,
+        "-I",
+        str(SCRIPTS),
+        "build",
+        str(folder),
+        "--tag",
+        "repro-lab",
+        "--no-proof",
+        "--no-repair",
+    ]
+    answer = subprocess.run(
+        command, env=dict(lab.environment), capture_output=True, text=True, timeout=900, check=False
+    )
+    assert answer.returncode == 5, answer.stderr[-4000:]
+    assert "Add libgoogle-glog-dev under `apt`" in answer.stderr
+    assert "repair" not in answer.stderr
+
+
+@pytest.mark.usefixtures("bases")
 @pytest.mark.parametrize("name", list(LEFT))
 def test_what_cannot_be_mended_stops_with_the_reason(lab: Laboratory, tmp_path: Path, name: str) -> None:
     broken = LEFT[name]
@@ -248,12 +282,11 @@ def test_what_cannot_be_mended_stops_with_the_reason(lab: Laboratory, tmp_path: 
 
 def test_a_failed_run_hands_over_the_lines(lab: Laboratory, tmp_path: Path) -> None:
     """Annotation, summary, and in a pull request of the repository's own a suggestion on a line of its diff."""
-    config = "format: 3\nkind: cpp\nbase:\n  image: ros:noetic-ros-base\n"
-    files = {"roslab.yaml": config, "CMakeLists.txt": EXECUTABLE, "main.cpp": INCLUDES + MAIN}
+    files = {"roslab.yaml": WHOLE, "CMakeLists.txt": EXECUTABLE, "main.cpp": INCLUDES + MAIN}
     inputs = {"registry": lab.registry, "platforms": "linux/amd64"}
     caller = doors.through_action(tmp_path, inputs, files, base={})
     posted: list[tuple[str, dict[str, Any]]] = []
-    patch = "@@ -0,0 +1,4 @@\n" + "".join(f"+{line}\n" for line in config.splitlines())
+    patch = "@@ -0,0 +1,4 @@\n" + "".join(f"+{line}\n" for line in WHOLE.splitlines())
     github = {"posted": posted, "files": [{"filename": "roslab.yaml", "patch": patch}]}
     event = doors.payload("robot", head=f"{doors.OWNER}/robot")
     ran = run_workflow(lab, caller, "pull_request", event, env=doors.builder(lab), github=github)

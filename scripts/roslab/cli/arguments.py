@@ -30,8 +30,8 @@ _HELP = {
     "--test": ("TEXT", "command that proves the image, run by bash; it wins over roslab.yaml's"),
 }
 argparse._ = lambda word: word  # type: ignore[attr-defined]  # English as ours: to look for others imports ``locale``
-ROUNDS = 3
-"""Rounds of ``--repair`` without a number; ``MOST_ROUNDS`` keeps a typing error from building all night."""
+ROUNDS = 5
+"""Repairs of one build unless told otherwise; ``MOST_ROUNDS`` keeps a typing error from building all night."""
 MOST_ROUNDS = 20
 Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
@@ -153,13 +153,16 @@ def _build(commands: Commands) -> None:
         "--repair",
         metavar="N",
         type=_rounds,
-        default=0,
-        help=f"after a failure add what is certainly missing and build again, at most N times ({ROUNDS})",
+        default=ROUNDS,
+        help=f"after a failure add what is certainly missing and build again, at most N times (default: {ROUNDS})",
+    )
+    build.add_argument(
+        "--no-repair", dest="repair", action="store_const", const=0, help="build once: let the first failure stand"
     )
     build.add_argument(
         "--write",
         action="store_true",
-        help="write what --repair added to roslab.yaml; the old one is kept as FILE.old",
+        help="write what a repair added to roslab.yaml; the old one is kept as FILE.old",
     )
     build.add_argument(
         "--build-arg",

@@ -1,4 +1,4 @@
-"""``roslab build``: builds an image, proves it, and only then names it; with ``--repair`` again after each repair."""
+"""``roslab build``: builds an image, proves it, and only then names it; after a repair it builds again."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def build(options: argparse.Namespace) -> int:
     arguments = tuple(_argument(text) for text in options.build_arg)
     if options.write and not options.repair:
         raise ConfigurationError(
-            Problem(message="writes what --repair adds, and was given without it", origin=Option(name="--write"))
+            Problem(message="writes what a repair adds, and was given with --no-repair", origin=Option(name="--write"))
         )
     planned = planned_of(options)
     sys.stderr.write(warnings_of(planned))

@@ -1,4 +1,4 @@
-"""``roslab build --repair``: from one failed build to the next, until it succeeds or nothing certain is left to add."""
+"""The repairs of ``roslab build``: from one failed build to the next, until one succeeds or nothing certain is left."""
 
 from __future__ import annotations
 
@@ -7,13 +7,15 @@ import io
 
 from roslab.cli.planning import named, planned_of
 from roslab.config import locate
-from roslab.config.addition import Entry, added
-from roslab.engine.docker import FailedBuild, say
+from roslab.config.addition import Entry, added, has
+from roslab.engine.asking import ask
+from roslab.engine.docker import FailedBuild, native_platform, say
 from roslab.errors import BuildError, Problem
 from roslab.explain.answer import Answer, explain
 from roslab.files import write_configuration
 from roslab.pipeline import Planned
-from roslab.repair import dockerfile, words
+from roslab.render.dockerfile import holders as question_of_files
+from roslab.repair import dockerfile, holders, words
 from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
 from roslab.repository import fetching
@@ -61,8 +63,10 @@ class Repairing:
         if author := self.planned.plan.author_dockerfile:
             self._stop(error, self._own(answer, author.dockerfile))
         if not found.certain.changes:
+            found = self._held(answer, found)
+        if not found.certain.changes:
             maybe = [f"it may need {change}, for {change.asked}" for change in found.changes]
-            self._stop(error, "; ".join(maybe or [why for _, why in found.refused] or ["the log names no cause"]))
+            self._stop(error, "; ".join(maybe or [why for _, why in found.refused]))
         self.seen |= causes
         self.rounds += 1
         for change in found.certain.changes:
@@ -72,6 +76,23 @@ class Repairing:
             self._fetch(error)
         file, old = configuration(self.planned, self.options)
         self.planned = planned_of(self.options, config_text=added(old, self._entries(), file=file))
+
+    def _held(self, answer: Answer, found: Repair) -> Repair:
+        """Return the repair with what apt's index of files has of what is missing."""
+        if not (wanted := holders.sought(answer)):
+            return found
+        say("roslab: asking apt which package holds what is missing")
+        try:
+            said = ask(
+                question_of_files(self.planned.plan, [path for one in wanted for path in one.paths]), native_platform()
+            )
+        except FailedBuild as error:
+            reason = f"apt was not asked which package holds it: {error.problems[0].message}"
+            return replace(found, refused=(*found.refused, ("", reason)))
+        answers = tuple(holders.changes(wanted, said, given(self.planned)))
+        new = tuple(one for one in answers if isinstance(one, Change) and not has(self.planned.config, one.entry))
+        refused = tuple(("", one) for one in answers if isinstance(one, str))
+        return replace(found, changes=(*found.changes, *new), refused=refused or found.refused)
 
     def _entries(self) -> list[Entry]:
         return [change.entry for change in self.changes]
@@ -93,11 +114,11 @@ class Repairing:
         say("roslab: fetched the submodules")
 
     def _stop(self, error: FailedBuild, why: str) -> None:
-        """Raise the build's own error with the reason why it is not repaired further."""
-        problem = Problem(message=f"not repaired: {why}")
+        """Raise the build's own error with the reason why it is not repaired further, if the log names a cause."""
         if self.changes:
             self._tell("tried, and not enough; nothing is written")
-        raise BuildError(*error.problems, problem) from None
+        reason = (Problem(message=f"not repaired: {why}"),) if why else ()
+        raise BuildError(*error.problems, *reason) from None
 
     def finish(self) -> None:
         """Say what was added, and write it where that was asked for."""

@@ -13,6 +13,8 @@ A repair is one table with the id of a failure (``failures_*.toml``):
 ``image``       official images of a language or a system: where the failed step builds on one, FROM gets the
                 oldest of its tags (``language_images.csv``) that ``tag`` allows: limits with ``{name}``, ``newer``, or
                 ``devel`` for the same tag with its compiler
+``files``       regular expressions with ``{name}``, ``{low}`` in lower case, on the paths that apt's packages hold: the
+                package of the first that has one repairs it, where no table names a package
 ``source``      addresses where the fact stands, ``date`` when it was read
 ==============  ========================================================================================
 
@@ -45,13 +47,17 @@ class Repair:
     replace: str = ""
     image: str = ""
     tag: str = ""
+    files: tuple[str, ...] = ()
 
 
 @cache
 def repairs() -> dict[str, Repair]:
     """Return the repair of each failure that has one, by the failure's id."""
     found = toml.parsed(Path(__file__).with_name("repairs.toml").read_text(encoding="utf-8"))
-    return {name: Repair(**{**row, "dockerfile": tuple(row.get("dockerfile", ()))}) for name, row in found.items()}
+    return {
+        name: Repair(**{**row, **{key: tuple(row.get(key, ())) for key in ("dockerfile", "files")}})
+        for name, row in found.items()
+    }
 
 
 def complete(template: str, names: Mapping[str, str]) -> bool:

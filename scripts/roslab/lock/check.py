@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import os
-import secrets
 import tempfile
 from collections.abc import Iterator
 from itertools import pairwise
-from pathlib import Path
 
 from roslab.engine import docker as engine
 from roslab.engine import registry
+from roslab.engine.asking import ask
 from roslab.engine.docker import last_line, output
 from roslab.errors import BuildError
 from roslab.lock import index
@@ -82,26 +81,14 @@ def _digest(name: str) -> str | None:
 
 
 def _apt(question: str, platform: str, silent: list[str]) -> Iterator[Missing]:
-    with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
-        place = Path(folder)
-        (place / "context").mkdir()
-        (place / "Dockerfile").write_text(question, encoding="utf-8")
-        job = engine.Build(
-            context=place / "context",
-            dockerfile=place / "Dockerfile",
-            platforms=(platform,),
-            arguments=(("ASKED", secrets.token_hex(8)),),
-            output=f"type=local,dest={place / 'answer'}",
-            extra=("--provenance=false",),
-        )
-        try:
-            engine.build(job)
-        except engine.FailedBuild as error:
-            silent.append(f"apt's sources were not asked: {error.problems[0].message}")
-            return
-        for line in (place / "answer" / "missing").read_text(encoding="utf-8").splitlines():
-            name, wanted, *nearest = line.split()
-            yield Missing(kind="apt", name=name, wanted=wanted, nearest=nearest[0] if nearest else None)
+    try:
+        answer = ask(question, platform)
+    except engine.FailedBuild as error:
+        silent.append(f"apt's sources were not asked: {error.problems[0].message}")
+        return
+    for line in answer.splitlines():
+        name, wanted, *nearest = line.split()
+        yield Missing(kind="apt", name=name, wanted=wanted, nearest=nearest[0] if nearest else None)
 
 
 def _indexes(plan: Plan) -> tuple[str, ...]:

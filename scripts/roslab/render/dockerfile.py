@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
@@ -186,18 +186,31 @@ def dockerfile(plan: Plan) -> str:
 
 
 def question(plan: Plan) -> str:
-    """Return a Dockerfile whose image holds one file: the packages of roslab.lock that no source of the base has.
+    """Return a Dockerfile whose image holds one file: the packages of roslab.lock that no source of the base has."""
+    lines = locks.apt_lines(plan, lambda package: package.step not in {"base", "own"})
+    return _of_base(plan, "missing-packages", lines)
+
+
+def holders(plan: Plan, paths: Sequence[str]) -> str:
+    """Return a Dockerfile whose image holds one file: the number of each path, and a package of the base that holds it.
+
+    ``paths`` are regular expressions, each for a whole path without its first slash.
+    """
+    return _of_base(plan, "packages-holding", "\n".join(paths))
+
+
+def _of_base(plan: Plan, script: str, lines: str) -> str:
+    """Return a Dockerfile whose image holds one file, ``answer``: what a script of the base says of a list.
 
     Its first steps are those of the image, which need not be repeated. The argument ASKED makes the question a new one.
     """
     order = OLD_FORMATS if plan.compatible else TODAY
-    lines = locks.apt_lines(plan, lambda package: package.step not in {"base", "own"})
     ask = (
-        f"{shell.heredoc('/asked', lines)}{shell.copy_script('missing-packages')}ARG ASKED\n"
-        "RUN : ${ASKED} && missing-packages /asked >/missing"
+        f"{shell.heredoc('/asked', lines)}{shell.copy_script(script)}ARG ASKED\n"
+        f"RUN : ${{ASKED}} && {script} /asked >/answer"
     )
     base = f"FROM {quote.image(plan.base_image)} AS base\n{_join(order.base, plan)}\n{ask}"
-    return "\n\n".join((scripts.stage(base), base, "FROM scratch\nCOPY --from=base /missing /\n"))
+    return "\n\n".join((scripts.stage(base), base, "FROM scratch\nCOPY --from=base /answer /\n"))
 
 
 def _stages(order: Order, plan: Plan) -> list[str]:

@@ -216,4 +216,4 @@ def test_the_question_names_what_the_steps_would_pin(repository: Path) -> None:
     text = question(plan_repository(repository).plan)
     assert "\nlibeigen3-dev 3.4.0-4\nEOF\n" in text
     assert "libc6" not in text
-    assert text.endswith("FROM scratch\nCOPY --from=base /missing /\n")
+    assert text.endswith("FROM scratch\nCOPY --from=base /answer /\n")

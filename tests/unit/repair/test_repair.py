@@ -353,7 +353,7 @@ def test_a_repair_belongs_to_a_failure_and_says_how(name: str) -> None:
     assert name in {failure.id for failure in failures()}
     assert bool(row.value) + bool(row.way) == bool(row.key)
     assert row.way in {"", *WAYS}
-    assert row.key or row.dockerfile or row.find or row.image
+    assert row.key or row.dockerfile or row.find or row.image or row.files
     assert bool(row.image) == bool(row.tag)
     assert row.find or not row.replace
     assert row.source

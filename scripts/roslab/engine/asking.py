@@ -1,0 +1,30 @@
+"""Questions to a base image and its package sources: a Dockerfile asks, and its image is the answer."""
+
+from __future__ import annotations
+
+import secrets
+import tempfile
+from pathlib import Path
+
+from roslab.engine import docker as engine
+
+
+def ask(question: str, platform: str) -> str:
+    """Return the text of the file ``answer`` that is all of a Dockerfile's image; the engine's store keeps nothing.
+
+    The argument ASKED is another one each time, so that what hangs on it is asked anew. Raises ``FailedBuild``.
+    """
+    with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
+        place = Path(folder)
+        (place / "context").mkdir()
+        (place / "Dockerfile").write_text(question, encoding="utf-8")
+        job = engine.Build(
+            context=place / "context",
+            dockerfile=place / "Dockerfile",
+            platforms=(platform,),
+            arguments=(("ASKED", secrets.token_hex(8)),),
+            output=f"type=local,dest={place / 'out'}",
+            extra=("--provenance=false",),
+        )
+        engine.build(job)
+        return (place / "out" / "answer").read_text(encoding="utf-8")

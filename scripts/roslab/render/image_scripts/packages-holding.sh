@@ -1,0 +1,14 @@
+#!/bin/bash
+# usage: packages-holding LIST
+# Prints for each line of LIST, a regular expression that the path of a file matches as a whole, its number and each package of
+# the package sources that holds such a file.
+set -euo pipefail
+
+apt-get update >&2
+apt-get install --yes --no-install-recommends apt-file >&2
+apt-file update >&2
+number=0
+while read -r path; do
+  number=$((number + 1))
+  { apt-file search --regexp "^/${path}\$" </dev/null || true; } | sed --quiet "s/: .*//; s/^[a-z0-9]/${number} &/p" | sort --unique
+done <"$1"

@@ -1,0 +1,75 @@
+"""What apt's own index of files says of what a failed build lacks, where no table names a package."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from roslab.explain.answer import Answer, Explanation
+from roslab.knowledge.repairs import complete, repairs
+from roslab.repair.asked import asked
+from roslab.repair.change import Change, Given
+from roslab.values.dataclass import dataclass
+
+_DEVELOPMENT = "-dev"
+"""End of the names of packages that hold headers and what links: Debian Policy, 8.4."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Sought:
+    """One thing that a build lacks, and the paths under which a package would hold it, the likeliest first."""
+
+    found: Explanation
+    paths: tuple[str, ...]
+    """Regular expressions, each for a whole path without its first slash."""
+
+
+def sought(answer: Answer) -> tuple[Sought, ...]:
+    """Return what apt's index of files can be asked for, of the failures whose cause is certain."""
+    return tuple(
+        Sought(found=found, paths=paths)
+        for found in answer.explanations
+        if found.id and found.certainty == "certain"
+        for paths in _paths(repairs()[found.id].files if found.id in repairs() else (), dict(found.names))
+    )
+
+
+def _paths(templates: tuple[str, ...], names: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
+    """Yield the paths of each of several names, of which a failure captures all at once."""
+    used = {name for name in names if name != "low" and any(f"{{{name}}}" in template for template in templates)}
+    for word in [word for name in used for word in names[name].split(", ") if word]:
+        given = {**dict.fromkeys(used, re.escape(word)), "low": re.escape(word.lower())}
+        yield tuple(_filled(template, given) for template in templates if complete(template, given))
+
+
+def _filled(template: str, names: Mapping[str, str]) -> str:
+    return re.sub(r"\{([a-z]+)\}", lambda match: names[match[1]], template)
+
+
+def changes(wanted: tuple[Sought, ...], answer: str, given: Given) -> Iterator[Change | str]:
+    """Yield the package of each thing that was sought, or why there is none.
+
+    ``answer`` has lines of a path's number, from 1 over all that was sought, and a package that holds it.
+    """
+    said: dict[int, list[str]] = {}
+    for line in answer.splitlines():
+        number, _, package = line.partition(" ")
+        said.setdefault(int(number), []).append(package)
+    first = 1
+    for one in wanted:
+        held = next((said[at] for at in range(first, first + len(one.paths)) if at in said), [])
+        first += len(one.paths)
+        what = asked(one.found, given)
+        packages = [package for package in held if package.endswith(_DEVELOPMENT)] or held
+        if len(packages) == 1:
+            yield Change(
+                key="apt",
+                value=packages[0],
+                failure=one.found.id or "",
+                certain=True,
+                asked=asked(one.found, given, packages[0]),
+            )
+        elif packages:
+            yield f"{what} is in {', '.join(packages[:-1])} and {packages[-1]}: name one under `apt`"
+        else:
+            yield f"no package of the image's sources holds {what}"
