@@ -88,7 +88,7 @@ class Repairing:
             )
         except FailedBuild as error:
             reason = f"apt was not asked which package holds it: {error.problems[0].message}"
-            return replace(found, refused=(*found.refused, ("", reason)))
+            return replace(found, refused=(("", reason),))
         answers = tuple(holders.changes(wanted, said, given(self.planned)))
         new = tuple(one for one in answers if isinstance(one, Change) and not has(self.planned.config, one.entry))
         refused = tuple(("", one) for one in answers if isinstance(one, str))
