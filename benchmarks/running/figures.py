@@ -32,6 +32,8 @@ def sums(rows: Sequence[Row]) -> list[str]:
     shells = [row for row in built if row.outcome == "shell"]
     came = f"Built: {_share(len(built), len(rows))}; without {len(outside)} that only the stand-ins prevent, and "
     came += f"{len(late)} that were not finished in time, {_share(len(built), len(able))}."
+    if repaired := sum(row.repairs > 0 for row in built):
+        came += f" Of these {repaired} were built after a repair."
     ran = f"Of the images with a command, {_share(len(runs), len(commands))} ran for a minute or ended with 0; without "
     ran += f"{len(stopped)} that only the stand-ins stop, {_share(len(runs), len(commands) - len(stopped))}. "
     ran += f"{len(needs)} of the others said that a device, data or arguments were missing."

@@ -18,6 +18,8 @@ from typing import Any
 from benchmarks.running import blame
 from benchmarks.running.blame import Base
 from benchmarks.running.rows import Listed, Row
+from roslab.cli.arguments import parser
+from roslab.cli.repairing import Repairing
 from roslab.engine import disk
 from roslab.engine import docker as engine
 from roslab.engine.bases import mend
@@ -91,7 +93,7 @@ def _measured(listed: Listed, root: Path, way: Way, told: dict[str, Any]) -> dic
     image = f"roslab-running:{listed.repository.replace('/', '-').lower()}"
     begun = time.monotonic()
     try:
-        _build(planned, image)
+        planned, told["repairs"] = _built(planned, root, image)
         told.update(built=True, seconds=round(time.monotonic() - begun, 1))
         return _proved(planned, image, base, way, told)
     except engine.FailedBuild as error:
@@ -111,8 +113,27 @@ def _python(plan: Plan) -> str | None:
     return tag.partition("-")[0] if name == "python" else python_of_ubuntu().get(plan.ubuntu or "")
 
 
+def _built(planned: Planned, root: Path, image: str) -> tuple[Planned, int]:
+    """Build, with the repairs of ``roslab build``; return the plan that was built and their number.
+
+    Raises ``FailedBuild`` where none is left.
+    """
+    repairing = Repairing(options=parser("build").parse_args(["build", str(root)]), planned=planned)
+    while error := _failure(repairing.planned, image):
+        repairing.repair(error)
+    return repairing.planned, repairing.rounds
+
+
+def _failure(planned: Planned, image: str) -> engine.FailedBuild | None:
+    try:
+        _build(planned, image)
+    except engine.FailedBuild as error:
+        return error
+    return None
+
+
 def _build(planned: Planned, image: str) -> None:
-    """Build as ``roslab build`` does. Raises ``FailedBuild``."""
+    """Build once, as ``roslab build`` does. Raises ``FailedBuild``."""
     authored, platform = planned.plan.author_dockerfile, engine.native_platform()
     with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
         dockerfile, context = write_dockerfile(planned, Path(folder))

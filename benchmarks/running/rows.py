@@ -59,6 +59,8 @@ class Row:
     """What really was below the base's name; ``""`` if it was the real image."""
     planned: bool = False
     built: bool | None = None
+    repairs: int = 0
+    """Of the build: how often what was certainly missing was added and it was built again."""
     imports: bool | None = None
     """What it declares can be imported, and its programs find their libraries."""
     command: str = ""

@@ -10,7 +10,7 @@ from roslab.config import locate
 from roslab.config.addition import Entry, added, has
 from roslab.engine.asking import ask
 from roslab.engine.docker import FailedBuild, native_platform, say
-from roslab.errors import BuildError, Problem
+from roslab.errors import Problem
 from roslab.explain.answer import Answer, explain
 from roslab.files import write_configuration
 from roslab.pipeline import Planned
@@ -51,7 +51,7 @@ class Repairing:
     def repair(self, error: FailedBuild) -> None:
         """Plan the next round from what the failed one says.
 
-        Raises ``BuildError`` if the rounds are used up, the same cause is back, or nothing certain can be added.
+        Raises ``FailedBuild`` if the rounds are used up, the same cause is back, or nothing certain can be added.
         """
         answer = explain(io.BytesIO(error.log.encode("utf-8", errors="replace")))
         found = repair(answer, given(self.planned))
@@ -118,7 +118,7 @@ class Repairing:
         if self.changes:
             self._tell("tried, and not enough; nothing is written")
         reason = (Problem(message=f"not repaired: {why}"),) if why else ()
-        raise BuildError(*error.problems, *reason) from None
+        raise FailedBuild(*error.problems, *reason, log=error.log) from None
 
     def finish(self) -> None:
         """Say what was added, and write it where that was asked for."""
