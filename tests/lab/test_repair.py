@@ -283,7 +283,8 @@ def test_what_cannot_be_mended_stops_with_the_reason(lab: Laboratory, tmp_path: 
 
 def test_a_failed_run_hands_over_the_lines(lab: Laboratory, tmp_path: Path) -> None:
     """Annotation, summary, and in a pull request of the repository's own a suggestion on a line of its diff."""
-    files = {"roslab.yaml": WHOLE, "CMakeLists.txt": EXECUTABLE, "main.cpp": INCLUDES + MAIN}
+    includes = INCLUDES.replace("glog/logging.h", "fstrcmp.h")  # no table knows it: apt is asked
+    files = {"roslab.yaml": WHOLE, "CMakeLists.txt": EXECUTABLE, "main.cpp": includes + MAIN}
     inputs = {"registry": lab.registry, "platforms": "linux/amd64"}
     caller = doors.through_action(tmp_path, inputs, files, base={})
     posted: list[tuple[str, dict[str, Any]]] = []
@@ -292,9 +293,10 @@ def test_a_failed_run_hands_over_the_lines(lab: Laboratory, tmp_path: Path) -> N
     event = doors.payload("robot", head=f"{doors.OWNER}/robot")
     ran = run_workflow(lab, caller, "pull_request", event, env=doors.builder(lab), github=github)
     assert ran.exit_code != 0
-    assert "::error file=main.cpp,line=1::The header glog/logging.h is missing" in ran.log
-    assert f"Lines to add to `roslab.yaml`:\n\n```yaml\napt:\n{GLOG}```" in ran.summary
+    line = "  - libfstrcmp-dev  # for the header fstrcmp.h (main.cpp:1)\n"
+    assert "::error file=main.cpp,line=1::The header fstrcmp.h is missing" in ran.log
+    assert f"Lines to add to `roslab.yaml`:\n\n```yaml\napt:\n{line}```" in ran.summary
     ((path, body),) = posted
     assert path == f"/repos/{doors.OWNER}/robot/pulls/7/comments"
     assert (body["path"], body["line"]) == ("roslab.yaml", 4)
-    assert f"```suggestion\n  image: ros:noetic-ros-base\napt:\n{GLOG}```" in body["body"]
+    assert f"```suggestion\n  image: ros:noetic-ros-base\napt:\n{line}```" in body["body"]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import argparse
 import io
+from collections.abc import Sequence
 
 from roslab.cli.planning import named, planned_of
 from roslab.config import locate
-from roslab.config.addition import Entry, added, has
+from roslab.config.addition import Entry, added
 from roslab.engine.asking import ask
 from roslab.engine.docker import FailedBuild, native_platform, say
 from roslab.errors import Problem
@@ -62,8 +63,7 @@ class Repairing:
             self._stop(error, "the same cause is back, so what was added does not repair it")
         if author := self.planned.plan.author_dockerfile:
             self._stop(error, self._own(answer, author.dockerfile))
-        if not found.certain.changes:
-            found = self._held(answer, found)
+        found = holders.completed(found, answer, given(self.planned), self._ask)
         if not found.certain.changes:
             maybe = [f"it may need {change}, for {change.asked}" for change in found.changes]
             self._stop(error, "; ".join(maybe or [why for _, why in found.refused]))
@@ -77,22 +77,9 @@ class Repairing:
         file, old = configuration(self.planned, self.options)
         self.planned = planned_of(self.options, config_text=added(old, self._entries(), file=file))
 
-    def _held(self, answer: Answer, found: Repair) -> Repair:
-        """Return the repair with what apt's index of files has of what is missing."""
-        if not (wanted := holders.sought(answer)):
-            return found
+    def _ask(self, paths: Sequence[str]) -> str:
         say("roslab: asking apt which package holds what is missing")
-        try:
-            said = ask(
-                question_of_files(self.planned.plan, [path for one in wanted for path in one.paths]), native_platform()
-            )
-        except FailedBuild as error:
-            reason = f"apt was not asked which package holds it: {error.problems[0].message}"
-            return replace(found, refused=(("", reason),))
-        answers = tuple(holders.changes(wanted, said, given(self.planned)))
-        new = tuple(one for one in answers if isinstance(one, Change) and not has(self.planned.config, one.entry))
-        refused = tuple(("", one) for one in answers if isinstance(one, str))
-        return replace(found, changes=(*found.changes, *new), refused=refused or found.refused)
+        return ask(question_of_files(self.planned.plan, paths), native_platform())
 
     def _entries(self) -> list[Entry]:
         return [change.entry for change in self.changes]

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import io
 import posixpath
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from roslab.config import Config, locate
 from roslab.config import read as read_configuration
 from roslab.config.addition import added
+from roslab.engine.asking import ask
 from roslab.errors import BuildError, ConfigurationError, Problem, RoslabError
 from roslab.evidence.gather import gather
 from roslab.explain import words
@@ -17,8 +18,9 @@ from roslab.explain.answer import Answer
 from roslab.explain.answer import explain as explained
 from roslab.github import access, builder, checkout, event, kept, suggestion, workflow
 from roslab.github.run import Folder, Run
+from roslab.render.dockerfile import holders as question_of_files
 from roslab.render.outcome import Repair as Lines
-from roslab.repair import dockerfile
+from roslab.repair import dockerfile, holders
 from roslab.repair import words as repair_words
 from roslab.repair.change import Given, Repair
 from roslab.repair.hunk import Hunk, hunk
@@ -49,7 +51,7 @@ def explain(environment: Mapping[str, str]) -> None:
         access.require(refused, image=run.image, event=what)
     if not log:
         raise BuildError(Problem(message="the build failed", hint="the log of the step above says why"))
-    mending = mend(_answer(log), run, _root(run, environment))
+    mending = mend(_answer(log), run, _root(run, environment), _asking(run, environment))
     _hand_over(folder, mending, environment)
     raise BuildError(*mending.problems)
 
@@ -63,7 +65,7 @@ def explain_proof(folder: Folder, failure: Problem, output: str, environment: Ma
     if not answer.explanations or answer.explanations[0].id is None:
         return failure
     run = folder.run
-    mending = mend(answer, run, _root(run, environment))
+    mending = mend(answer, run, _root(run, environment), _asking(run, environment))
     _hand_over(folder, mending, environment)
     first = mending.problems[0]
     return replace(first, message=f"{failure.message}: {first.message}")
@@ -71,6 +73,16 @@ def explain_proof(folder: Folder, failure: Problem, output: str, environment: Ma
 
 def _answer(log: str) -> Answer:
     return explained(io.BytesIO(log.encode("utf-8", errors="replace")))
+
+
+def _asking(run: Run, environment: Mapping[str, str]) -> Callable[[Sequence[str]], str]:
+    """Return what asks the apt of the image's base which packages hold files."""
+
+    def asking(paths: Sequence[str]) -> str:
+        workflow.say("asking apt which package holds what is missing")
+        return ask(question_of_files(run.plan, paths), run.here(environment)[0])
+
+    return asking
 
 
 def _root(run: Run, environment: Mapping[str, str]) -> Path:
@@ -84,8 +96,11 @@ def _hand_over(folder: Folder, mending: Mending, environment: Mapping[str, str])
         suggestion.suggest(what, mending.problems, mending.repairs, mending.hunk, environment)
 
 
-def mend(answer: Answer, run: Run, root: Path) -> Mending:
-    """Return what an explained log says about the checkout it was built from."""
+def mend(answer: Answer, run: Run, root: Path, asking: Callable[[Sequence[str]], str] | None = None) -> Mending:
+    """Return what an explained log says about the checkout it was built from.
+
+    ``asking`` asks apt's index of files, see ``repair.holders``; ``None`` asks nothing.
+    """
     try:
         repository = Repository.open(root)
         text = locate.text(repository, run.config) if run.config else None
@@ -93,6 +108,7 @@ def mend(answer: Answer, run: Run, root: Path) -> Mending:
         files = frozenset(file.path for file in repository.files)
         given = Given(plan=run.plan, evidence=gather(repository), config=config, files=files)
         found = repair(answer, given)
+        found = holders.completed(found, answer, given, asking) if asking else found
         problems = tuple(_problems(answer, found, run))
         if run.plan.author_dockerfile:
             return _own(answer, problems, repository, run)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from roslab.config.addition import has
+from roslab.errors import BuildError
 from roslab.explain.answer import Answer, Explanation
 from roslab.knowledge.repairs import complete, repairs
 from roslab.repair.asked import asked
-from roslab.repair.change import Change, Given
-from roslab.values.dataclass import dataclass
+from roslab.repair.change import Change, Given, Repair
+from roslab.values.dataclass import dataclass, replace
 
 _DEVELOPMENT = "-dev"
 """End of the names of packages that hold headers and what links: Debian Policy, 8.4."""
@@ -44,6 +46,25 @@ def _paths(templates: tuple[str, ...], names: Mapping[str, str]) -> Iterator[tup
 
 def _filled(template: str, names: Mapping[str, str]) -> str:
     return re.sub(r"\{([a-z]+)\}", lambda match: names[match[1]], template)
+
+
+def completed(found: Repair, answer: Answer, given: Given, ask: Callable[[Sequence[str]], str]) -> Repair:
+    """Return a repair with what apt's index of files has of what is missing, where nothing else is certain.
+
+    ``ask`` gives the answer that ``changes`` reads for the paths in their order, and raises ``BuildError``.
+    """
+    wanted = sought(answer) if not found.certain.changes and not given.plan.author_dockerfile else ()
+    if not wanted:
+        return found
+    try:
+        said = ask([path for one in wanted for path in one.paths])
+    except BuildError as error:
+        reason = f"apt was not asked which package holds it: {error.problems[0].message}"
+        return replace(found, refused=(("", reason),))
+    answers = tuple(changes(wanted, said, given))
+    new = tuple(one for one in answers if isinstance(one, Change) and not has(given.config, one.entry))
+    refused = tuple(("", one) for one in answers if isinstance(one, str))
+    return replace(found, changes=(*found.changes, *new), refused=refused or found.refused)
 
 
 def changes(wanted: tuple[Sought, ...], answer: str, given: Given) -> Iterator[Change | str]:

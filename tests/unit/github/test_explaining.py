@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -59,6 +60,23 @@ def test_the_place_and_the_lines(checkout: Path, config: str | None, lines: str,
     assert "In roslab.yaml: `apt: [libgoogle-glog-dev]`." in str(problem)
     assert (told.file, told.text, told.new) == ("robots/arm/roslab.yaml", lines, new)
     assert (mending.hunk is None) == new, "a file that does not exist has no line for a suggestion"
+
+
+def test_what_no_table_knows_apt_is_asked_for(checkout: Path) -> None:
+    asked: list[str] = []
+
+    def asking(paths: Sequence[str]) -> str:
+        asked.extend(paths)
+        return "1 libzoo-dev\n"
+
+    log = LOG.replace(b"glog/logging.h", b"zoo/arm.h")
+    mending = mend(explain(io.BytesIO(log)), run_of(checkout), checkout, asking)
+    assert asked[0].endswith(r"zoo/arm\.h")
+    assert "In roslab.yaml: `apt: [libzoo-dev]`." in str(mending.problems[0])
+    assert mending.repairs[0].text == "format: 3\napt:\n  - libzoo-dev  # for the header zoo/arm.h (src/main.cpp:1)\n"
+    asked.clear()
+    mend(explain(io.BytesIO(LOG)), run_of(checkout), checkout, asking)
+    assert not asked, "a table knows it"
 
 
 def test_an_own_dockerfile_gets_a_diff(checkout: Path) -> None:
