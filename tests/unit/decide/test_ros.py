@@ -344,6 +344,27 @@ def test_vcs_files_for_the_distribution_without_the_repository_itself(tmp_path: 
     ]
 
 
+@pytest.mark.parametrize(
+    ("distro", "xml", "there", "found"),
+    [
+        ("humble", AMENT, (".rosinstall_ros1", ".rosinstall_ros2"), (".rosinstall_ros2",)),
+        ("noetic", CATKIN, (".rosinstall_ros1", ".rosinstall_ros2"), (".rosinstall_ros1",)),
+        ("humble", AMENT, ("lab.repos", "lab_ros2.repos"), ("lab_ros2.repos",)),
+        ("humble", AMENT, ("lab.repos", "arms-ros-2.repos"), ("arms-ros-2.repos", "lab.repos")),
+        ("noetic", CATKIN, ("lab.repos", "lab_ros2.repos"), ("lab.repos",)),
+        ("humble", AMENT, ("ros1_bridge.repos",), ("ros1_bridge.repos",)),
+        ("humble", AMENT, ("ros1.repos",), ()),
+    ],
+)
+def test_a_list_that_names_the_other_ros_is_of_another_workspace(
+    tmp_path: Path, distro: str, xml: str, there: tuple[str, ...], found: tuple[str, ...]
+) -> None:
+    files = {**package("a", xml=xml), **{name: _sister(f"x{at}") for at, name in enumerate(there)}}
+    files["setup.sh"] = "vcs import . < .rosinstall_ros2\n"
+    files["README.md"] = "# Lab\n\n```bash\nvcs import ../ < .rosinstall_ros1\n```\n"
+    assert decided(tmp_path, files, branch=distro).vcs == found
+
+
 def test_of_lists_side_by_side_the_one_that_ci_builds_upstream_is_imported(tmp_path: Path) -> None:
     lists = {"lists/sim.repos": _sister("x"), "lists/sonar.repos": _sister("y")}
     files = {**package("a", xml=AMENT.replace("rclcpp", "some_unknown")), **lists}

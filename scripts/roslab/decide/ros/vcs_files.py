@@ -22,6 +22,8 @@ _EXTRA = pattern(
 )
 _PARTS = pattern(r"[-_.]+")
 _WORDS = pattern(r"[a-z]+")
+_ROS = pattern(r"(?<![a-z0-9])ros[-_.]?([12])(?![0-9])(?![-_.]?bridge)", re.IGNORECASE)
+"""Which ROS a path names. What is between both, ros1_bridge, is built for ROS 2."""
 
 
 def vcs_files(
@@ -34,6 +36,7 @@ def vcs_files(
 ) -> tuple[str, ...]:
     """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest ones.
 
+    A path may name ROS 1 or ROS 2 (``ros2.repos``): the lists of the other are of another workspace.
     Where a page names some of them, or CI for its upstream workspace, those are meant: the page at the root's first,
     then those of the root. ``lacking``: something is needed that no distribution has. Otherwise what CI alone builds is
     not needed; a list below the root is imported only where a page, a Dockerfile or CI names it, for it may be data of
@@ -48,6 +51,7 @@ def vcs_files(
     files = [file for file in files if _name(file).lower() not in left]
     private = private_twins(evidence)
     files = [file for file in files if file not in private]
+    files = _of_ros(files, ros_distro)
     distinct = [(file, distros_in(_name(file))) for file in files]
     named = [file for file, words in distinct if ros_distro in words]
     plainest = _plainest(named or [file for file, words in distinct if not words], itself)
@@ -73,6 +77,21 @@ def vcs_files(
 def distros_in(text: str) -> set[str]:
     """Return the distributions that a file's name or an image's tag names."""
     return set(_WORDS.findall(text.lower())) & distros().keys()
+
+
+def _of_ros(files: list[str], ros_distro: str | None) -> list[str]:
+    """Return the lists without those of the other ROS, and without those of the same name as one for this ROS."""
+    known = distros().get(ros_distro or "")
+    of = {file: {*_ROS.findall(file)} for file in files}
+    if known is None or not any(of.values()):
+        return files
+    own = str(known.ros)
+    twins = {_unmarked(file) for file in files if own in of[file]}
+    return [file for file in files if own in of[file] or not (of[file] or _unmarked(file) in twins)]
+
+
+def _unmarked(file: str) -> tuple[str, ...]:
+    return tuple(word for word in spelling(_ROS.sub("", file)) if word)
 
 
 def spelling(name: str) -> tuple[str, ...]:
