@@ -55,6 +55,30 @@ def test_the_dockerfile_of_compose_is_the_projects_whatever_its_name(
     assert tree(FILES | {"README.md": page} | changed).dockerfile == dockerfile
 
 
+@pytest.mark.parametrize(
+    ("page", "compose", "dockerfile"),
+    [
+        ("docs/guides/docker.md", "docker-compose.yml", "Dockerfile.simulator"),
+        ("docker/README.md", "docker-compose.yml", "Dockerfile.simulator"),
+        ("docker/README.md", "docker/compose.yaml", "Dockerfile.simulator"),
+        ("docs/upkeep.md", "docker-compose.yml", "Dockerfile.robot"),
+    ],
+)
+def test_a_page_about_containers_says_it_where_none_at_the_root_does(
+    tree: Tree, page: str, compose: str, dockerfile: str
+) -> None:
+    files = {name: text for name, text in FILES.items() if name != "docker-compose.yml"}
+    text = COMPOSE.replace("context: .", "context: ..") if "/" in compose else COMPOSE
+    assert tree(files | {"README.md": "# Demo\n", page: PAGE, compose: text}).dockerfile == dockerfile
+
+
+def test_of_two_files_of_compose_that_of_the_page_counts(tree: Tree) -> None:
+    robot = COMPOSE.replace("simulator", "robot").replace("context: .", "context: ..")
+    files = FILES | {"README.md": "# Demo\n", "docker/compose.yml": robot, "docker/README.md": PAGE}
+    assert tree(files).dockerfile == "Dockerfile.robot"
+    assert tree(files).ports == ("9090:9090",)
+
+
 def test_a_container_gets_its_ports_and_variables(tree: Tree) -> None:
     decision = tree(FILES | {"README.md": PAGE})
     assert decision.command == ("env", "WORLD=house", "bash", "-c", "/ws/src/demo/start.sh")

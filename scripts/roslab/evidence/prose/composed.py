@@ -1,4 +1,4 @@
-"""The Dockerfiles that a page at the root has Docker Compose build: ``docker compose up``.
+"""The Dockerfiles that a page at the root, else one about containers, has Docker Compose build: ``docker compose up``.
 
 https://docs.docker.com/reference/compose-file/build/, https://docs.docker.com/reference/compose-file/interpolation/
 """
@@ -15,11 +15,15 @@ from roslab.evidence import places
 from roslab.evidence.lex.yaml import load
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.service import Service
-from roslab.repository.checkout import File, Repository
+from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
 MAX_DEPTH = 2
+MAX_PAGES = 8
+"""Most pages about containers that are opened, those nearest to the root first."""
+_ABOUT = pattern(r"(?<![a-z])(?:docker|container|compose)", re.IGNORECASE)
+"""The name of such a page, or of its folder: ``docs/docker.md``, ``docker/README.md``."""
 _CALL = pattern(r"\bdocker[- ]compose((?:[ \t]+-\S+(?:[ \t]+[^-\s]\S*)??)*)[ \t]+(?:up|build|run)\b")
 _FILE = pattern(r"(?:-f|--file)(?:[ \t]+|=)(\S+)")
 _DEFAULTS = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
@@ -41,14 +45,24 @@ def services(repository: Repository) -> Mapping[str, Service]:
 
 def _services(repository: Repository) -> dict[str, Service]:
     found: dict[str, list[Service]] = {}
-    for page in (page for page in pages(repository) if not page.folder):
+    for page in _read(repository):
         for call in _CALL.finditer(text_of(repository, page)):
-            file = _composed(repository, call[1])
+            file = _composed(repository, call[1], page)
             for dockerfile, service in _built(repository, file, page) if file else ():
                 found.setdefault(dockerfile, []).append(service)
         if found:
             break
     return {path: _only(made, repository.read(path, limit=MAX_SIZE)) for path, made in found.items()}
+
+
+def _read(repository: Repository) -> Iterator[File]:
+    """Yield the pages at the root, then those about containers, if there is a file that Compose takes."""
+    yield from (page for page in pages(repository) if not page.folder)
+    if repository.named(*_DEFAULTS):
+        texts = (file for file in repository.suffixed(".md", ".rst", ".markdown") if file.folder)
+        about = (file for file in texts if any(map(_ABOUT.search, (file.name, posixpath.basename(file.folder)))))
+        kept = (f for f in about if f.size <= MAX_SIZE and not places.vendored(f.path) and not places.aside(f.path))
+        yield from (file for file in nearest(kept)[:MAX_PAGES] if file.path.count("/") <= MAX_DEPTH)
 
 
 def _only(made: list[Service], text: str) -> Service:
@@ -63,13 +77,16 @@ def _only(made: list[Service], text: str) -> Service:
     return first if alone else Service(file=first.file, line=first.line, said=first.said)
 
 
-def _composed(repository: Repository, options: str) -> File | None:
-    """Return the first file that a call names, else that which Compose takes, else the only one of the tree."""
+def _composed(repository: Repository, options: str, page: File) -> File | None:
+    """Return the first file that a call names, else that which Compose takes, else the only one of the tree.
+
+    It takes that of the folder in which it is called: the page's, if one is there, or the root.
+    """
     if named := _FILE.search(options):
         path = posixpath.normpath(named[1])
         return next((file for file in repository.named(path.rpartition("/")[2]) if file.path.endswith(path)), None)
     files = [f for f in repository.named(*_DEFAULTS) if f.path.count("/") <= MAX_DEPTH and not places.aside(f.path)]
-    top = [file for file in files if not file.folder]
+    top = [file for file in files if file.folder == page.folder] or [file for file in files if not file.folder]
     return next(iter(top or files), None) if top or len(files) == 1 else None
 
 
