@@ -11,7 +11,7 @@ import pytest
 from hanging import ends
 from roslab.evidence.lex import justfile
 from roslab.evidence.lex.justfile import Justfile, parsed
-from roslab.evidence.prose.just_recipes import MAX_ADDED, with_recipes
+from roslab.evidence.prose.called_tasks import MAX_ADDED, with_tasks
 from roslab.pipeline import plan_repository
 from roslab.repository.checkout import Repository
 
@@ -146,7 +146,7 @@ def pages_of(folder: Path, just: str, pages: dict[str, str]) -> list[str]:
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(text)
     repository = Repository.open(folder)
-    return [with_recipes(text, repository, repository.named(Path(path).name)[0]) for path, text in pages.items()]
+    return [with_tasks(text, repository, repository.named(Path(path).name)[0]) for path, text in pages.items()]
 
 
 def test_a_page_does_not_grow_without_end(tmp_path: Path) -> None:

@@ -45,6 +45,29 @@ _SAID_LAUNCH = pattern(
 """A launch in a sentence, by a package or a path: ``Run "roslaunch demo map.launch" to start``."""
 
 
+_EMPHASISED = pattern(
+    r"(?<![\w*`])(\*\*|<code>|<b>|<strong>)(?=[a-z.])([^*`<>\n]{4,300}?)(?:\1|</(?:code|b|strong)>)(?![\w*`])"
+)
+"""A command in bold letters, or in those of HTML's code."""
+_SAID_PYTHON = pattern(
+    r"(?<!\bnot )(?<!n't )(?<!\bnever )\b(?:run|running|use|using|execute|start|usage|command)\b[\s\w*:]{0,30}?"
+    r"(?:(?<=\s)(?P<open>[\"\u201c'])|(?<=[\s:*]))(?P<call>python3?[ ](?:-u[ ])?[\w./-]{1,100}\.py(?![\w/]))"
+    r"(?P<rest>[^\"\u201c\u201d'`<>|;,()]{0,200})(?(open)[\"\u201d']|$)",
+    re.IGNORECASE,
+)
+"""A file of Python that a sentence runs, in quotation marks or at its end: ``Run: python main.py --config a``."""
+
+
+_NO_WORD = pattern(r"[/=:.\d]")
+"""What a path, a setting or a number has, and no word of a sentence."""
+
+
+def emphasised(line: str, command: re.Pattern[str]) -> Iterator[re.Match[str]]:
+    """Yield what a page has in bold letters or in HTML's for code, and which is a ``command`` (the second group)."""
+    if "**" in line or "<" in line:
+        yield from (match for match in _EMPHASISED.finditer(line) if command.match(match[2]))
+
+
 def in_sentence(line: str, *, title: bool = False) -> Iterator[str]:
     """Yield what a line of prose tells to do, as the shell's commands.
 
@@ -53,7 +76,21 @@ def in_sentence(line: str, *, title: bool = False) -> Iterator[str]:
     yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
     yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
     quoted = "`" in line
+    if not quoted and ".py" in line and "python" in line:
+        yield from (said for match in _SAID_PYTHON.finditer(line) if (said := _call(match)))
     yield from (f"cd {named[1]}" for named in (_GO_INTO.finditer(line) if quoted else ()))
     yield from (f"./{named[1]}" for named in (_NAMED.finditer(line) if quoted and not title else ()))
     yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
     yield from (f"./{named[1]}" for named in (_NAMED_SHELL.finditer(line) if ".sh" in line else ()))
+
+
+def _call(said: re.Match[str]) -> str:
+    """Return the call of a file of Python, ``""`` where words of the sentence follow: ``python a.py is run``."""
+    rest = said["rest"].rstrip(" .:")
+    before = ""
+    for word in rest.split():
+        valued = before.startswith("-") and "=" not in before
+        if not (word.startswith("-") or valued or _NO_WORD.search(word)):
+            return ""
+        before = word
+    return f"{said['call']} {rest.strip()}".rstrip()

@@ -12,10 +12,10 @@ from roslab.evidence.packed import packed
 from roslab.evidence.prose.blank_programs import with_programs
 from roslab.evidence.prose.blanks import chosen
 from roslab.evidence.prose.block_values import with_values
+from roslab.evidence.prose.called_tasks import with_tasks
 from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.diagrams import without_diagrams
 from roslab.evidence.prose.headings import lines_of, title_of
-from roslab.evidence.prose.just_recipes import with_recipes
 from roslab.evidence.prose.listings import without_listings
 from roslab.evidence.prose.other_branches import without
 from roslab.evidence.prose.preformatted import as_markdown
@@ -73,11 +73,11 @@ def text_of(repository: Repository, file: File) -> str:
     """Return what a page says to those who read it, with all its blocks of code fenced.
 
     That is not what it comments out, nor what it says of another branch. Blanks in names of programs are filled in,
-    and in place of ``just run`` stands what that recipe runs.
+    and in place of ``just run`` or ``make run`` stands what that runs.
     """
     texts = repository.once(_texts)
     if file.path not in texts:
-        text = with_recipes(without(repository, _shown(repository.read(file))), repository, file)
+        text = with_tasks(without(repository, _shown(repository.read(file))), repository, file)
         texts[file.path] = with_programs(text, repository, file)
     return texts[file.path]
 

@@ -42,7 +42,7 @@ from roslab.evidence.prose.failing import of_failure
 from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
 from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
-from roslab.evidence.prose.in_sentences import IN_SENTENCES, in_sentence
+from roslab.evidence.prose.in_sentences import IN_SENTENCES, emphasised, in_sentence
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.marks import without_marks
 from roslab.evidence.prose.merged import Prose, merge
@@ -268,6 +268,7 @@ def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
 
 
 def _shell(line: str, signs: Signs, *, fenced: bool, title: bool) -> Iterator[str]:
+    bold = tuple(emphasised(line, _START)) if not fenced else ()
     line = without_marks(typed(line), fenced=fenced)
     if (alone := _ALONE.fullmatch(line)) and (_START.match(alone[2]) or _BARE.fullmatch(alone[2])):
         line, fenced = alone[2], True
@@ -278,7 +279,8 @@ def _shell(line: str, signs: Signs, *, fenced: bool, title: bool) -> Iterator[st
     elif fenced:
         yield line
     else:
-        spans = (typed(s[2]) for s in _SPAN.finditer(line) if not of_failure(line, s.start(), s.end(), s[2].strip()))
+        found = (*_SPAN.finditer(line), *bold)
+        spans = (typed(s[2]) for s in found if not of_failure(s.string, s.start(), s.end(), s[2].strip()))
         told = (span for span in spans if telling(span, signs) and " " in span)
         yield from (f"({span})" if _THERE.match(span) else span for span in told)  # a shell of its own
         yield from in_sentence(line, title=title)

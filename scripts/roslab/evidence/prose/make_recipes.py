@@ -1,0 +1,91 @@
+"""What a shell runs for ``make run``: the recipe of a target that starts something, with what it needs before.
+
+What compiles, tests, cleans or makes images is left to make.
+"""
+
+from __future__ import annotations
+
+from roslab.evidence.lex.make_tasks import MakeTasks, parsed
+from roslab.evidence.prose.just_recipes import joined
+from roslab.repository.checkout import Repository, nearest
+from roslab.values.pattern import pattern
+
+NAMES = ("Makefile", "makefile", "GNUmakefile")
+"""Those that come later are read in place of those before."""
+MAX_SIZE = 64 * 1024
+MOST_CALLS = 500
+"""Most different calls of one Makefile of which the lines are looked up."""
+MOST_FILES = 60
+"""Most Makefiles, those nearest to the root first."""
+WORDS = r"make[ \t]+([A-Za-z_][\w-]*(?:[ \t]+[A-Za-z_]\w*=[^\s#;&|`<>$]+){0,8})"
+_CHORE = pattern(
+    r"(?:.*[-_.])?(?:all|build|built|compile|clean\w*|test\w*|unittest\w*|pytest|lint\w*|format|fmt|docker\w*|image|"
+    r"install|uninstall|check\w*|docs?|help|dist|release|publish|coverage|push|pull|stop|kill|down|up|ci|deploy|"
+    r"package|upload|flash|shell|bash|logs?|typecheck|mypy|style)(?:[-_.].*)?"
+)
+"""A target that serves those who work on the code, or that makes what the image makes in its own way."""
+_NOT_FIRST = pattern(
+    r"(?:.*[-_.])?(?:all|build|built|compile|clean\w*|test\w*|lint\w*|format|docker\w*|image|check\w*|stop|kill|help)"
+    r"(?:[-_.].*)?"
+)
+"""What such a target may need, which the image does otherwise or not at all."""
+_NO_PROGRAMS = (
+    r"setup\.py|-c\b|-m[ \t]+(?:pip|venv|pytest|unittest|build|black|ruff|flake8|mypy|isort|coverage|twine|sphinx\w*|"
+    r"http\.server|pylint|pre_commit|virtualenv)\b"
+)
+"""What Python is given by those who work on the code."""
+_STARTS = pattern(
+    rf"(?:^|[\s;&(\"'])(?:(?:[\w.-]*/)*python[\d.]*[ \t]+(?!{_NO_PROGRAMS})\S|roslaunch[ \t]|rosrun[ \t]|"
+    r"ros2[ \t]+(?:run|launch)[ \t]|(?:gz|ign)[ \t]+(?:sim|gazebo|launch)[ \t]|(?:torchrun|streamlit|accelerate)[ \t]|"
+    r"(?:uv|poetry|pipenv|pdm|pixi|rye|conda)[ \t]+run[ \t]+(?!pytest|ruff|black|mypy|pre-commit|flake8)\S|"
+    r"(?:bash|sh)[ \t]+(?!-)\S+\.sh|\./[\w./-]+|(?:build|bin)/[\w./-]+)"
+)
+"""A line that starts a program."""
+_DOCKER = pattern(r"(?:^|[\s;&(])(?:docker|docker-compose|podman|singularity|apptainer)[ \t]")
+_OTHERWISE = pattern(
+    rf"{_DOCKER.pattern}|(?:^|[\s;&(])(?:[\w-]*g\+\+|[\w-]*gcc|clang(?:\+\+)?|cc|nvcc|c?make|ninja)(?:-\d+)?[ \t]"
+)
+_TASK = pattern(r"[A-Za-z_][\w-]*")
+"""A target that is no file."""
+_OF_VENV = pattern(r"(?<![\w./-])(?:\./)?\.?\w*env\w*/bin/(?=python|pip)")
+"""A virtual environment of the reader's: the image has its own."""
+
+
+class MakeCalls:
+    """The targets of one Makefile that start something, with what each call runs, which is found once for all pages."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._tasks: MakeTasks | None = None
+        self._known: dict[str, str | None] = {}
+
+    def line_of(self, call: str) -> str | None:
+        """Return the lines of the target that is called, joined; ``None`` where they are not known or start nothing."""
+        if call not in self._known:
+            if len(self._known) >= MOST_CALLS or _CHORE.fullmatch(call.split(maxsplit=1)[0]):
+                return None
+            self._tasks = self._tasks or parsed(self._text)
+            self._known[call] = _run(call, self._tasks)
+        return self._known[call]
+
+
+def calls(repository: Repository) -> dict[str, MakeCalls]:
+    """Return what the Makefiles in the folders of a tree define."""
+    return repository.once(_makefiles)
+
+
+def _makefiles(repository: Repository) -> dict[str, MakeCalls]:
+    by_folder = {file.folder: file for name in NAMES for file in repository.named(name)}
+    files = [file for file in nearest(by_folder.values())[:MOST_FILES] if file.size <= MAX_SIZE]
+    return {file.folder: MakeCalls(repository.read(file)) for file in files}
+
+
+def _run(call: str, tasks: MakeTasks) -> str | None:
+    name, *words = call.split()
+    given = dict(word.split("=", 1) for word in words)
+    lines = tasks.lines_of(name, given)
+    if not any(map(_STARTS.search, lines)) or any(map(_DOCKER.search, lines)):
+        return None
+    before = (each for each in tasks.needed_by(name) if _TASK.fullmatch(each) and not _NOT_FIRST.fullmatch(each))
+    made = [line for each in before for line in tasks.lines_of(each, given) if not _OTHERWISE.search(line)]
+    return joined([_OF_VENV.sub("", line) for line in (*made, *lines)])

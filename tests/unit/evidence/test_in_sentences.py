@@ -1,0 +1,67 @@
+"""Commands that a sentence names without a mark of code."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from hanging import ends
+from roslab.evidence.prose.in_sentences import in_sentence
+from roslab.pipeline import plan_repository
+
+FILES = {
+    "main.py": "import numpy\nif __name__ == '__main__':\n    print('a')\n",
+    "other.py": "if __name__ == '__main__':\n    print('a')\n",
+    "run.sh": "echo a\n",
+    "requirements.txt": "numpy\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("said", "command"),
+    [
+        ("Run **python main.py --fast** to start.", "python main.py --fast"),
+        ("Use **python main.py** to start and **python other.py** for more.", "python main.py"),
+        ("Start it by **bash run.sh** now.", "bash run.sh"),
+        ("<code>python main.py --fast</code> starts it.", "python main.py --fast"),
+        ("To run the demo use python main.py --data a.npz --fast.", "python main.py --data a.npz --fast"),
+        ("**Run:** python main.py --data few", "python main.py --data few"),
+        ('You can use "python main.py --fast" to start.', "python main.py --fast"),
+    ],
+)
+def test_a_sentence_runs(tmp_path: Path, said: str, command: str) -> None:
+    assert command_of(tmp_path, said) == tuple(command.split())
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Do not use python main.py.",
+        "Use the path with which python main.py is run.",
+        "**Note**: if python main.py fails, start **again**.",
+        "If **python main.py** fails, reboot.",
+        "**Important:** main.py reads a file.",
+        "Use **main** and **python**.",
+    ],
+)
+def test_a_sentence_that_runs_nothing(tmp_path: Path, said: str) -> None:
+    assert command_of(tmp_path, said) == ("bash",)
+
+
+def test_a_command_in_bold_letters_installs(tmp_path: Path) -> None:
+    for name, text in {**FILES, "README.md": "# Usage\n\nCall **pip install einops** before.\n"}.items():
+        (tmp_path / name).write_text(text)
+    assert "einops" in plan_repository(tmp_path).plan.python.pip_guessed
+
+
+def test_a_long_line_takes_no_long_time() -> None:
+    with ends():
+        for line in ("run python a.py " + "-a b.c " * 600 + "(", "run " * 1_500 + "python a.py x", "**python a" * 500):
+            assert not [*in_sentence(line)]
+
+
+def command_of(folder: Path, said: str) -> tuple[str, ...] | str:
+    for name, text in {**FILES, "README.md": f"# Demo\n\n## Usage\n\n{said}\n"}.items():
+        (folder / name).write_text(text)
+    return plan_repository(folder).plan.run.command
