@@ -46,6 +46,6 @@ class PythonProject:
 
     @property
     def refused(self) -> bool:
-        """Its backend finds no module to install, or its setup.py stops."""
+        """Its backend finds no module to install, its setup.py stops, or it is a Pipfile."""
         refused = bool(self.name) and not self.installable and self.file.endswith("pyproject.toml")
-        return refused or bool(self.stopped)
+        return refused or bool(self.stopped) or self.file.endswith("Pipfile")

@@ -31,7 +31,8 @@ def reasons_of(chosen: Chosen, alone: Iterable[Requirement]) -> Iterator[Reason]
         why = "installable project" if project.folder not in sought else "imported, and the submodule is called like it"
         yield because("dependencies", project.folder or ".", why, project, weight=Weight.MANIFEST)
     for asked in chosen.declared:
-        why = f"{asked.file} declares it; what builds the project stops at it"
+        stops = "" if asked.file.endswith("Pipfile") else "; what builds the project stops at it"
+        why = f"{asked.file} declares it{stops}"
         yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)
     for asked in chosen.guessed:
         why = (

@@ -1,7 +1,10 @@
-"""Releases that a lock at the root, or of the one project of a tree, names: uv.lock, poetry.lock, pdm.lock.
+"""Releases that a lock at the root, or of the one project of a tree, names.
+
+They are uv.lock, poetry.lock, pdm.lock and pipenv's Pipfile.lock.
 
 https://docs.astral.sh/uv/concepts/projects/layout/#the-lockfile, https://python-poetry.org/docs/basic-usage/ and
-https://pdm-project.org/latest/usage/lockfile/, read 2026-11-23. All three are TOML with a table for each release.
+https://pdm-project.org/latest/usage/lockfile/, read 2026-11-23.
+The first three are TOML with a table for each release.
 """
 
 from __future__ import annotations
@@ -14,13 +17,14 @@ from typing import Any
 
 from roslab.evidence import places
 from roslab.evidence.locked import Locked
+from roslab.evidence.python import pipfile
 from roslab.repository.checkout import Repository
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement_line import stated
 from roslab.values.version import version_of
 
-LOCKS = ("uv.lock", "poetry.lock", "pdm.lock")
+LOCKS = ("uv.lock", "poetry.lock", "pdm.lock", pipfile.LOCK)
 _INDEXES = frozenset({"registry", "legacy", "pypi"})
 """What uv and Poetry call an index: what comes from elsewhere is no release."""
 _ELSEWHERE = frozenset({"git", "path", "url"})
@@ -51,9 +55,12 @@ def read(repository: Repository) -> tuple[Locked, ...]:
     file = next((name for name in LOCKS if repository.has(name)), None) or _of_the_project(repository)
     if file is None:
         return ()
+    text = repository.read(file)
+    if file.endswith(pipfile.LOCK):
+        every = (_release(table, file, line, "") for table, line in pipfile.locked(text))
+        return tuple(each for each in every if each)
     from roslab.values import toml  # noqa: PLC0415 - few trees have a lock
 
-    text = repository.read(file)
     try:
         packages = toml.parsed(_thinned(text)).get("package")
     except ValueError:
@@ -71,7 +78,7 @@ def _of_the_project(repository: Repository) -> str | None:
     found = [file for name in LOCKS for file in repository.named(name)]
     if len(found) != 1 or places.aside(found[0].path) or repository.named("package.xml"):
         return None
-    projects = [*repository.named("pyproject.toml"), *repository.named("setup.py")]
+    projects = repository.named("pyproject.toml", "setup.py", pipfile.NAME)
     folder = found[0].folder
     beside = any(file.folder == folder for file in projects)
     return found[0].path if beside and all(file.path.startswith(f"{folder}/") for file in projects) else None

@@ -5,7 +5,8 @@ https://python-poetry.org/docs/dependency-specification/.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from roslab.values.name import canonicalize_name
@@ -102,3 +103,14 @@ def _conditions(said: dict[str, Any]) -> Iterator[str]:
 def _first(version: str) -> str:
     """Return the first of several alternatives: pip has no notation for them."""
     return version.partition("||")[0].strip()
+
+
+def finder_of_keys(text: str) -> Callable[[str], int]:
+    """Return a function that tells the line of Poetry's key for a requirement."""
+
+    def line_of(wanted: str) -> int:
+        name = re.match(r"[\w.-]*", wanted)
+        found = re.search(rf"^[ \t]*[\"']?{re.escape(name[0] if name else wanted)}[\"']?[ \t]*=", text, re.MULTILINE)
+        return text.count("\n", 0, found.start()) + 1 if found else 1
+
+    return line_of

@@ -1,13 +1,12 @@
-"""setup.py, setup.cfg and pyproject.toml, read without running them: one project per folder."""
+"""setup.py, setup.cfg, pyproject.toml and Pipfile, read without running them: one project per folder."""
 
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from roslab.evidence.python import requirements
+from roslab.evidence.python import pipfile, requirements
 from roslab.evidence.python.console_scripts import modules_of, startable
 from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python_project import PythonProject
@@ -25,8 +24,8 @@ _SETUP = pattern(r"\bsetup\s*\(")
 def read(repository: Repository) -> tuple[PythonProject, ...]:
     """Return every folder that Python's packaging tools know, sorted by path."""
     folders: dict[str, dict[str, str]] = {}
-    for file in repository.named("setup.py", "setup.cfg", "pyproject.toml"):
-        if file.name == file.name.lower():
+    for file in repository.named(*_READERS):
+        if file.name in _READERS:
             folders.setdefault(file.folder, {})[file.name] = file.path
     found = (_project(repository, folder, files) for folder, files in sorted(folders.items()))
     return tuple(project for project in found if project)
@@ -44,12 +43,14 @@ def not_by_pip(projects: Iterable[PythonProject]) -> Iterator[Requirement]:
 
 def _project(repository: Repository, folder: str, files: dict[str, str]) -> PythonProject | None:
     parts: list[PythonProject] = []
-    for name, reader in (("pyproject.toml", _pyproject), ("setup.py", _setup_py), ("setup.cfg", _setup_cfg)):
+    for name, reader in _READERS.items():
         if name in files and (text := repository.read(files[name], limit=MAX_SIZE)):
             project = reader(repository, files[name], folder, text)
             if project is not None:
                 parts.append(project)
     parts.sort(key=lambda part: not (part.installable or (part.stopped and part.file.endswith("pyproject.toml"))))
+    if parts and not (parts[0].installable or parts[0].requirements or parts[0].stopped):
+        parts.sort(key=lambda part: not part.file.endswith("Pipfile"))  # the other only configures tools
     if not parts:
         return None
     first, *rest = parts
@@ -89,17 +90,6 @@ def _finder(text: str) -> Callable[[str], int]:
     def line_of(wanted: str) -> int:
         position = text.find(wanted)
         return text.count("\n", 0, position) + 1 if position >= 0 else 1
-
-    return line_of
-
-
-def _finder_of_keys(text: str) -> Callable[[str], int]:
-    """Return a function that tells the line of Poetry's key for a requirement."""
-
-    def line_of(wanted: str) -> int:
-        name = re.match(r"[\w.-]*", wanted)
-        found = re.search(rf"^[ \t]*[\"']?{re.escape(name[0] if name else wanted)}[\"']?[ \t]*=", text, re.MULTILINE)
-        return text.count("\n", 0, found.start()) + 1 if found else 1
 
     return line_of
 
@@ -260,10 +250,10 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         asked += _listed(each, path, line_of, extra=GROUP + name)
     own = _table(of_poetry, "dependencies")
     python = project.get("requires-python") or poetry.python(own)
-    asked += _listed(poetry.lines(own), path, _finder_of_keys(text))
+    asked += _listed(poetry.lines(own), path, poetry.finder_of_keys(text))
     for extra, names in _table(of_poetry, "extras").items():
         lines = poetry.lines(own, extra=frozenset(map(str, names)) if isinstance(names, list) else frozenset())
-        asked += _listed(lines, path, _finder_of_keys(text), extra=extra)
+        asked += _listed(lines, path, poetry.finder_of_keys(text), extra=extra)
     scripts = {**_table(of_poetry, "scripts"), **_table(project, "scripts")}
     build = _listed(_list(_table(data, "build-system"), "requires"), path, line_of)
     name = project.get("name") or of_poetry.get("name")
@@ -286,6 +276,9 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
         version_by=tuple(dict.fromkeys(version_by(data))),
         groups=tuple(_listed([*uv.default_groups(data), *poetry.default_groups(of_poetry)], path, line_of)),
     )
+
+
+_READERS = {"pyproject.toml": _pyproject, "setup.py": _setup_py, "setup.cfg": _setup_cfg, "Pipfile": pipfile.project}
 
 
 def _table(data: Any, *keys: str) -> dict[str, Any]:
