@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable
 
 from roslab.decide.candidate import Candidate, program_of
 from roslab.decide.outputs import writes
+from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
 
 _FILE = pattern(
@@ -33,6 +34,12 @@ def absent(argv: tuple[str, ...], files: Collection[str], fetched: Iterable[str]
         if not any(path == each or path.startswith(f"{each}/") for each in there):
             found += [word] if option or not named else [before, word]
     return tuple(found)
+
+
+def brought_files(evidence: Evidence) -> set[str]:
+    """Return the files and folders of the tree that pages download, and what they copy from other files."""
+    fetched = {file for m in evidence.mentions if m.topic in {"fetched", "unpacked"} for file in m.files} - {"", "."}
+    return fetched | {m.value for m in evidence.mentions if m.topic == "copied"}
 
 
 def variant(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator, Mapping
 
 from roslab.config.model import Kind
-from roslab.decide.absent import absent
+from roslab.decide.absent import absent, brought_files
 from roslab.decide.blank_launches import LAUNCH, pointed_launches, with_a_launch_file, with_the_one_named
 from roslab.decide.candidate import Candidate, demanded, inside_of, is_component, program_of
 from roslab.decide.filled_in import PLACEHOLDER, filled
@@ -114,7 +114,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
     )
     made = [m for m in evidence.mentions if m.topic == "made" and m.source == "readme"]
     options = {(m.file, m.value): m.text for m in evidence.mentions if m.topic == "option"}
-    fetched = {file for m in evidence.mentions if m.topic in {"fetched", "unpacked"} for file in m.files} - {"", "."}
+    fetched = brought_files(evidence)
     fetching = {m.inside for m in evidence.mentions if m.topic == "fetched" and m.inside}
     pointed = pointed_launches(evidence)
     beside = tree.compiled if compiled and not ros else {}  # programs that a page starts in its build folder

@@ -13,6 +13,7 @@ from roslab.evidence.prose import (
     container_scripts,
     container_starts,
     copied_headers,
+    copied_settings,
     for_reference,
     laid_as_sources,
     libtorch,
@@ -38,7 +39,14 @@ MENTIONED = (
     *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
     *(asked_options.read, matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
     *(optional_ros.read, own_spelling.read, started_by_scripts.calls, started_programs.read, templates.read),
-    *(cuda_paths.read, container_scripts.read, copied_headers.read, libtorch.in_scripts, simulator_folders.read),
+    *(
+        cuda_paths.read,
+        container_scripts.read,
+        copied_headers.read,
+        copied_settings.read,
+        libtorch.in_scripts,
+        simulator_folders.read,
+    ),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read)

@@ -15,7 +15,7 @@ from roslab.decide.reasons import because, page_of, warn
 from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.by_make import builds_all
-from roslab.decide.system.copied_headers import with_copied_headers
+from roslab.decide.system.copied_files import with_copied_files
 from roslab.decide.system.inside import meant
 from roslab.decide.system.made_by_pages import with_made_by_pages
 from roslab.decide.system.names import Target
@@ -52,7 +52,7 @@ def decide_scripts(
     *,
     target: Target,
 ) -> Choice[tuple[OwnScript, ...]]:
-    """Return the steps that compile beside the project, after the copies of headers from their templates.
+    """Return the steps that compile beside the project, after the copies of headers and settings.
 
     ``projects``: folders that pip installs editable, which compiles what their setup.py does. None where the author
     builds by commands of his own.
@@ -61,7 +61,7 @@ def decide_scripts(
         return Choice(answer=())
     compiled = frozenset((*(folder for folder, _ in inside.answer), *(reason.file for reason in inside.reasons)))
     choice = _compiling(evidence, config, kind, compiled, projects, target=target)
-    return choice if kind == "python" else with_copied_headers(choice, evidence)
+    return with_copied_files(choice, evidence)
 
 
 def _compiling(

@@ -56,7 +56,7 @@ def read(repository: Repository) -> Iterator[Mention]:
             found.add(made)
             line = text.count("\n", 0, match.start()) + 1
             yield Mention(
-                topic="copied_header",
+                topic="copied",
                 value=made,
                 source="readme",
                 file=file.path,
