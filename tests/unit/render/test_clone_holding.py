@@ -223,3 +223,42 @@ def test_what_is_there_needs_no_clone_for_others_alone(tmp_path: Path, remote: P
     said, found, _ = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_y", "--also", "quad_viewer")
     assert "is not needed: the workspace has quad_y" in said
     assert found == ["mine"]
+
+
+@pytest.mark.parametrize(
+    ("cmake", "config", "kept"),
+    [
+        ("cmake_minimum_required(VERSION 3.5)\nproject(\n  Quad-Map VERSION 3)\nproject(other)\n", "", True),
+        ("project(other)\n", "cmake/quad_mapConfig.cmake.in", True),
+        ("project(other) # project(quad_map)\n", "", False),
+        ("", "quad_map-config.cmake", False),
+    ],
+)
+def test_a_library_of_plain_cmake_that_is_called_so_is_kept(
+    tmp_path: Path, cmake: str, config: str, kept: bool
+) -> None:
+    library = tmp_path / "remote"
+    library.mkdir()
+    for file, text in (("CMakeLists.txt", cmake), (config, "set(X 1)\n")):
+        if file and text:
+            (library / file).parent.mkdir(exist_ok=True)
+            (library / file).write_text(text)
+    (library / "README").write_text("a map\n")
+    _git(library, "init", "--quiet")
+    _git(library, "add", ".")
+    _git(library, "commit", "--quiet", "--message", "first")
+    said, _, _ = _run(tmp_path, library.as_uri(), f"{tmp_path}/ws/src/remote", "quad_map")
+    noted = tmp_path / "ws/src/remote/.git/roslab-plain"
+    assert ("is quad_map, a library of plain CMake" in said, noted.exists()) == (kept, kept)
+    assert ("it holds no package called quad_map" in said) is not kept
+    if kept:
+        said, _, _ = _run(tmp_path, library.as_uri(), f"{tmp_path}/ws/src/again", "quad_map")
+        assert "is not needed: the workspace has quad_map" in said
+
+
+def test_a_library_beside_packages_is_none_of_plain_cmake(tmp_path: Path, remote: Path) -> None:
+    (remote / "CMakeLists.txt").write_text("project(quad_map)\n")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "second")
+    said, _, _ = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_map")
+    assert "it holds no package called quad_map" in said

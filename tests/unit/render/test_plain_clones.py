@@ -15,6 +15,22 @@ from roslab.render.dockerfile import dockerfile
 SCRIPT = Path(image_scripts.__path__[0]) / "install-plain-clones.sh"
 
 
+def _installed(tmp_path: Path, configure: str, *words: str) -> str:
+    """Run the script with a stand-in of the script that configures a library; return what it says."""
+    (tmp_path / "opt").mkdir()
+    (tmp_path / "opt/setup.bash").touch()
+    script = SCRIPT.read_text().replace("/opt/ros/${ROS_DISTRO}", str(tmp_path / "opt"))
+    script = script.replace("/usr/local/share/roslab", str(tmp_path))
+    stand_ins = {"configure-library": configure, "make": "exit 0", "compile-jobs": "echo 1", "ldconfig": "exit 0"}
+    (tmp_path / "bin").mkdir()
+    for name, body in stand_ins.items():
+        (tmp_path / "bin" / name).write_text(f"#!/bin/bash\n{body}\n")
+        (tmp_path / "bin" / name).chmod(0o755)
+    path = {"PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}"}
+    done = subprocess.run(["bash", "-c", script, "x", *words], env=path, capture_output=True, text=True, check=True)
+    return done.stdout
+
+
 def test_only_what_has_no_package_is_compiled(tmp_path: Path) -> None:
     for name in ("stonefish", "broken", "sister/inner"):
         (tmp_path / name).mkdir(parents=True)
@@ -22,26 +38,42 @@ def test_only_what_has_no_package_is_compiled(tmp_path: Path) -> None:
     (tmp_path / "sister/CMakeLists.txt").write_text("project(x)\n")
     (tmp_path / "sister/inner/package.xml").write_text("<package><name>inner</name></package>\n")
     (tmp_path / "words").mkdir()
-    (tmp_path / "opt").mkdir()
-    (tmp_path / "opt/setup.bash").touch()
-    script = SCRIPT.read_text().replace("/opt/ros/${ROS_DISTRO}", str(tmp_path / "opt"))
-    script = script.replace("/usr/local/share/roslab", str(tmp_path))
-    stand_ins = {
-        "configure-library": f'echo "$2" >>{tmp_path}/calls\n[[ "$2" != *broken ]]',
-        "make": "exit 0",
-        "compile-jobs": "echo 1",
-        "ldconfig": "exit 0",
-    }
-    (tmp_path / "bin").mkdir()
-    for name, body in stand_ins.items():
-        (tmp_path / "bin" / name).write_text(f"#!/bin/bash\n{body}\n")
-        (tmp_path / "bin" / name).chmod(0o755)
     folders = [str(tmp_path / name) for name in ("stonefish", "broken", "sister", "words", "gone")]
-    path = {"PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}"}
-    done = subprocess.run(["bash", "-c", script, "x", *folders], env=path, capture_output=True, text=True, check=True)
-    assert (tmp_path / "calls").read_text().split() == folders[:2]
-    assert "roslab: left out: broken cannot be compiled" in done.stdout
+    said = _installed(tmp_path, f'echo "$2" >>{tmp_path}/calls\n[[ "$2" != *broken ]]', *folders)
+    assert (tmp_path / "calls").read_text().split() == [*folders[:2], folders[1]]
+    assert "roslab: left out: broken cannot be compiled" in said
     assert (tmp_path / "left-out.txt").read_text() == "source broken\n"
+
+
+def test_what_another_one_needs_is_installed_before_it(tmp_path: Path) -> None:
+    for name in ("quad_map", "quad_map_core", "unasked"):
+        (tmp_path / "src" / name / ".git").mkdir(parents=True)
+        (tmp_path / "src" / name / "CMakeLists.txt").write_text("project(x)\n")
+        if name != "unasked":
+            (tmp_path / "src" / name / ".git/roslab-plain").write_text(f"{name}\n")
+    calls = tmp_path / "calls"
+    needs = f'[[ "$2" = *core ]] || grep --quiet core {calls} || exit 1\necho "$(basename "$2")" >>{calls}'
+    (tmp_path / "calls").touch()
+    said = _installed(tmp_path, needs, "--in", str(tmp_path / "src"))
+    assert (tmp_path / "calls").read_text().split() == ["quad_map_core", "quad_map"]
+    assert "left out" not in said
+    assert sorted(each.parent.name for each in tmp_path.rglob("COLCON_IGNORE")) == ["quad_map", "quad_map_core"]
+
+
+def test_the_image_does_so_for_what_is_only_tried(tmp_path: Path) -> None:
+    package = (
+        "<package><name>demo</name><depend>quad_map</depend><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    )
+    (tmp_path / "package.xml").write_text(package)
+    (tmp_path / "CMakeLists.txt").write_text(
+        "project(demo)\nfind_package(ament_cmake)\nfind_package(quad_map REQUIRED)\n"
+    )
+    (tmp_path / ".git").mkdir()
+    (tmp_path / ".git/config").write_text('[remote "origin"]\n\turl = https://github.com/lab/demo\n')
+    (tmp_path / ".git/HEAD").write_text("ref: refs/heads/humble\n")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert "\nRUN clone-holding" in text
+    assert "\nRUN install-plain-clones --in /home/${NB_USER}/ws/src\n" in text
 
 
 @pytest.mark.parametrize(

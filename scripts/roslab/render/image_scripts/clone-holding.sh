@@ -2,7 +2,8 @@
 # usage: clone-holding [--ros1|--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE... [--also PACKAGE...]
 # Clones to a folder of the workspace a repository that may hold packages which nothing else brings. What does not answer,
 # or holds none of those that the workspace lacks, is named and left out. Of the others in it, only those that these need
-# are compiled.
+# are compiled. A project of CMake without any package.xml that is called so is kept, too: install-plain-clones knows it by
+# what is noted in its folder of git.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
 #   --ref REF        a branch, tag or commit
 #   --branch BRANCH  a branch, which may be gone
@@ -44,7 +45,11 @@ leave_out() {
 if [ -d "${workspace}" ]; then # a clone of before may have one, hidden because nothing needed it then
   workspace-packages show "${workspace}" "$@" "${also[@]}" | sed 's/^/roslab: no longer hidden: /'
 fi
-lacks() { [ ! -d "${workspace}" ] || [ -z "$(workspace-packages needed "${workspace}" "$1")" ]; }
+lacks() {
+  if [ ! -d "${workspace}" ]; then return 0; fi
+  if grep --quiet --no-messages --line-regexp --fixed-strings "$1" "${workspace}"/*/.git/roslab-plain; then return 1; fi
+  [ -z "$(workspace-packages needed "${workspace}" "$1")" ]
+}
 lacking=()
 for package in "$@"; do
   if lacks "${package}"; then lacking+=("${package}"); fi
@@ -88,7 +93,27 @@ beneath() {
   done
   return 1
 }
+# Prints those that a plain project of CMake is called, or by which it has itself found
+plain() {
+  if [ ! -f "${folder}/CMakeLists.txt" ] || [ -n "$(find "${folder}" -name .git -prune -o -name package.xml -print -quit)" ]; then return; fi
+  local package called
+  called="$({ sed 's/#.*//' "${folder}/CMakeLists.txt" | tr '\n\t\r"' '    ' |
+    grep --only-matching --ignore-case --extended-regexp '(^|[ )])project *\( *[A-Za-z0-9_.+-]+' || true; } | sed --quiet '1s/.*[( ]//p')"
+  for package in "${lacking[@]}"; do
+    if [ "$(tr '_-' '  ' <<<"${called,,}")" = "$(tr '_-' '  ' <<<"${package,,}")" ] ||
+      [ -n "$(find "${folder}" -name .git -prune -o \( -iname "${package}config.cmake*" -o -iname "${package}-config.cmake*" \) -print -quit)" ]; then
+      echo "${package}"
+    fi
+  done
+}
 look
+mapfile -t plain < <(plain)
+if [ "${#kept[@]}" -eq 0 ] && [ "${#plain[@]}" -gt 0 ]; then
+  git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
+  printf '%s\n' "${plain[@]}" >"${folder}/.git/roslab-plain"
+  echo "roslab: ${url} is ${plain[*]}, a library of plain CMake"
+  exit 0
+fi
 if [ "${#kept[@]}" -gt 0 ] || beneath; then
   git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
   look

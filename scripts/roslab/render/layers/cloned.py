@@ -117,13 +117,18 @@ def _called(script: str, source: Source) -> str:
 
 
 def plain_clones(plan: Plan) -> str:
-    """Compile what CMake of the workspace asks for by its name, where it turns out to be no package of ROS."""
+    """Compile what CMake of the workspace asks for by its name, where it turns out to be no package of ROS.
+
+    So may be what is only tried: the script that clones it notes which.
+    """
     folders = [quote.shell_with_user(f"{WS}/src/{s.name}") for s in plan.workspace.sources if s.unread]
-    if not folders:
+    noted = f" --in {WS}/src" if any(s.holding for s in plan.workspace.sources) else ""
+    if not folders and not noted:
         return ""
     scripts = "".join(map(shell.copy_script, (CONFIGURE, "compile-jobs")))
     comment = "Clones without a package.xml, which catkin passes by"
-    return f"USER root\n{shell.call(PLAIN, ''.join(f' {each}' for each in folders), comment=comment, before=scripts)}"
+    words_of_call = noted + "".join(f" {each}" for each in folders)
+    return f"USER root\n{shell.call(PLAIN, words_of_call, comment=comment, before=scripts)}"
 
 
 def submodules(plan: Plan) -> str:
