@@ -122,7 +122,8 @@ def test_a_test_that_fails_gives_no_name(
 @pytest.mark.parametrize("example", ["no_config"], indirect=True)
 def test_a_compiler_error_is_told(roslab: Callable[..., CompletedProcess[str]], lab: Laboratory, example: Path) -> None:
     (example / "src" / "align.cpp").write_text("#include <no_such_header.hpp>\nint main() {}\n")
-    answer = roslab("build", example, "--tag", "repro-lab-broken", env=lab.environment, timeout=1800)
+    words = ("build", example, "--tag", "repro-lab-broken", "--no-repair")
+    answer = roslab(*words, env=lab.environment, timeout=1800)
     assert answer.returncode == 5
     assert answer.stdout == ""
     assert "no_such_header.hpp: No such file or directory" in answer.stderr
