@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import git_folder, matlab, started_programs, submodules
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import cloned_heads, cuda_paths, shared_objects, templates
+from roslab.evidence.native import cloned_heads, cuda_paths, makefile_options, shared_objects, templates
 from roslab.evidence.prose import (
     asked_options,
     branch_tables,
@@ -47,6 +47,7 @@ MENTIONED = (
         libtorch.in_scripts,
         simulator_folders.read,
     ),
+    makefile_options.read,
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read)

@@ -24,6 +24,9 @@ _UNDECLARED = pattern(r"(?:[A-Z0-9]+_)??(?:BUILD|COMPILE|ENABLE|MAKE|USE|WITH)_(
 """What an option is called that no ``option`` declares: unset, it is off."""
 
 
+_MAKEFILES = frozenset({"GNUmakefile", "makefile", "Makefile"})
+_BUILDS = pattern(r"(?:build|compile|make)(?:[-_](?:all|linux|project|release))?\.(?:sh|bash)")
+"""A script at the root that builds the project."""
 _OF_ROS: frozenset[BuildTool] = frozenset({"catkin_make", "catkin_make_isolated", "catkin_tools", "colcon"})
 _GPU = pattern(r"-D\w*(?:CUDA|GPU|TENSORRT|TRT)\w*(?::[A-Z]+)?=(?!OFF|0|FALSE|NO)", re.IGNORECASE)
 """An option that a page has for machines with a GPU."""
@@ -31,6 +34,8 @@ _GPU = pattern(r"-D\w*(?:CUDA|GPU|TENSORRT|TRT)\w*(?::[A-Z]+)?=(?!OFF|0|FALSE|NO
 
 def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool: BuildTool) -> tuple[str, ...]:
     """Return the options of the first ``cmake`` that a page at the root runs for the repository, not for a library.
+
+    Where that has none, those of the Makefile there, or of a script that builds.
 
     ``folder_name`` is the repository's name, into whose folder the page may go. Of a workspace of ROS, what the first
     call of its build tool on such a page gives CMake, and what catkin_tools was told to keep before it; where that
@@ -42,7 +47,8 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
         return (*meant, *_of_workspace(evidence, config, build_tool))
     if build_tool != "cmake":
         return ()
-    own = tuple(word for word in _said(evidence, config, folder_name) if _OWN.fullmatch(word))
+    said = [word for word in _said(evidence, config, folder_name) if word.startswith("-D")]
+    own = tuple(word for word in said if _OWN.fullmatch(word)) if said else _by_author(evidence, config)
     return (*meant, *own, *_of_programs(evidence, config, own))
 
 
@@ -104,3 +110,18 @@ def _said(evidence: Evidence, config: Config, folder_name: str) -> list[str]:
         if of_page and own and not config.compatible:
             return said.text.split()
     return []
+
+
+def _by_author(evidence: Evidence, config: Config) -> tuple[str, ...]:
+    """Return the options of the project's own that its Makefile at the root gives CMake, else its script that builds.
+
+    A Makefile gives those of its own folders, too.
+    """
+    said = [m for m in evidence.mentions if m.topic == "compiled" and m.source == "script" and m.value == "."]
+    if config.compatible or not said:
+        return ()
+    made = next((m.text.split() for m in said if m.file in _MAKEFILES), None)
+    if made is not None:
+        return tuple(made)
+    built = next((m.text.split() for m in said if _BUILDS.fullmatch(m.file)), [])
+    return tuple(word for word in built if _OWN.fullmatch(word))
