@@ -29,6 +29,7 @@ from roslab.decide.python.paths import python_path
 from roslab.decide.python_in_scripts import decide_python_in_scripts
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
+from roslab.decide.ros.hidden_packages import decide_hidden
 from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.included_interfaces import included_interfaces
 from roslab.decide.ros.keys import by_pip
@@ -117,6 +118,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         evidence, config, of.packages, of.layout.answer, of.build_tool.answer, image=of.base.answer.image
     )
     without = goes_without(of, evidence, config)
+    hidden = decide_hidden(
+        evidence, config, of.packages, of.build_tool.answer, command=of.command.answer.command, left_out=of.left_out
+    )
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),
@@ -140,7 +144,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             ()
             if of.own.answer
             else (
-                *(of.repositories, of.scripts, without.missing, not_there),
+                *(of.repositories, of.scripts, without.missing, not_there, hidden),
                 *(of.steps, of.variables, of.downloads, of.clones_day),
             )
         ),
@@ -225,7 +229,10 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             needed=without.needed,
         ),
         left_out=of.left_out,
-        ignored=() if of.own.answer else marked(of.build_tool.answer, of.missing.answer, of.packages, evidence),
+        ignored=()
+        if of.own.answer
+        else (*hidden.answer.above, *marked(of.build_tool.answer, of.missing.answer, of.packages, evidence)),
+        hidden=() if of.own.answer else hidden.answer.folders,
         ended=of.missing.answer.ended,
         not_there=() if of.own.answer else not_there.answer,
         lacking=() if of.own.answer else of.missing.answer.lacking,

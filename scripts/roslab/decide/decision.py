@@ -210,6 +210,8 @@ class Decision:
     """The compilers that it names there: the variable and the program."""
     ignored: tuple[str, ...] = ()
     """Folders of packages that are not built, for a build tool that would stop at them."""
+    hidden: tuple[str, ...] = ()
+    """Folders of packages that are built and to which the build tool does not come by itself."""
     not_there: tuple[str, ...] = ()
     """Folders (``a/b/``) and files that packages install and the repository does not have: made, empty."""
     lacking: tuple[tuple[str, tuple[str, ...]], ...] = ()

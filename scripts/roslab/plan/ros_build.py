@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterator
+from posixpath import relpath
 from typing import Literal, get_args
 
 from roslab.config.model import Config, Source, WorkspaceTool
@@ -61,8 +62,8 @@ class RosBuild:
     and name an older standard are compiled with this one."""
 
 
-def ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) -> RosBuild:
-    """Return how the workspace is compiled; ``sisters`` are cloned into it."""
+def ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...], folder: str) -> RosBuild:
+    """Return how the workspace is compiled; ``sisters`` are cloned into it, ``folder`` is the repository's."""
     # Where the repository is no package of the workspace, the tool is its sisters', and the options are its cmake's
     tools = (decision.build_tool, *(source.build for source in sisters))
     default: RosTool = "catkin_make" if decision.kind == "ros1" else "colcon"
@@ -71,7 +72,14 @@ def ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...]) -
     of_sisters = dict.fromkeys(word for source in sisters for word in shlex.split(source.cmake_options))
     return RosBuild(
         tool=tool,
-        arguments=(*_of_rosmake(decision), *config.build_args, *skipping(tool, decision.left_out)) if own else (),
+        arguments=(
+            *_of_rosmake(decision),
+            *config.build_args,
+            *skipping(tool, decision.left_out),
+            *_told(decision, folder),
+        )
+        if own
+        else (),
         cmake_options=(*(own_options(decision, config) if own else ()), *of_sisters),
         setup=f"{WORKSPACE}/{_SETUP[tool]}",
         ignored=decision.ignored if own else (),
@@ -91,6 +99,13 @@ def _unsure(sisters: tuple[Source, ...]) -> Iterator[str]:
     yield from (
         source.name for source in sisters if source.build != "cmake" and address(source.repo or "") not in single
     )
+
+
+def _told(decision: Decision, folder: str) -> tuple[str, ...]:
+    """Return the arguments that tell colcon the packages to which it does not come from the workspace."""
+    if not decision.hidden:
+        return ()
+    return ("--base-paths", ".", *(relpath(f"{folder}/{each}", WORKSPACE) for each in decision.hidden))
 
 
 def _of_rosmake(decision: Decision) -> tuple[str, ...]:

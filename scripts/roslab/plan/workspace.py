@@ -132,7 +132,7 @@ def workspace(
         links.append(("catkin_ws", WORKSPACE))
         if in_workspace and name not in (WORKSPACE, "catkin_ws"):
             links.append((name, folder))
-    build = ros_build(decision, config, sisters) if ros and (in_workspace or sisters) else None
+    build = ros_build(decision, config, sisters, folder) if ros and (in_workspace or sisters) else None
     if build and folder.startswith(f"{WORKSPACE}/src/") and not config.compatible:
         written = build.setup.removeprefix(f"{WORKSPACE}/").partition("/")[0]
         where = {

@@ -31,7 +31,7 @@ CUDA = (
         ({"ws/src/node/docker/CMakeLists.txt": CUDA}, ()),
         ({"rusty/package.xml": SHARE.format("rusty", "ament_cargo"), "rusty/Cargo.toml": "[package]\n"}, ()),
         ({"package.xml": SHARE.format("whole", "ament_cmake")}, ()),
-        ({"ws/CMakeLists.txt": CUDA}, ()),
+        ({"ws/src/node/lib/CMakeLists.txt": CUDA}, ()),
     ],
 )
 def test_what_nothing_builds_is_marked(tree: Tree, files: dict[str, str], ignored: tuple[str, ...]) -> None:

@@ -59,7 +59,7 @@ def ignoring(source: str, build: RosBuild) -> Iterator[str]:
     """Yield the command that puts the marker of a build tool into the folders that it must not look into."""
     marker = "COLCON_IGNORE" if build.tool == "colcon" else "CATKIN_IGNORE"
     if build.ignored:
-        yield f"touch {' '.join(_within(source, f'{folder}/{marker}') for folder in build.ignored)}"
+        yield f"touch {' '.join(_within(source, f'{folder}/{marker}'.lstrip('/')) for folder in build.ignored)}"
 
 
 def _within(source: str, path: str) -> str:
