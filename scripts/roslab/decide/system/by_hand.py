@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Literal
 
@@ -27,6 +28,7 @@ from roslab.knowledge.code_limits import satisfies, version_of
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
+from roslab.values.words import written
 
 _SDK = pattern(r"_(?:sdk|cpp|library)$|(?<=[a-z]{3})lib$")
 
@@ -69,9 +71,10 @@ def _authored(evidence: Evidence, purpose: Literal["project", "ci"]) -> Iterator
 
 
 def _like(source: Source, git: GitSource, day: str) -> Source:
+    theirs = [shlex.quote(written(word)) for word in git.options.split()]
     said = {_named(word) for word in git.options.split()}
     ours = (word for word in source.cmake_options.split() if _named(word) not in said)
-    options = " ".join((*ours, git.options)).strip()
+    options = " ".join((*ours, *theirs))
     place = Place(file=git.file, line=git.line)
     if not (ref := fixed(git.ref)):
         return replace(source, cmake_options=options, place=place) if git.options else source

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import shlex
 from collections.abc import Collection, Iterator
 
 from roslab.config.model import Config, Kind
@@ -26,6 +27,7 @@ from roslab.evidence.makefile import Makefile
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
+from roslab.values.words import written
 
 WEIGHT = 300
 """Sources do not compete, so it only orders the report."""
@@ -191,7 +193,9 @@ def _part(project: CMakeProject, *, found: bool, options: str = "") -> OwnScript
     ``options`` are those of a page, of which paths of its author's computer are left out.
     """
     folder = project.file.rpartition("/")[0]
-    said = [word for word in options.split() if "=/" not in word and "CMAKE_BUILD_TYPE" not in word]
+    said = [
+        shlex.quote(written(word)) for word in options.split() if "=/" not in word and "CMAKE_BUILD_TYPE" not in word
+    ]
     cmake = " ".join(("cmake -DCMAKE_BUILD_TYPE=Release", *said, ".."))
     make = f'mkdir --parents build && cd build && {cmake} && make --jobs="$(compile-jobs)"'
     return OwnScript(folder=folder, path=project.file, command=f"{make} install" if found else make)

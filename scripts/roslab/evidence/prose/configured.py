@@ -13,9 +13,15 @@ from roslab.evidence.lex.shell import UNKNOWN
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
+from roslab.values.words import BLANK, joined, written
 
 _OPTION = pattern(r"-D(?!CMAKE_INSTALL_PREFIX=/usr/local/stow/)[A-Za-z_]\w*(?::[A-Z]*)?=[\w./+-]+")
 """Not the folder from which stow links all to /usr/local. https://www.gnu.org/software/stow/manual/stow.html"""
+_FLAGS = pattern(
+    r"(-DCMAKE_(?:C|CXX|EXE_LINKER|SHARED_LINKER)_FLAGS(?:_RELEASE)?)(?::[A-Z]*)?=(-[\w./+=,-]+(?: +-[\w./+=,-]+)*) *"
+)
+_OF_MACHINE = pattern(r"-m.+|-Werror\b.*")
+"""What is about the machine, or the release of the compiler, that its author has."""
 _SEPARATE = pattern(r" -D +(?=[A-Za-z_])")
 _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
 
@@ -43,9 +49,20 @@ def of_another(said: Mention, repository: Repository) -> bool:
 
 
 def options_of(words: Sequence[str]) -> str:
-    """Return the options of a call, ``-D GUI=ON`` written as one word, and ``-DGUI:=ON`` as ``-DGUI=ON``."""
-    joined = _SEPARATE.sub(" -D", " ".join(words)).split()
-    return " ".join(word.replace(":=", "=", 1) for word in joined if _OPTION.fullmatch(word))
+    """Return the options of a call, ``-D GUI=ON`` written as one word, and ``-DGUI:=ON`` as ``-DGUI=ON``.
+
+    Of flags of the compiler, those stay that do not ask for the author's machine; a sign stands for each blank in them.
+    """
+    apart = _SEPARATE.sub(" -D", joined(words)).split()
+    return " ".join(filter(None, map(_option, apart)))
+
+
+def _option(word: str) -> str:
+    """Return an option as it is kept, ``""`` for another word."""
+    if flags := _FLAGS.fullmatch(written(word)):
+        kept = BLANK.join(flag for flag in flags[2].split() if not _OF_MACHINE.fullmatch(flag))
+        return f"{flags[1]}={kept}" if kept else ""
+    return word.replace(":=", "=", 1) if _OPTION.fullmatch(word) else ""
 
 
 def preset_of(words: Sequence[str]) -> str:

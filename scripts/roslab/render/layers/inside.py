@@ -6,6 +6,7 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
 from roslab.render.layers.workspace import TIDY, source_folder, words
+from roslab.values.words import written
 
 _INSTALL = "cmake -P cmake_install.cmake"
 """What ``make install`` does after it has made everything, which it would make again: the objects are gone."""
@@ -31,7 +32,7 @@ def compile_inside(plan: Plan) -> str:
         build = quote.shell_with_user("/".join(filter(None, (source_folder(plan), folder, "build"))))
         unread = f"{folder}/".startswith(modules)
         given = ("-DCMAKE_BUILD_TYPE=Release", *([_NO_TESTS] if unread and _TESTS not in options else []))
-        cmake = f"cmake{words((*given, *options.split()))} .."
+        cmake = f"cmake{words((*given, *map(written, options.split())))} .."
         steps = [f"mkdir --parents {build}", f"cd {build}", cmake, f"make --jobs={shell.JOBS}", TIDY]
         installed = [f"cd {build}", _INSTALL, "ldconfig"]
         if unread:
