@@ -4,7 +4,7 @@ To compile the patterns of one plan takes an eighth of its time (``benchmarks/pl
 to keep them: here stands what its ``re.compile`` does, https://github.com/python/cpython/blob/3.11/Lib/re/_compiler.py,
 in two halves, the slow one of which is kept. Each kept form is of one pattern and one release of Python. These halves
 are private to Python: they are used in the releases in which they were seen to do what ``re.compile`` does, and in
-every other one patterns are compiled anew.
+every other one patterns are compiled anew. What is kept is the form that begins with a word (``word_first``).
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ if _KEEPS:
 
 MAX_KEPT = 3_000
 """Most patterns of a file: it begins anew where more came together, of versions of this program before."""
-_RELEASE = (sys.version, sys.byteorder)
-"""What the compiled form of a pattern depends on."""
+_RELEASE = (sys.version, sys.byteorder, "word first")
+"""What the compiled form of a pattern depends on, and how it is written before it is compiled."""
 _Form = tuple[int, bytes, int, dict[str, int], tuple[str | None, ...]]
 """Its flags, its code, how many groups it has, and their names in either direction."""
 _kept: dict[tuple[str, int], _Form] | None = None
@@ -35,7 +35,9 @@ _kept: dict[tuple[str, int], _Form] | None = None
 def compiled(source: str, flags: int) -> re.Pattern[str]:
     """Return what ``re.compile`` does, and raise what it raises."""
     if not _KEEPS:
-        return re.compile(source, flags)
+        from roslab.values.word_first import word_first  # noqa: PLC0415 - only where a pattern is compiled anew
+
+        return re.compile(word_first(source, flags), flags)
     forms = _forms()
     key = (source, int(flags))
     if key not in forms:
@@ -49,8 +51,11 @@ def compiled(source: str, flags: int) -> re.Pattern[str]:
 
 def _form(source: str, flags: int) -> _Form:
     """Return the slow half of ``re.compile``."""
-    parsed = _parser.parse(source, flags)
     from array import array  # noqa: PLC0415 - nothing is compiled where all patterns are kept
+
+    from roslab.values.word_first import word_first  # noqa: PLC0415 - as above
+
+    parsed = _parser.parse(word_first(source, flags), flags)
 
     code = array("I", _compiler._code(parsed, flags)).tobytes()
     state = parsed.state

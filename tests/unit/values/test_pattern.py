@@ -14,6 +14,7 @@ import pytest
 import roslab
 from roslab.values import kept_patterns
 from roslab.values.pattern import named_by, pattern, postponed
+from roslab.values.word_first import word_first
 
 
 def test_it_is_a_pattern() -> None:
@@ -95,7 +96,7 @@ def _read_again(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.skipif(sys.version_info[:2] not in kept_patterns.SEEN, reason="this Python keeps no patterns")
 def test_a_kept_pattern_is_what_re_compiles(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    given = [each._given for each in _patterns()]  # type: ignore[attr-defined]
+    given = [(word_first(*each._given), each._given[1]) for each in _patterns()]  # type: ignore[attr-defined]
     for source, flags in given:
         assert kept_patterns.compiled(source, flags) == re.compile(source, flags)
     _read_again(monkeypatch)
@@ -135,6 +136,50 @@ def test_a_folder_that_cannot_be_written_is_no_error(file: Path, monkeypatch: py
 
 def test_a_python_whose_halves_nobody_saw_compiles_anew(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kept_patterns, "_KEEPS", False)
-    assert kept_patterns.compiled("(a)b", 0) == re.compile("(a)b")
+    assert kept_patterns.compiled(r"\b(a)b", 0) == re.compile(r"(a(?<=\ba))b")
     kept_patterns._write()
     assert kept_patterns._kept is None
+
+
+@pytest.mark.parametrize(
+    ("source", "flags", "turned"),
+    [
+        (r"\bgit\b", 0, r"git(?<=\bgit)\b"),
+        (r"\b(?:wget|curl)\b", 0, r"(?:wget(?<=\bwget)|curl(?<=\bcurl))\b"),
+        (r"\b(foo|b[ar]r)\b", 0, r"(foo(?<=\bfoo)|b(?<=\bb)[ar]r)\b"),
+        (r"\bray\.tune\b|\bfrom[ \t]+ray", 0, r"ray\.tune(?<=\bray\.tune)\b|from(?<=\bfrom)[ \t]+ray"),
+        (r"(?<![\w./-])cp[ \t]+", 0, r"cp(?<=(?<![\w./-])cp)[ \t]+"),
+        (r"\b(?<!-)if", 0, r"if(?<=\b(?<!-)if)"),
+        (r"^from[ \t]", re.MULTILINE, r"from(?<=^from)[ \t]"),
+        (r"(?m)^(?:from|import)", 0, r"(?m)(?:from(?<=^from)|import(?<=^import))"),
+        (r"\bwandb?\.", 0, r"wand(?<=\bwand)b?\."),
+        (r"\bA[|)]x|c", 0, r"A(?<=\bA)[|)]x|c"),
+        (r"^from[ \t]", 0, None),  # the beginning of the text alone: there is nothing to look for
+        (r"\bgit\b", re.IGNORECASE, None),  # Python looks for no letters then
+        (r"(?i)\bgit\b", 0, None),
+        (r"\b git # a comment", re.VERBOSE, None),
+        (r"\b(?:ba)?sh\b", 0, None),
+        (r"\ba{2}", 0, None),
+        (r"\b(?:\w|a)", 0, None),
+        (r"\b(?i:git)", 0, None),
+        (r"\b(", 0, None),
+    ],
+)
+def test_a_pattern_is_written_with_its_word_first(source: str, flags: int, turned: str | None) -> None:
+    assert word_first(source, flags) == (turned or source)
+
+
+def test_a_pattern_with_its_word_first_finds_the_same() -> None:
+    root = Path(__file__).parents[3]
+    files = (*root.glob("*.md"), *root.glob("examples/*/*.*"), *root.glob("scripts/roslab/evidence/python/*.py"))
+    text = "\n".join(file.read_text(encoding="utf-8", errors="replace")[:4_000] for file in sorted(files)[:40])
+    changed = found = 0
+    for each in _patterns():
+        source, flags = each._given  # type: ignore[attr-defined]
+        turned = word_first(source, flags)
+        if turned != source:
+            expected = [(match.span(), match.groups()) for match in re.compile(source, flags).finditer(text)]
+            assert [(match.span(), match.groups()) for match in re.compile(turned, flags).finditer(text)] == expected
+            changed, found = changed + 1, found + len(expected)
+    assert changed > 100
+    assert found > 1_000
