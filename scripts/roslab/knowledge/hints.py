@@ -65,8 +65,12 @@ class Search(Generic[Row]):
             for hint in row.hints.each:
                 by = self._by_word if words and hint in row.hints.words else self._by_part
                 by.setdefault(hint, []).append(number)
-        short = [part for part in self._by_part if len(part) <= _SHORT]
-        self._by_pattern = [(pattern(re.escape(part)), self._by_part.pop(part)) for part in short]
+        by_letter: dict[str, list[str]] = {}
+        for part in self._by_part:
+            by_letter.setdefault(part[:1], []).append(part)
+        groups = (parts for parts in by_letter.values() if len(parts) > 1 or len(parts[0]) <= _SHORT)
+        self._by_pattern = [(_any_of(parts), [(part, self._by_part.pop(part)) for part in parts]) for parts in groups]
+        """Parts that begin with the same letter, which a pattern looks for once for all of them."""
 
     def possible(self, text: str, words: frozenset[str] = frozenset()) -> list[Row]:
         """Return the rows of which a hint stands in a text, or among its words, in their order."""
@@ -74,14 +78,19 @@ class Search(Generic[Row]):
         for part, numbers in self._by_part.items():
             if not (found and found.issuperset(numbers)) and part in text:
                 found.update(numbers)
-        for each, numbers in self._by_pattern:
-            if not (found and found.issuperset(numbers)) and each.search(text):
-                found.update(numbers)
+        for each, parts in self._by_pattern:
+            if each.search(text):
+                found.update(number for part, numbers in parts if part in text for number in numbers)
         return [self._rows[number] for number in sorted(found)]
 
     def without(self, row: Row) -> Search[Row]:
         """Return the search for the other rows."""
         return Search((other for other in self._rows if other is not row), words=self._words)
+
+
+def _any_of(parts: list[str]) -> re.Pattern[str]:
+    """Return a pattern for any of the parts, all of which begin with the same letter."""
+    return pattern(f"{re.escape(parts[0][:1])}(?:{'|'.join(re.escape(part[1:]) for part in parts)})")
 
 
 def hints(cell: str) -> Hints:

@@ -46,6 +46,15 @@ def test_of_other_texts_every_hint_is_a_part() -> None:
     assert Search(rows).possible("agca gcas") == [wanted]
 
 
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [("xGetTime()", [0]), ("GpuMat Get", [1]), ("GpuMat.GetTime", [0, 1]), ("Get Gpu", []), ("cv", [2]), ("G.h", [3])],
+)
+def test_parts_that_begin_with_one_letter_are_told_apart(text: str, found: list[int]) -> None:
+    rows = [row("GetTime"), row("GpuMat"), row("cv"), row("G.")]
+    assert Search(rows).possible(text) == [rows[number] for number in found]
+
+
 def test_rows_come_in_their_order_each_once_and_can_be_left_out() -> None:
     first, second, third = rows = [row("gca|np."), row("tomllib"), row("np.|gca")]
     text = "import tomllib\nnp.gca()"
