@@ -19,7 +19,8 @@ MOST = 20
 _XML = (".launch", ".xml", ".xacro", ".urdf", ".world", ".sdf")
 _CODE = (".cpp", ".cc", ".cxx", ".h", ".hpp")
 _SUFFIXES = (*_XML, *_CODE, ".py", ".yaml", ".yml", ".rviz")
-_HINTS = ("/home/", "/Users/", "/root/", "_ws/", "/src/", ":\\Users", ":\\\\Users")
+_HINTS = (pattern(r"/(?:(?:home|Users|root|src)/|(?<=_ws/))"), pattern(r":\\\\?Users"))
+"""What a file with such a path has. Each begins with a sign of its own, which is looked for once for all words."""
 _PATH = pattern(
     r"(?:(?<=file://)|(?<![\w.}$)~/\\*-]))/(?:[\w.+@-]+/){2,30}[\w.+@-]*|\b[A-Z]:\\{1,2}Users\\{1,2}[\w.\\-]+"
 )
@@ -64,7 +65,7 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
     files = (f for f in code if f.size <= MAX_SIZE and not places.vendored(f.path))
     for file in nearest(f for f in files if not _MADE.search(f.path))[:MAX_FILES]:
         text = repository.read(file)
-        if not any(hint in text for hint in _HINTS):
+        if not any(hint.search(text) for hint in _HINTS):
             continue
         if file.path.endswith(_XML):
             text = without_xml_comments(text)

@@ -24,6 +24,7 @@ _CODE = (".cpp", ".cc", ".cxx", ".c", ".h", ".hpp", ".hh", ".cu", ".py")
 _LAUNCH = (".launch", ".xml", ".test")
 _NAME = r"[a-z][\w-]{1,60}"
 _PATH = r"[\"']/?((?:[\w-][\w.-]*/)+)([\w.-]*)[\"']"
+_ASKED = pattern(r"get(?:P|_p)ath")
 _IN_CODE = pattern(rf"\bget_?[pP]ath\(\s*[\"']({_NAME})[\"']\s*\)\s*(?:\+|,)\s*(?:std::string\(\s*)?{_PATH}")
 _IN_LAUNCH = pattern(rf"(?:value|default)\s*=\s*[\"']\$\(find ({_NAME})\)/((?:[\w-][\w.-]*/)+)([\w.-]*)[\"']")
 _GIVEN = (
@@ -53,7 +54,7 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             continue
         launch = file.path.endswith(_LAUNCH)
         text = repository.read(file)
-        if not ("$(find " in text if launch else ("getPath" in text or "get_path" in text)):
+        if not ("$(find " in text if launch else _ASKED.search(text)):
             continue
         text = without_xml_comments(text) if launch else text
         for match in (_IN_LAUNCH if launch else _IN_CODE).finditer(text):
