@@ -24,11 +24,16 @@ def of_the_day(authored: AuthorDockerfile, evidence: Evidence, day: str) -> dict
     found: dict[str, str] = {}
     for asked in _free(authored, evidence):
         name = image_at(asked.line, authored.stages)
-        if name in found or "alpine" in name or not with_usual_shell(name) or not (release_of(name) or of_debian(name)):
+        if name in found or not runs_bash(name):
             continue
         what = asked.name or asked.written
         found[name] = f"line {asked.line} has pip install {what} without a version: it takes that of {day}"
     return found
+
+
+def runs_bash(image: str) -> bool:
+    """Tell whether an image is known to be of Debian or Ubuntu, with the shell that Docker takes for its steps."""
+    return "alpine" not in image and with_usual_shell(image) and bool(release_of(image) or of_debian(image))
 
 
 def _free(authored: AuthorDockerfile, evidence: Evidence) -> Iterator[Requirement]:

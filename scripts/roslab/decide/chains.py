@@ -94,13 +94,19 @@ def decide_bases(evidence: Evidence, config: Config, dockerfile: str | None) -> 
     if authored is None:
         return Choice(answer=())
     pips = {} if config.repair is False else _pips(authored, evidence)
-    days = {} if config.repair is False else _days(authored, evidence)
+    pip_days, git_days = ({}, {}) if config.repair is False else _days(authored, evidence)
     found = [
         (base, line)
         for name, line in dict(authored.bases).items()
         if (
             base := _local(name, authored, evidence)
-            or _of_day(_mended(name, authored, config, pips.get(name)), name, evidence.pip_day, days.get(name))
+            or _of_day(
+                _mended(name, authored, config, pips.get(name)),
+                name,
+                evidence.pip_day,
+                pip_days.get(name),
+                git_days.get(name),
+            )
         )
     ]
     return Choice(answer=tuple(base for base, _ in found), reasons=tuple(_reason(authored, *each) for each in found))
@@ -114,21 +120,26 @@ def _pips(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, str]:
     return bounded_pips(authored, evidence)
 
 
-def _days(authored: AuthorDockerfile, evidence: Evidence) -> dict[str, str]:
+def _days(authored: AuthorDockerfile, evidence: Evidence) -> tuple[dict[str, str], dict[str, str]]:
+    """Return why what pip installs, and why what git clones, is to be of the day, by the image in which it is."""
     if evidence.pip_day is None:
-        return {}
-    from roslab.decide.authors_pip import of_the_day  # noqa: PLC0415 - most trees have no Dockerfile
+        return {}, {}
+    from roslab.decide.authors_heads import heads_of_the_day  # noqa: PLC0415 - most trees have no Dockerfile
+    from roslab.decide.authors_pip import of_the_day  # noqa: PLC0415 - as above
 
-    return of_the_day(authored, evidence, evidence.pip_day)
+    return of_the_day(authored, evidence, evidence.pip_day), heads_of_the_day(authored, evidence.pip_day)
 
 
-def _of_day(base: MendedBase | None, name: str, day: str | None, why: str | None) -> MendedBase | None:
-    """Return a base with pip's index of a day, where something tells ``why`` what is installed there is to be of it."""
-    if why is None:
+def _of_day(
+    base: MendedBase | None, name: str, day: str | None, by_pip: str | None, by_git: str | None
+) -> MendedBase | None:
+    """Return a base with pip's index or git's heads of a day, where something tells why these are to be of it."""
+    said = [why for why in (by_pip, by_git) if why]
+    if not said:
         return base
-    if base is None:
-        return MendedBase(name=name, image=name, why=why, answers=True, pip_day=day)
-    return replace(base, why=f"{base.why}; {why}", pip_day=day)
+    found = base or MendedBase(name=name, image=name, why="", answers=True)
+    why = "; ".join(filter(None, (found.why, *said)))
+    return replace(found, why=why, pip_day=day if by_pip else None, git_day=day if by_git else None)
 
 
 def _mended(name: str, authored: AuthorDockerfile, config: Config, pip: str | None) -> MendedBase | None:
@@ -150,9 +161,12 @@ def _mended(name: str, authored: AuthorDockerfile, config: Config, pip: str | No
 
 
 def _reason(authored: AuthorDockerfile, base: MendedBase, line: int) -> Reason:
-    given = [
-        what for what, is_so in (("an older pip", base.pip_below), ("pip's index of that day", base.pip_day)) if is_so
-    ]
+    may = (
+        ("an older pip", base.pip_below),
+        ("pip's index of that day", base.pip_day),
+        ("git's heads of that day", base.git_day),
+    )
+    given = [what for what, is_so in may if is_so]
     what = f"gives {base.name} {' and '.join(given)}" if base.answers else f"replaces {base.name}"
     replaced = f"; the build {what} and changes no line of the Dockerfile"
     text = base.why + (replaced if base.recipe is None else ", and so does the build here")

@@ -69,6 +69,8 @@ class MendedBase:
     """The first pip that is too new for what the Dockerfile has built, whatever it upgrades to."""
     pip_day: str | None = None
     """The day (``YYYY-MM-DD``) of what pip installs there without a version, ``None`` for today's."""
+    git_day: str | None = None
+    """The day of what git clones there without a tag or a commit, ``None`` for today's."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -28,6 +28,8 @@ class Base:
     """The author's own Dockerfile that makes it."""
     pip_day: str | None = None
     """The day (``YYYY-MM-DD``) of what pip installs without a version, ``None`` for today's."""
+    git_day: str | None = None
+    """The day of what git clones without a tag or a commit, ``None`` for today's."""
 
 
 def author_bases(decision: Decision) -> tuple[Base, ...]:
@@ -49,6 +51,7 @@ def author_bases(decision: Decision) -> tuple[Base, ...]:
                 installers=(*(_installers(codename) if mends else ()), *_of_its_time(base.pip_below)),
                 recipe=base.recipe,
                 pip_day=base.pip_day,
+                git_day=base.git_day,
             )
         )
     return tuple(found)

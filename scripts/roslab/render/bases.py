@@ -12,7 +12,7 @@ from roslab.evidence.lex.dockerfile import instructions
 from roslab.plan.author_bases import Base
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import building, caches, scripts, shell
+from roslab.render.layers import building, caches, cloned_heads, scripts, shell
 from roslab.render.layers.base import renewal
 from roslab.render.layers.secrets import Secrets
 from roslab.render.output import Beside
@@ -76,8 +76,8 @@ def _stage(number: int, base: Base, lists: Secrets) -> str:
         blocks.append(_rosdep(base.rosdistro_tag))
     if base.installers:
         blocks.append(_pip(base.installers))
-    if base.pip_day:
-        blocks.append(_of_day(base.pip_day))
+    if day := base.pip_day or base.git_day:
+        blocks.append(_of_day(day, pip=bool(base.pip_day), git=bool(base.git_day)))
     return "\n\n".join(blocks)
 
 
@@ -89,11 +89,14 @@ def _rosdep(tag: str) -> str:
     )
 
 
-def _of_day(day: str) -> str:
-    """Have the author's steps run by a shell that gives pip the index of a day."""
-    copied = "".join(map(shell.copy_script, ("index-as-of", "shell-as-of")))
-    tables = shell.copy_data(("released-together.txt",))
-    return f'{building.of_day(day)}\n{copied}{tables}SHELL ["/usr/local/bin/shell-as-of", "{day}"]'
+def _of_day(day: str, *, pip: bool, git: bool) -> str:
+    """Have the author's steps run by a shell that gives pip the index of a day, and git the heads of that day."""
+    said = (*([building.of_day(day)] if pip else []), *([cloned_heads.why(day)] if git else []))
+    names = (*(["index-as-of"] if pip else []), *(["git-as-of"] if git else []), "shell-as-of")
+    copied = "".join(map(shell.copy_script, names)) + (cloned_heads.STAYS if git else "")
+    tables = shell.copy_data(("released-together.txt",)) if pip else ""
+    lines = "\n".join(said)
+    return f'{lines}\n{copied}{tables}SHELL ["/usr/local/bin/shell-as-of", "{day}"]'
 
 
 def _pip(installers: Sequence[str]) -> str:

@@ -617,6 +617,34 @@ def test_an_authors_step_that_calls_pip_has_the_index_of_the_day(
     assert said.strip().startswith(got.format(index=index))
 
 
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ("git clone --quiet {origin} got && git -C got log --format=%s", "of the day"),
+        ("git clone --quiet --depth 1 file://{origin} got && git -C got log -1 --format=%s", "of the day"),
+        ("git clone --quiet --branch later {origin} got && git -C got log -1 --format=%s", "of the day"),
+        ("git clone --quiet {origin} got && git -C got checkout --quiet v2 && git -C got log -1 --format=%s", "newest"),
+        ("echo 'no clone' ${{GIT_AS_OF:-}}", "no clone"),
+        ("git --version >/dev/null; exit 7", "failed with 7"),
+    ],
+)
+@pytest.mark.parametrize("pip", [True, False])
+def test_an_authors_step_that_clones_has_the_heads_of_the_day(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, asked: tuple[str, str], pip: bool
+) -> None:
+    origin = tmp_path / "origin"
+    run, got = asked
+    made = f"git init --quiet {origin} && cd {origin} && git config user.name a && git config user.email a@b.c"
+    for day, what in (("2020-01-02", "of the day"), ("2026-01-02", "newest")):
+        made += f" && GIT_COMMITTER_DATE={day}T12:00:00Z git commit --quiet --allow-empty --message '{what}'"
+    made += " && git branch later && git tag v2"
+    if not pip:
+        (tmp_path / "index-as-of").unlink()
+    run = run.format(origin=origin)
+    call = f"shell-as-of {DAY} {shlex.quote(run)} || echo failed with $?"
+    assert ran(step, tmp_path, index, f"cd {tmp_path} && {call}", before=f"({made})", start=":").strip() == got
+
+
 def test_a_step_that_may_call_pip_is_known_alike_to_the_plan_and_to_the_shell() -> None:
     text = (SCRIPTS / "shell-as-of.sh").read_text(encoding="utf-8")
     assert f"grep --quiet --extended-regexp '{MAY_CALL_PIP.pattern}' " in text

@@ -10,6 +10,8 @@ from roslab.render import quote
 from roslab.render.layers import shell
 
 FOLDER = "/usr/local/lib/git-as-of"
+STAYS = f"COPY --from=scripts /git-as-of {FOLDER}/git\n"
+"""Puts it there, behind the script itself."""
 
 
 def of_day(plan: Plan) -> shell.Around:
@@ -17,9 +19,12 @@ def of_day(plan: Plan) -> shell.Around:
     day = plan.workspace.clones_day
     if not day:
         return shell.NOTHING
-    why = f"# What this clones without a commit is of {quote.checked(day)}\n"
-    stays = f"COPY --from=scripts /git-as-of {FOLDER}/git\n"
     return shell.Around(
-        before=f"{why}{shell.copy_script('git-as-of')}{stays}",
+        before=f"{why(day)}\n{shell.copy_script('git-as-of')}{STAYS}",
         first=(f'eval "$(git-as-of {quote.shell(day)})"',),
     )
+
+
+def why(day: str) -> str:
+    """Return the comment that says of which day it is what is cloned."""
+    return f"# What this clones without a commit is of {quote.checked(day)}"
