@@ -115,3 +115,19 @@ def test_packages_that_compose_starts_are_more_than_a_wrapper(tree: Tree) -> Non
     files |= {"docker-compose.yml": COMPOSE}
     assert tree(files).kind == "python"
     assert tree(files | {"README.md": PAGE}).kind == "ros2"
+
+
+def test_what_a_recipe_of_make_starts_in_a_container_is_the_command(tree: Tree) -> None:
+    launch = "def generate_launch_description():\n    return LaunchDescription([])\n"
+    inside = (
+        '\tdocker exec -it lab bash -c "source install/setup.bash; ros2 launch demo all.launch.py robot:=$(ROBOT)"\n'
+    )
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+        "launch/all.launch.py": launch,
+        "launch/some.launch.py": launch,
+        "Makefile": f"ROBOT = 0\nbuild:\n\tdocker build . -t lab\nrun:\n\tdocker run -d lab\nsensors:\n{inside}",
+        "README.md": "# Lab\n\nTo start sensors:\n\n```\nmake build\nmake run\nmake sensors\n```\n",
+    }
+    assert tree(files).command == ("ros2", "launch", "demo", "all.launch.py", "robot:=0")

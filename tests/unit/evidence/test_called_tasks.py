@@ -81,7 +81,7 @@ around: around
         ("both", "(cd arm && python demo.py --home $HOME) && python other.py"),
         ("start", "./robot --fast"),
         ("demo", "bash demo.sh"),
-        ("boxed", None),
+        ("boxed", "docker run --rm demo python main.py"),
         ("written", None),
         ("test", None),
         ("lint-run", None),

@@ -1,6 +1,7 @@
 """What a shell runs for ``make run``: the recipe of a target that starts something, with what it needs before.
 
-What compiles, tests, cleans or makes images is left to make.
+What compiles, tests, cleans or makes images is left to make. Of a recipe that starts containers all lines count:
+what is run in them is the program, and the image has no engine.
 """
 
 from __future__ import annotations
@@ -62,7 +63,7 @@ class MakeCalls:
     def line_of(self, call: str) -> str | None:
         """Return the lines of the target that is called, joined; ``None`` where they are not known or start nothing."""
         if call not in self._known:
-            if len(self._known) >= MOST_CALLS or _CHORE.fullmatch(call.split(maxsplit=1)[0]):
+            if len(self._known) >= MOST_CALLS:
                 return None
             self._tasks = self._tasks or parsed(self._text)
             self._known[call] = _run(call, self._tasks)
@@ -84,7 +85,9 @@ def _run(call: str, tasks: MakeTasks) -> str | None:
     name, *words = call.split()
     given = dict(word.split("=", 1) for word in words)
     lines = tasks.lines_of(name, given)
-    if not any(map(_STARTS.search, lines)) or any(map(_DOCKER.search, lines)):
+    if any(map(_DOCKER.search, lines)):
+        return joined(lines)
+    if _CHORE.fullmatch(name) or not any(map(_STARTS.search, lines)):
         return None
     before = (each for each in tasks.needed_by(name) if _TASK.fullmatch(each) and not _NOT_FIRST.fullmatch(each))
     made = [line for each in before for line in tasks.lines_of(each, given) if not _OTHERWISE.search(line)]
