@@ -17,7 +17,10 @@ from roslab.values.version import Version
 class UndeclaredLimit:
     """What the releases of a package before one need of another package."""
 
-    below: Version
+    below: Version | None
+    """``None`` where all releases need it."""
+    released: str
+    """The day of that release, ``""`` where what it limits was released after it: on no day pip took both."""
     limit: Requirement
     conda: str
     """The limit in conda's words, whose packages have names with underscores too."""
@@ -30,7 +33,10 @@ def undeclared_limits() -> dict[str, tuple[UndeclaredLimit, ...]]:
         (
             canonicalize_name(row["package"]),
             UndeclaredLimit(
-                below=Version(row["below"]), limit=(limit := stated(row["limit"])), conda=_conda(row, limit)
+                below=Version(row["below"]) if row["below"] else None,
+                released=row["released"],
+                limit=(limit := stated(row["limit"])),
+                conda=_conda(row, limit),
             ),
         )
         for row in rows("undeclared_limits")

@@ -36,6 +36,33 @@ def test_a_release_that_does_not_say_what_it_needs(lines: list[str], bounds: lis
     assert [each.written for each in decide_undeclared(map(stated, lines)).answer.pip] == bounds
 
 
+@pytest.mark.parametrize(
+    ("lines", "day", "python", "bounds"),
+    [
+        (["pandas==2.0.3"], None, "3.10", ["numpy<2"]),
+        (["pandas==2.2.2"], None, "3.10", []),
+        (["pandas"], None, "3.10", []),
+        (["pandas==1.3.0"], None, "3.8", []),
+        (["pandas==2.1.0"], None, "3.13", []),
+        (["pandas==2.0.3", "numpy==1.24.0"], None, "3.10", []),
+        (["pandas==2.0.3", "opencv-python==4.12.0.88"], None, "3.10", []),
+        (["gym"], None, "3.10", ["numpy<2"]),
+        (["gym==0.21.0"], None, "3.10", ["numpy<2"]),
+        (["gym", "numpy>=2"], None, "3.10", []),
+        (["gtsam"], None, "3.10", []),
+        (["gtsam"], "2024-09-01", "3.10", ["numpy<2"]),
+        (["gtsam>=4.2"], "2024-09-01", "3.10", ["numpy<2"]),
+        (["gtsam"], "2026-05-01", "3.10", []),
+        (["pandas"], "2024-09-01", "3.10", []),
+        (["open3d"], "2024-09-01", "3.10", ["numpy<2"]),
+        (["open3d==0.19.0"], "2024-09-01", "3.10", []),
+    ],
+)
+def test_what_was_compiled_for_numpy_1(lines: list[str], day: str | None, python: str, bounds: list[str]) -> None:
+    found = decide_undeclared(map(stated, lines), day=day, python=python)
+    assert [each.written for each in found.answer.pip] == bounds
+
+
 def test_the_bound_holds_for_what_the_repository_does_not_name(tree: Tree) -> None:
     files = {"requirements.txt": "numpy\ntensorboardX==2.0\n", "main.py": "import tensorboardX\n"}
     assert "protobuf<3.21" in [each.written for each in tree(files).python.bounds]

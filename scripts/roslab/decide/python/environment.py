@@ -58,7 +58,7 @@ from roslab.decide.python.refused import Repaired, elsewhere, of_pages, repair, 
 from roslab.decide.python.requires import refused_python
 from roslab.decide.python.too_new import in_python, loosened
 from roslab.decide.python.torch_build import decide_build
-from roslab.decide.python.undeclared import decide_undeclared
+from roslab.decide.python.undeclared import undeclared_in
 from roslab.decide.python.wheel_pages import fitting_pages
 from roslab.decide.ros.python3_nodes import not_for_python3
 from roslab.decide.system.cmake_version import from_pip
@@ -138,10 +138,8 @@ def decide_python(
     limits = (*bounds.answer, *made)
     defines = decide_defines(evidence, chosen.projects, (*everything, *limits), number, aged)
     of_lock = locked_releases(locked, manifests, (*named.answer.first, *limits), number, chosen.guessed)
-    undeclared = decide_undeclared(
-        (*everything, *limits, *of_lock.answer) if manager != "system" else (),
-        next((each for each in evidence.conda if each.file == conda), None),
-    )
+    own_asked = (*everything, *limits, *of_lock.answer) if manager != "system" else ()
+    undeclared = undeclared_in(evidence, own_asked, conda, number)
     beside_guesses = machine_limits(evidence, chosen, (*everything, *limits))
     limits = (*limits, *of_lock.answer, *undeclared.answer.pip, *beside_guesses.answer)
     numpy = numpy_limit(

@@ -63,7 +63,7 @@ def refused(asked: Requirement) -> NotOnIndex | None:
     row = _row(asked)
     if row is None or asked.url or not ANY.may(asked):
         return None
-    same = bool(row.instead) and asked.key.startswith(f"{canonicalize_name(row.instead)}-")
+    same = bool(row.instead) and not row.releases and asked.key.startswith(f"{canonicalize_name(row.instead)}-")
     return None if asked.specifier and same else row
 
 
@@ -288,6 +288,7 @@ def unfit(asked: Requirement) -> Warning_:
         message = f"{row.why}, which its own packages bring and pip does not; it is left out here ({row.source})"
         return warn(f"{asked.key} is not installed by pip: {message}", asked)
     row = not_on_index()[asked.key]
-    without = f"the image is built without it, install it with `custom` or `pip` in roslab.yaml ({row.source})"
+    how = "" if row.why.endswith(" alone") else ", install it with `custom` or `pip` in roslab.yaml"
+    without = f"the image is built without it{how} ({row.source})"
     does = f"{row.instead} is installed" if row.instead else without
     return warn(f"pip cannot install {asked.key}: {row.why}; {does}", asked)

@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslab.decide.decision import Choice, Reason
-from roslab.decide.python.bounds import Constraints, excluded
+from roslab.decide.python.bounds import Constraints, excluded, needing_numpy
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
 from roslab.evidence.conda_environment import CondaEnvironment
+from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import conda_names
 from roslab.knowledge.undeclared_limits import UndeclaredLimit, undeclared_limits
 from roslab.values.dataclass import dataclass
@@ -29,10 +30,18 @@ class Undeclared:
     """In conda's words."""
 
 
-def decide_undeclared(asked: Iterable[Requirement], environment: CondaEnvironment | None = None) -> Choice[Undeclared]:
+def decide_undeclared(
+    asked: Iterable[Requirement],
+    environment: CondaEnvironment | None = None,
+    *,
+    day: str | None = None,
+    python: str | None = None,
+) -> Choice[Undeclared]:
     """Return a bound for each package that an old release in ``asked`` needs so, unless the author limits that.
 
-    ``environment``: the one that conda makes; what it names with a version of its own is left to its author.
+    ``environment``: the one that conda makes; what it names with a version of its own is left to its author. What no
+    version is said of is the newest of the ``day``. NumPy is limited for a ``python`` that has both it and NumPy 2, and
+    for nothing that needs a newer one.
     """
     packages = of_conda(environment) if environment else []
     asked = (*asked, *packages)
@@ -41,7 +50,9 @@ def decide_undeclared(asked: Iterable[Requirement], environment: CondaEnvironmen
     for each in asked:
         for known in undeclared_limits().get(each.key, ()) if not each.url else ():
             bound = known.limit
-            if not older(each, known) or bound.key in limited or excluded(bound, asked):
+            if not older(each, known, day) or bound.key in limited or excluded(bound, asked):
+                continue
+            if bound.key == "numpy" and (not _has_both(python) or needing_numpy(asked, bound.below)):
                 continue
             why = f"{each.written} needs it, and does not say so"
             before = found.get(bound.key)
@@ -56,14 +67,38 @@ def decide_undeclared(asked: Iterable[Requirement], environment: CondaEnvironmen
     )
 
 
+def undeclared_in(
+    evidence: Evidence, asked: Iterable[Requirement], conda: str | None, python: str | None
+) -> Choice[Undeclared]:
+    """Return the bounds in an image with this ``python``, which makes the environment of the file ``conda``, if any."""
+    environment = next((each for each in evidence.conda if each.file == conda), None)
+    return decide_undeclared(asked, environment, day=evidence.pip_day, python=python)
+
+
 def _stated(environment: CondaEnvironment | None) -> set[str]:
     """Return the packages that an environment names with a version, under their names on pip's index."""
     packages = environment.packages if environment else ()
     return {conda_names().get(each.name) or each.name for each in packages if each.version}
 
 
-def older(asked: Requirement, known: UndeclaredLimit) -> bool:
-    """Tell whether every release that a requirement allows is older than the first one that needs no such limit."""
+def _has_both(python: str | None) -> bool:
+    """Tell whether there are wheels of NumPy 1 and of NumPy 2 for a Python: of the one up to 3.12, the other from 3.9.
+
+    https://numpy.org/doc/stable/release/1.26.0-notes.html and https://numpy.org/doc/stable/release/2.0.0-notes.html,
+    read 2026-11-28.
+    """
+    return python is None or Version("3.9") <= Version(python) < Version("3.13")
+
+
+def older(asked: Requirement, known: UndeclaredLimit, day: str | None = None) -> bool:
+    """Tell whether every release that a requirement allows is older than the first one that needs no such limit.
+
+    What it leaves free is the newest release of the ``day``, if pip's packages are of one.
+    """
+    if known.below is None:
+        return True
+    if day and day < known.released and not asked.limited:
+        return True
     if asked.release:
         return Version(asked.release) < known.below
     if asked.below is None or Version(asked.below) > known.below:
