@@ -198,3 +198,35 @@ def test_it_is_for_a_library_that_no_author_configures(tmp_path: Path, asked: st
     assert f"AS library-1-{asked.lower().replace('_', '-')}" in text
     assert ("\nCOPY --from=scripts /configure-library /usr/local/bin/\n" in text) == called
     assert (" && configure-library " in text) == called
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "calls"),
+    [
+        ("README.md", "```\ncmake -DINSTALL_DEPS=ON -DGUI=ON ..\n```\n", 2),
+        (".github/workflows/ci.yml", "- run: cmake .. -DACME_FETCH_DEPENDENCIES:BOOL=ON\n", 2),
+        ("README.md", "Never give -DINSTALL_DEPS=OFF\n", 1),
+        ("README.md", "cmake -DUSE_GUI=ON -DBUILD_TOOLS=ON\n", 1),
+    ],
+)
+def test_what_its_page_has_cmake_bring(tmp_path: Path, file: str, text: str, calls: int) -> None:
+    build = tmp_path / "acme/build"
+    build.mkdir(parents=True)
+    (build.parent / file).parent.mkdir(parents=True, exist_ok=True)
+    (build.parent / file).write_text(text)
+    (build / "bin").mkdir()
+    for name, body in (("id", "echo 0"), ("apt-mark", "exit 0"), ("rm", "exit 0")):
+        (build / "bin" / name).write_text(f"#!/bin/bash\n{body}\n")
+        (build / "bin" / name).chmod(0o755)
+    script = build / "configure"
+    script.write_text(SCRIPT.read_text().replace("/installed", str(tmp_path / "installed")))
+    stand_in = build / "bin/cmake"
+    stand_in.write_text('#!/bin/bash\necho "$*" >>calls\n[[ "$*" == *DEP*=ON* ]]\n')
+    stand_in.chmod(0o755)
+    path = {"PATH": f"{stand_in.parent}:{os.environ['PATH']}"}
+    done = subprocess.run(
+        ["bash", str(script), "../"], cwd=build, env=path, capture_output=True, text=True, check=False
+    )
+    called = (build / "calls").read_text().splitlines()
+    assert (len(called), done.returncode) == (calls, 0 if calls == 2 else 1)
+    assert ("have CMake bring what it needs" in done.stdout) == (calls == 2)

@@ -4,7 +4,9 @@
 # any Ubuntu, in the current folder.
 # Where CMake says that it is too old, pip brings a newer one for the library alone, and it is configured again.
 # Where CMake fails for programs that it names, those that are packages of apt under that name are installed and it is
-# configured again. Where it still fails, it is configured once more without what its own options leave out and nothing
+# configured again. Where the library's own page or CI gives CMake an option that brings its dependencies
+# (-DINSTALL_DEPS=ON), it is configured with that then, and what that installs is kept with the library.
+# Where it still fails, it is configured once more without what its own options leave out and nothing
 # links: bindings for other languages, tests, examples, benchmarks, documentation. Options that are given stay as they are.
 # Where it fails in the end, what CMake did not find is told in a line.
 set -euo pipefail
@@ -94,6 +96,39 @@ if [ "${#installed[@]}" -gt 0 ]; then
 fi
 
 given="$(printf '%s\n' "$@" | sed --quiet --regexp-extended 's/^-D([^:=]+).*/\1/p')"
+brings='[A-Z0-9_]*(INSTALL|BUILD|FETCH|DOWNLOAD|BOOTSTRAP|USE)_([A-Z0-9]+_)*(DEPS|DEPENDENC(Y|IES)|THIRD_?PARTY|EXTERNALS?|BUNDLED)'
+source="${!#}"
+bringing=()
+while read -r name; do
+  if ! grep --quiet --line-regexp --fixed-strings --regexp="${name}" <<<"${given}"; then bringing+=("-D${name}=ON"); fi
+done < <(find "${source}" "${source}/.github/workflows" -maxdepth 1 -type f -size -512k \
+  \( -iname 'readme*' -o -iname 'install*' -o -name '*.yml' -o -name '*.yaml' \) \
+  -exec grep --no-filename --only-matching --ignore-case --extended-regexp -e "-D *${brings}(:BOOL)?=(ON|1|TRUE|YES)\b" {} + 2>/dev/null |
+  sed --regexp-extended 's/^-D *([A-Za-z0-9_]+).*/\1/' | sort --unique)
+# What the options install lies in /usr/local, and a library is taken from /installed alone; packages go on its list
+keep_brought() {
+  local lists=/installed/usr/local/share/roslab/required
+  if [ ! -d /installed ]; then return; fi
+  find /usr/local -cnewer "${stamp}" \( -type f -o -type l \) -print0 |
+    xargs --null --no-run-if-empty cp --archive --parents --target-directory=/installed
+  mkdir --parents "${lists}"
+  apt-mark showmanual | LC_ALL=C sort | LC_ALL=C comm -13 "${stamp}" - >"${lists}/brought-by-$(basename "$(realpath "${source}")").txt"
+}
+if [ "${#bringing[@]}" -gt 0 ] && [ "$(id --user)" -eq 0 ]; then
+  echo "roslab: the library's own pages have CMake bring what it needs, ${bringing[*]}: once more"
+  stamp="$(mktemp)" tools="$(mktemp --directory)"
+  apt-mark showmanual | LC_ALL=C sort >"${stamp}"
+  # shellcheck disable=SC2016 # the words of who calls it
+  if ! command -v sudo >/dev/null; then printf '#!/bin/bash\nexec env "$@"\n' | install --mode=755 /dev/stdin "${tools}/sudo"; fi
+  rm -rf CMakeCache.txt CMakeFiles
+  status=0
+  PATH="${tools}:${PATH}" DEBIAN_FRONTEND=noninteractive configure "${bringing[@]}" "$@" || status=$?
+  rm -rf "${tools}" /var/lib/apt/lists/*
+  if [ "${status}" -eq 0 ]; then keep_brought; fi
+  rm -f "${stamp}"
+  if [ "${status}" -eq 0 ]; then exit; fi
+fi
+
 without=()
 # CMake writes down each option that it came to, also where it fails
 while IFS='' read -r name; do
