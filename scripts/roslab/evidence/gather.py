@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 
-from roslab.evidence import git_folder, links, places, pointers, submodules
+from roslab.evidence import git_folder, links, of_x86, places, pointers, submodules
 from roslab.evidence.facts import Evidence
 from roslab.evidence.mentioned import BESIDE_PROSE, MENTIONED, OF_DOCKERFILES, of_ros
 from roslab.evidence.native import (
@@ -32,8 +32,6 @@ from roslab.evidence.native import (
     shared_objects,
     stops_without,
     x86,
-    x86_binaries,
-    x86_programs,
 )
 from roslab.evidence.native import clones as native_clones
 from roslab.evidence.native.asked_modules import of_modules
@@ -101,7 +99,6 @@ from roslab.evidence.python import (
     stopped_setup,
     tests,
 )
-from roslab.evidence.python.modules import modules
 from roslab.evidence.python.opened_notebooks import used_in_notebooks
 from roslab.evidence.ros import (
     author_folders,
@@ -274,11 +271,7 @@ def gather(repository: Repository) -> Evidence:
         copies=copies.read(repository, manifests),
         repositories=copies.repositories(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
-        x86_only=(
-            *x86.read(repository, intrinsics, signs.included),
-            *x86_binaries.read(repository, ((m.file.path, m.text) for m in modules(repository))),
-            *x86_programs.read(repository),
-        ),
+        x86_only=tuple(of_x86.read(repository, intrinsics, signs.included)),
         problems=(
             *repository.problems,
             *malformed.problems(manifests),

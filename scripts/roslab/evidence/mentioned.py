@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import git_folder, matlab, started_programs, submodules
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import cloned_heads, cuda_paths, makefile_options, shared_objects, templates
+from roslab.evidence.native import cloned_heads, cuda_paths, shared_objects, templates
 from roslab.evidence.prose import (
     asked_options,
     branch_tables,
@@ -17,10 +17,12 @@ from roslab.evidence.prose import (
     for_reference,
     laid_as_sources,
     libtorch,
+    makefile_options,
     named_ports,
     of_other_indexes,
     optional_ros,
     simulator_folders,
+    system_libraries,
     unbounded_jobs,
 )
 from roslab.evidence.python import (
@@ -47,7 +49,7 @@ MENTIONED = (
         libtorch.in_scripts,
         simulator_folders.read,
     ),
-    makefile_options.read,
+    *(makefile_options.read, system_libraries.read),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read)

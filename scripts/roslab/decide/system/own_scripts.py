@@ -21,6 +21,7 @@ from roslab.decide.system.inside import meant
 from roslab.decide.system.made_by_pages import with_made_by_pages
 from roslab.decide.system.names import Target
 from roslab.decide.system.run_by_pages import ASIDE, MOST, by_author, by_make_alone, run_by_pages, script_of
+from roslab.decide.system.system_libraries import with_system_libraries
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 from roslab.evidence.makefile import Makefile
@@ -63,7 +64,8 @@ def decide_scripts(
         return Choice(answer=())
     compiled = frozenset((*(folder for folder, _ in inside.answer), *(reason.file for reason in inside.reasons)))
     choice = _compiling(evidence, config, kind, compiled, projects, target=target)
-    return with_copied_files(choice, evidence)
+    choice = with_copied_files(choice, evidence)
+    return choice if kind == "python" else with_system_libraries(choice, evidence)
 
 
 def _compiling(

@@ -67,12 +67,12 @@ def read(repository: Repository, modules: Iterable[tuple[str, str]]) -> Iterator
                 continue
             what = _fetched(call) if call.name in _FETCHING else _linked(call, file, repository)
             if what is None and has and call.name in FINDING:
-                what = searched(call, file, names, text, repository, is_x86=_is_x86)
+                what = searched(call, file, names, text, repository, is_x86=is_x86)
             if what:
                 yield X86Only(what, "binary", file.path, call.line)
                 break
     libraries = [file for file in repository.suffixed(".so")[:MAX_LIBRARIES] if not places.vendored(file.path)]
-    x86 = {file.path for file in libraries if _is_x86(file.path, repository)}
+    x86 = {file.path for file in libraries if is_x86(file.path, repository)}
     only = {file.name for file in libraries if file.path in x86} - {f.name for f in libraries if f.path not in x86}
     if only:
         yield from _opened(repository, libraries, only)
@@ -141,12 +141,12 @@ def _linked(call: Call, file: File, repository: Repository) -> str | None:
         path = posixpath.normpath(posixpath.join(file.folder, _ROOT.sub("", word))) if named or library else ""
         if named and (repository.has(path) or path in repository.folders):
             return path
-        if library and repository.has(path) and _is_x86(path, repository):
+        if library and repository.has(path) and is_x86(path, repository):
             return path
     return None
 
 
-def _is_x86(path: str, repository: Repository) -> bool:
+def is_x86(path: str, repository: Repository) -> bool:
     """Tell whether a library, or the first object of an archive, is compiled for x86-64."""
     data = repository.read_bytes(path, limit=MAX_HEAD)
     start = data.find(elf.MAGIC) if data.startswith(_ARCHIVE_OF_OBJECTS) else 0
