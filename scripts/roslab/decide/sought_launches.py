@@ -6,7 +6,7 @@ from bisect import bisect_left
 from collections.abc import Collection, Iterable
 from itertools import islice, pairwise, takewhile
 
-from roslab.config.model import BuildTool, Config, Source, workspace_tool
+from roslab.config.model import BuildTool, Config, Source, SourceBuild, workspace_tool
 from roslab.decide.decision import Choice
 from roslab.decide.launch_calls import started_launch
 from roslab.decide.launch_needs import lacking_elsewhere
@@ -43,11 +43,12 @@ def with_found_by_launches(
     Before these comes where a table knows such a package to be. ``command``: the default one, whose launch file's
     packages are looked for already. Not for the old formats, whose images never had them, nor a package that others
     published, nor one a slip away from a package of the tree, or that a clone has under a longer name. So it is with
-    modules that nodes import and nothing brings, in the place of whose repository comes one of that name that the code
-    links to; ``installed``: what pip installs. Several packages whose names begin alike are first looked for in a
-    repository that is called so. And before all come packages that the README runs, in what that page clones.
+    what programs look for while they run, and with modules that nodes import and nothing brings, in the place of whose
+    repository comes one of that name that the code links to; ``installed``: what pip installs. Several packages whose
+    names begin alike are first looked for in a repository that is called so. And before all come packages that the
+    README runs, in what that page clones.
     """
-    build = workspace_tool(build_tool)
+    build: SourceBuild | None = "none" if build_tool == "rosmake" else workspace_tool(build_tool)
     owner = public_owner(evidence)
     if build is None or config.compatible or not ros_distro:
         return choice
@@ -61,9 +62,14 @@ def with_found_by_launches(
     owners = {each.file: each.package for each in evidence.launch}
     needed = lacking_elsewhere(evidence, started_launch(evidence, command), sources, ros_distro)
     imported = {asked.name: asked for asked in modules_of_owner(evidence, installed)}
+    looked_up = {
+        each.name: each
+        for each in evidence.code
+        if each.namespace == "ros" and (each.role, each.strength) == ("exec", "used")
+    }
     free = {
         name: asked
-        for name, asked in (needed | imported).items()
+        for name, asked in (looked_up | needed | imported).items()
         if not (
             name in where
             or name in sources.names
@@ -102,6 +108,7 @@ def with_found_by_launches(
         )
         found.append(source)
         who = "nodes import" if names[0] in imported else "only launch files need"
+        who = "programs look for" if names[0] in looked_up.keys() - needed.keys() else who
         who = f"{asked.file} runs programs of" if url in cloned else who
         why = "and nothing known brings it: it may be there, and is left out where not"
         reasons.append(because("source", source.name, f"{who} {', '.join(names)}, {why}", asked, weight=Weight.SOUGHT))

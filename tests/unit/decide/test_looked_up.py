@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package><name>demo</name><buildtool_depend>{}</buildtool_depend></package>"
@@ -55,3 +59,43 @@ def test_what_is_released_comes_from_apt(tree: Tree) -> None:
     code = OLD.replace("lab_maps", "turtlebot3_description")
     found = tree({**files(f"auto robot = {code};"), "README.md": "ROS Noetic\n"})
     assert "ros-noetic-turtlebot3-description" in found.apt_guessed
+
+
+PYTHON = "import rospkg\nimport rospy\n\nrospy.init_node('a')\nmaps = rospkg.RosPack().get_path({})\n"
+
+
+@pytest.mark.parametrize(
+    ("changed", "found"),
+    [
+        ({"src/a.cpp": f"auto maps = {OLD};\nint main() {{}}\n"}, True),
+        ({"scripts/a.py": PYTHON.format("'lab_maps'")}, True),
+        ({"scripts/a.py": PYTHON.format("name")}, False),
+        ({"scripts/a.py": PYTHON.format("'lab_maps'").replace("maps =", "# maps =")}, False),
+        ({"scripts/a.py": "import rospy\nmaps = store.get_path('lab_maps')\n"}, False),
+        ({"src/a.cpp": f"auto maps = {OLD.replace('lab_maps', 'turtlebot3_description')};\nint main() {{}}\n"}, False),
+    ],
+)
+def test_what_nothing_brings_is_looked_for_at_the_owner(
+    tmp_path: Path, changed: dict[str, str], *, found: bool
+) -> None:
+    sought = _of_owner(tmp_path, {**files("int a;"), "README.md": "ROS Noetic\n", **changed})
+    assert sought == ([("https://github.com/lab/lab_maps.git", ("lab_maps",), "catkin_make")] if found else [])
+
+
+def test_it_is_for_a_package_of_rosbuild_too(tmp_path: Path) -> None:
+    cmake = (
+        "include($ENV{ROS_ROOT}/core/rosbuild/rosbuild.cmake)\nrosbuild_init()\nrosbuild_add_executable(a src/a.cpp)\n"
+    )
+    tree = {"manifest.xml": '<package>\n<depend package="roscpp"/>\n</package>\n', "CMakeLists.txt": cmake}
+    sought = _of_owner(tmp_path, {**tree, "src/a.cpp": f"auto maps = {OLD};\nint main() {{}}\n"})
+    assert sought == [("https://github.com/lab/lab_maps.git", ("lab_maps",), "none")]
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert "RUN clone-holding --ros1 --rosmake https://github.com/lab/lab_maps.git" in text
+
+
+def _of_owner(folder: Path, files: dict[str, str]) -> list[tuple[str | None, tuple[str, ...], str]]:
+    """Return where a repository of the owner ``lab`` has packages looked for."""
+    config = '[remote "origin"]\n\turl = https://github.com/lab/demo\n'
+    tree_of(folder, {**files, ".git/config": config, ".git/HEAD": "ref: refs/heads/main\n"})
+    plan = plan_repository(folder).plan
+    return [(each.repo, each.holding, each.build) for each in plan.workspace.sources if each.holding]

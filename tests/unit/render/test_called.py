@@ -46,6 +46,7 @@ def test_what_is_called_is_copied_once() -> None:
         "required-by-cmake",
         "checkout-branch",
         "take-ros-branch",
+        "serve-rosbuild",
     )
 
 

@@ -262,3 +262,36 @@ def test_a_library_beside_packages_is_none_of_plain_cmake(tmp_path: Path, remote
     _git(remote, "commit", "--quiet", "--message", "second")
     said, _, _ = _run(tmp_path, remote.as_uri(), f"{tmp_path}/ws/src/remote", "quad_map")
     assert "it holds no package called quad_map" in said
+
+
+@pytest.mark.parametrize(
+    ("options", "passed", "said_of"),
+    [
+        (("--ros1",), [], "lab_maps is a package of rosbuild, which catkin does not compile"),
+        (("--ros1", "--rosmake"), [], "brings lab_maps"),
+        (("--ros2",), [], "it holds no package called lab_maps"),
+    ],
+)
+def test_a_package_of_rosbuild_serves_its_files(
+    tmp_path: Path, options: tuple[str, ...], passed: list[str], said_of: str
+) -> None:
+    remote = tmp_path / "lab_maps"
+    remote.mkdir()
+    (remote / "manifest.xml").write_text('<package>\n<depend package="gone"/>\n</package>\n')
+    (remote / "CMakeLists.txt").write_text("rosbuild_init()\n")
+    _git(remote, "init", "--quiet")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "first")
+    folder = tmp_path / "ws/src/lab_maps"
+    said, found, hidden = _run(tmp_path, *options, remote.as_uri(), str(folder), "lab_maps")
+    catkin = options == ("--ros1",)
+    assert said_of in said
+    assert (found, hidden) == (["lab_maps"] if catkin else [], passed)
+    assert folder.exists() == (options != ("--ros2",))
+    if catkin:
+        assert "gone" not in (folder / "package.xml").read_text()
+        assert "catkin_package()" in (folder / "CMakeLists.txt").read_text()
+        assert (folder / "CMakeLists.rosbuild.txt").read_text() == "rosbuild_init()\n"
+    if options == ("--ros1", "--rosmake"):
+        said, _, _ = _run(tmp_path, *options, remote.as_uri(), f"{tmp_path}/ws/src/again", "lab_maps")
+        assert "is not needed: the workspace has lab_maps" in said

@@ -1,21 +1,27 @@
 #!/bin/bash
-# usage: clone-holding [--ros1|--ros2] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE... [--also PACKAGE...]
+# usage: clone-holding [--ros1|--ros2] [--rosmake] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE... [--also PACKAGE...]
 # Clones to a folder of the workspace a repository that may hold packages which nothing else brings. What does not answer,
 # or holds none of those that the workspace lacks, is named and left out. Of the others in it, only those that these need
 # are compiled. A project of CMake without any package.xml that is called so is kept, too: install-plain-clones knows it by
 # what is noted in its folder of git.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
+#   --rosmake        for a workspace of rosbuild, whose packages have a manifest.xml; catkin only learns their names
 #   --ref REF        a branch, tag or commit
 #   --branch BRANCH  a branch, which may be gone
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD); a tag or commit stays as it is
 #   --also           other packages that nothing else brings: they are taken, too, where it is cloned for the first ones
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-ref='' branch='' day='' ros=''
+ref='' branch='' day='' ros='' rosmake=''
 while [[ "$1" = --* ]]; do
   case "$1" in
     --ros[12])
       ros="${1#--ros}"
+      shift
+      continue
+      ;;
+    --rosmake)
+      rosmake=yes
       shift
       continue
       ;;
@@ -47,6 +53,7 @@ if [ -d "${workspace}" ]; then # a clone of before may have one, hidden because 
 fi
 lacks() {
   if [ ! -d "${workspace}" ]; then return 0; fi
+  if [ -n "${rosmake}" ] && [ -n "$(find "${workspace}" -path "*/$1/manifest.xml" -print -quit)" ]; then return 1; fi
   if grep --quiet --no-messages --line-regexp --fixed-strings "$1" "${workspace}"/*/.git/roslab-plain; then return 1; fi
   [ -z "$(workspace-packages needed "${workspace}" "$1")" ]
 }
@@ -106,7 +113,24 @@ plain() {
     fi
   done
 }
+# Prints those that are packages of rosbuild
+of_rosbuild() {
+  local package
+  for package in "${lacking[@]}"; do
+    if [ -n "$(find "${folder}" -name .git -prune -o -path "*/${package}/manifest.xml" -print -quit)" ]; then echo "${package}"; fi
+  done
+}
 look
+mapfile -t old < <(if [ "${ros}" = 1 ]; then of_rosbuild; fi)
+if [ "${#kept[@]}" -eq 0 ] && [ "${#old[@]}" -gt 0 ]; then
+  if [ -n "${rosmake}" ]; then
+    git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
+    echo "roslab: ${url} brings ${old[*]}"
+    exit 0
+  fi
+  serve-rosbuild "${folder}"
+  look
+fi
 mapfile -t plain < <(plain)
 if [ "${#kept[@]}" -eq 0 ] && [ "${#plain[@]}" -gt 0 ]; then
   git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"

@@ -1,17 +1,18 @@
 #!/bin/bash
-# usage: clone-listed [--ros1|--ros2] [--plain] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
+# usage: clone-listed [--ros1|--ros2] [--rosmake] [--plain] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
 # Clones to a folder of the workspace, as its owner's, a repository that a list or a page names. Where its host asks for a
 # password or has no such repository, or no longer speaks to a git as old as that of Ubuntu 14.04, it is named and left out,
 # as are such submodules; what else fails stops the build.
 # Of one in which the workspace finds nothing to build, that is told.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
+#   --rosmake        for a workspace of rosbuild; else catkin is told the names of what has a manifest.xml alone
 #   --plain          it is compiled by CMake where it has no package.xml
 #   --ref REF        a tag or commit
 #   --branch BRANCH  a branch, which may be gone; for that of another distribution (kinetic-devel) its own is taken, if there is one
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD)
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-ref='' branch='' day='' ros='' plain=''
+ref='' branch='' day='' ros='' plain='' rosmake=''
 while [[ "$1" = --* ]]; do
   case "$1" in
     --ros[12])
@@ -19,8 +20,8 @@ while [[ "$1" = --* ]]; do
       shift
       continue
       ;;
-    --plain)
-      plain=yes
+    --plain | --rosmake)
+      if [ "$1" = --plain ]; then plain=yes; else rosmake=yes; fi
       shift
       continue
       ;;
@@ -80,6 +81,9 @@ fi
 if [ -n "${ros}" ]; then take-ros-branch "${ros}" "${url}" "${folder}" "${day}"; fi
 if ! try -C "${folder}" submodule update --init --recursive; then leave_out "submodules of ${url}"; fi
 lacks() { [ -z "$(find "${folder}" -name .git -prune -o \( "$@" \) -print -quit)" ]; }
+if [ "${ros}" = 1 ] && [ -z "${rosmake}" ] && lacks -name package.xml && ! lacks -name manifest.xml; then
+  serve-rosbuild "${folder}"
+fi
 manifests=(-name package.xml -o -name manifest.xml)
 if [ "${ros}" = 2 ]; then manifests=(-name package.xml -o -name CMakeLists.txt -o -name setup.py); fi
 if [ -n "${ros}" ] && lacks "${manifests[@]}"; then

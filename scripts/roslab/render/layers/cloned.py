@@ -93,8 +93,9 @@ def _is_branch(source: Source) -> bool:
 
 
 def _for_ros(script: str, plan: Plan) -> str:
-    """Return the call of a script that takes branches for the ROS of the image."""
-    return f"{script} --{plan.kind}" if plan.kind in {"ros1", "ros2"} else script
+    """Return the call of a script that takes branches for the ROS of the image, and packages that its tool knows."""
+    rosmake = " --rosmake" if plan.workspace.ros and plan.workspace.ros.tool == "rosmake" else ""
+    return f"{script} --{plan.kind}{rosmake}" if plan.kind in {"ros1", "ros2"} else script
 
 
 def _tried(plan: Plan, source: Source, sought: tuple[str, ...]) -> str:
