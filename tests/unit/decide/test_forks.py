@@ -40,6 +40,7 @@ def _sought(decision: Decision) -> dict[str, tuple[str, ...]]:
         f"* [grid_map]({LAB}/grid_map) (modified version)",
         f"* [our own version of grid_map]({LAB}/grid_map)",
         f"* [grid_map]({LAB}/grid_map)\n  is a fork with a layer of its own",
+        f"* [semantic grid map]({LAB}/grid_map): Modified grid_map with labels",
     ],
 )
 def test_packages_of_a_fork_are_compiled_though_the_distribution_has_them(tree: Tree, item: str) -> None:
@@ -62,10 +63,32 @@ def test_packages_of_a_fork_are_compiled_though_the_distribution_has_them(tree: 
         (f"* grid_map (forked version) {LAB}/grid_map", "roscpp"),
         (f"* grid_map {LAB}/grid_map\n* another one (forked version) {LAB}/another", "grid_map_core"),
         (f"\n## Other work\n* grid_map (forked version) {LAB}/grid_map", "grid_map_core"),
+        (f"* [grid_map]({LAB}/grid_map): modified files are in maps", "grid_map_core"),
+        (f"* [tools]({LAB}/customized_tools)", "grid_map_core"),
     ],
 )
 def test_what_is_no_fork_that_is_needed_is_not_cloned(tree: Tree, item: str, needed: str) -> None:
     assert _sought(tree(_files(item, needed))) == {}
+
+
+@pytest.mark.parametrize("name", ["customized_grid_map", "grid_map_fork", "modified-grid-map", "grid_map_custom"])
+@pytest.mark.parametrize(
+    "item", ["* [grid_map]({})", "* Please install [grid_map]({}).", "* Install it from [here]({})"]
+)
+def test_the_name_of_a_repository_may_say_that_it_is_a_fork(tree: Tree, name: str, item: str) -> None:
+    decision = tree(_files(item.format(f"{LAB}/{name}"), "grid_map_core"))
+    assert _sought(decision) == {f"{LAB}/{name}": ("grid_map_core",)}
+
+
+def test_what_cmake_alone_requires_is_taken_from_a_fork(tree: Tree) -> None:
+    files = _files(f"* [octomap]({LAB}/octomap): Modified octomap", "octomap_ros")
+    files["CMakeLists.txt"] += "find_package(octomap REQUIRED)\n"
+    assert _sought(tree(files)) == {f"{LAB}/octomap": ("octomap_ros", "octomap")}
+
+
+def test_a_fork_in_which_the_build_looks_for_another_package_is_cloned_once(tree: Tree) -> None:
+    files = _files(f"* [grid_map]({LAB}/customized_grid_map)", "grid_map_core", "mapper_x")
+    assert _sought(tree(files | GIT))[f"{LAB}/customized_grid_map.git"] == ("grid_map_core", "mapper_x")
 
 
 @pytest.mark.parametrize(

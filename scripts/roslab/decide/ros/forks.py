@@ -12,8 +12,10 @@ from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.sought import folder_for
 from roslab.decide.ros.source_names import address, day_of_clone, fixed, plain
 from roslab.decide.ros.weights import Weight
+from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
+from roslab.evidence.prose.said_of_links import unchanged
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.listed_repositories import listed_repository
 from roslab.knowledge.released import released
@@ -26,7 +28,7 @@ _NOT_BUILT = frozenset({"test", "doc", "exec", "run"})
 def with_forks(
     choice: Choice[Sources], evidence: Evidence, config: Config, *, ros_distro: str | None, build_tool: BuildTool
 ) -> Choice[Sources]:
-    """Return the sources with the forks of which package.xml files need packages that the distribution released.
+    """Return the sources with the forks of which a package.xml or CMake needs packages that the distribution released.
 
     Only these packages are compiled of one, as of the repository's day; where it is not there, apt's are installed, as
     where a page has another repository of the repository's owner than the distribution and does not say why: that is
@@ -36,7 +38,9 @@ def with_forks(
     if build is None or config.compatible:
         return choice
     sources = choice.answer
-    taken = {address(source.repo or "") for source in sources.everything} | {address(evidence.origin or "")}
+    taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
+    taken.add(address(evidence.origin or ""))
+    sought = {address(source.repo or ""): source for source in sources.sought}
     day = date.value if (date := dated(evidence)) else ""
     forks: list[Source] = []
     reasons = []
@@ -50,33 +54,34 @@ def with_forks(
                 warnings.append(_told(git, asked, other))
             continue
         ref = fixed(git.ref)
-        source = Source(
+        looked_in = sought.pop(address(git.url), None)
+        source = looked_in or Source(
             name=folder_for(git.url, [*sources.sources, *sources.sought, *forks]),
             repo=https(git.url),
             ref=ref,
             build=build,
             before=day_of_clone(ref, day),
-            holding=names,
             place=Place(file=git.file, line=git.line),
         )
-        forks.append(source)
+        forks.append(replace(source, holding=(*names, *source.holding)))
         why = f"{asked[0].file}:{asked[0].line} needs {', '.join(names)}, of which {git.file} lists a fork"
         reasons.append(because("source", source.name, why, git, weight=Weight.LISTED))
-    answer = replace(sources, sought=(*forks, *sources.sought)) if forks else sources
+    answer = replace(sources, sought=(*forks, *sought.values())) if forks else sources
     return replace(choice, answer=answer, reasons=(*choice.reasons, *reasons), warnings=tuple(warnings))
 
 
 def _listed(evidence: Evidence, ros_distro: str) -> Iterator[tuple[GitSource, list[Dependency]]]:
-    """Yield what the page at the root lists among what is needed, each with the released packages of such names."""
+    """Yield what pages list as needed or have the reader install, each with the released packages of such names."""
     there, own = released(ros_distro), {manifest.name for manifest in evidence.manifests}
     needed: dict[str, Dependency] = {}
-    for manifest in evidence.manifests:
-        for each in manifest.dependencies:
-            if each.role not in _NOT_BUILT and each.name in there and each.name not in own:
-                needed.setdefault(each.name, each)
+    declared = [each for m in evidence.manifests for each in m.dependencies if each.role not in _NOT_BUILT]
+    required = (each for p in evidence.cmake if not places.aside(p.file) for each in p.dependencies if each.required)
+    for each in (*declared, *(d for d in required if not d.condition)):
+        if each.name in there and each.name not in own:
+            needed.setdefault(each.name, each)
     for git in evidence.sources:
-        if git.kind == "link" and git.holds and not git.private:
-            name = plain(git.name)
+        if git.kind == "link" and (git.holds or git.told) and not git.private:
+            name = plain(unchanged(git.name))
             found = [each for each in needed.values() if f"{plain(each.name)}_".startswith(f"{name}_")]
             if found:
                 yield git, found

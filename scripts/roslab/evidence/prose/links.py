@@ -127,7 +127,7 @@ def _judged(git: GitSource, before: str, text: str, end: int) -> GitSource:
     behind = _behind(text, end)
     if doubted := doubt(behind):
         return replace(git, doubt=doubted)
-    return replace(git, forked=True) if forked(before.rpartition("\n")[2], behind) else git
+    return replace(git, forked=True) if forked(before.rpartition("\n")[2], behind, git.name) else git
 
 
 def _pinned(text: str, end: int) -> str | None:

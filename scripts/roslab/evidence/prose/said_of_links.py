@@ -14,6 +14,14 @@ _FORK = pattern(
     re.IGNORECASE,
 )
 """What is linked is a fork; not a fork of what is linked, nor what a reader is asked to do."""
+_CHANGED = pattern(r"\b(?:modified|patched|customi[sz]ed|adapted) (?:the )?[`*]*([\w-]+)", re.IGNORECASE)
+"""What its author has changed, by name: ``Modified octomap, with labels``."""
+_CALLED_CHANGED = pattern(
+    r"(?:my|custom(?:i[sz]ed)?|modified|patched|forked)[_-](\w[\w.-]*)|"
+    r"(\w[\w.-]*?)[_-](?:custom(?:i[sz]ed)?|modified|patched|fork(?:ed)?)",
+    re.IGNORECASE,
+)
+"""The name of a repository that says so itself: ``customized_grid_map``."""
 _ASKS = pattern(r"\b(?:to|please|can|could|may|should|you|and|or)\s+(?:also\s+)?$", re.IGNORECASE)
 _UNAVAILABLE = pattern(
     r"(?:\bnot|n't|\bno longer)(?: (?:yet|currently|be|been|made|still))*"
@@ -41,15 +49,28 @@ _SENTENCE = pattern(r"(?<=[.!?])\s+|(?<=[.!?]\*)\s*\*?\s+")
 _MARKS = " \t\n*_:;,)(`-"
 
 
-def forked(before: str, after: str) -> bool:
-    """Tell whether a page calls what it links to a fork or a version of its own.
+def forked(before: str, after: str, name: str) -> bool:
+    """Tell whether a page calls what it links to a fork or a version of its own, or the link's own name does.
 
-    ``before`` and ``after``: what stands before the link and behind it, in its line or item.
+    ``before`` and ``after``: what stands before and behind the link, in its line or item; ``name``: its repository's.
     """
     for text in (before, after):
         if any(not _ASKS.search(text[: match.start()]) for match in _FORK.finditer(text)):
             return True
-    return False
+        changed = (match[1] for match in _CHANGED.finditer(text) if not _ASKS.search(text[: match.start()]))
+        if any(_spelled(each) == _spelled(name) for each in changed):
+            return True
+    return unchanged(name) != name
+
+
+def unchanged(name: str) -> str:
+    """Return the name of what a repository was forked from, where its own says so, else its own."""
+    called = _CALLED_CHANGED.fullmatch(name)
+    return called[1] or called[2] if called else name
+
+
+def _spelled(name: str) -> str:
+    return name.lower().replace("-", "_")
 
 
 def doubt(after: str) -> str:
