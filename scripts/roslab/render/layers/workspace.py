@@ -25,6 +25,8 @@ HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 HEADERS_FIRST = "headers-first"
 """The script that compiles once more where a header was not generated in time."""
+PLAIN_APART = "plain-apart"
+"""The script that compiles packages one by one where a clone brings one that catkin_make refuses."""
 UNKNOWN = "clone-unknown"
 """The script that clones what cloned repositories need in turn."""
 _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
@@ -190,7 +192,7 @@ def compile_workspace(plan: Plan) -> str:
 def _scripts(run: str) -> tuple[str, ...]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
     before = (WITHOUT_DOUBLES, WITHOUT_LACKING, prepared.MAKES_FOLDERS, DECLARED, RAISED, WITHOUT_TESTS)
-    names = (*before, *attempts.SCRIPTS, HEADERS_FIRST)
+    names = (*before, *attempts.SCRIPTS, PLAIN_APART, HEADERS_FIRST)
     return with_called(name for name in names if name in run)
 
 
@@ -247,7 +249,9 @@ def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
     first = f"{again}{HEADERS_FIRST} "
     match build.tool:
         case "catkin_make":
-            return [f"{first}catkin_make -j{jobs}{options}{arguments}"]
+            cloned = plan.workspace.sources or plan.workspace.submodules
+            apart = f"{PLAIN_APART} " if cloned and not plan.compatible else ""
+            return [f"{again}{apart}{HEADERS_FIRST} catkin_make -j{jobs}{options}{arguments}"]
         case "catkin_make_isolated":
             return [f"{first}catkin_make_isolated -j{jobs}{arguments}{cmake}"]
         case "catkin_tools":
