@@ -11,6 +11,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.edited import with_edits
 from roslab.decide.ros.forks import with_forks
 from roslab.decide.ros.marked_clones import with_marks
 from roslab.decide.ros.patched import with_patches
@@ -43,7 +44,9 @@ def authors_clones(
     """
     if dockerfile is None:
         sources = with_forks(sources, evidence, config, ros_distro=target.ros_distro, build_tool=build_tool)
-        return with_marks(sources if config.compatible else with_patches(sources, evidence), evidence)
+        if not config.compatible:
+            sources = with_edits(with_patches(sources, evidence), evidence)
+        return with_marks(sources, evidence)
     told: dict[str, GitSource] = {}
     for git in _clones(evidence, dockerfile):
         if "$" not in git.url and not git.removed:

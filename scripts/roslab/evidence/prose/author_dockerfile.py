@@ -257,7 +257,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         stages=tuple(reading.images),
         copies_repository=copies or itself,
         clones=tuple(each for each in collector.sources if of_image(each.line)),
-        patches=tuple(each for each in collector.mentions if each.topic == "patched"),
+        patches=tuple(each for each in collector.mentions if each.topic in {"patched", "edited"}),
         dependencies=tuple(each for each in dict.fromkeys(collector.dependencies) if of_image(each.line)),
         requirements=tuple(each for each in dict.fromkeys(collector.requirements) if of_image(each.line)),
         command=start.command,

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Literal
 
 from roslab.evidence.lex.shell import UNKNOWN, Command
-from roslab.evidence.prose import downloads, own_packages, patches, single_headers
+from roslab.evidence.prose import downloads, edits, own_packages, patches, single_headers
 from roslab.evidence.prose.archives import is_release
 from roslab.evidence.prose.entered import entered
 from roslab.evidence.prose.loaded_sessions import loaded_session
@@ -27,6 +27,7 @@ Topic = Literal[
     "made",
     "own_package",
     "patched",
+    "edited",
     "single_header",
     "make",
     "session_loaded",
@@ -65,6 +66,7 @@ def steps(command: Command, heading: str, folder: str = "") -> Iterator[tuple[To
     yield from (*_entering(words), *_making(words, folder))
     yield from (("own_package", path) for path in own_packages.called(words, folder))
     yield from (("patched", call) for call in patches.called(command, folder))
+    yield from (("edited", call) for call in edits.called(command, folder))
     yield from (("single_header", each) for each in single_headers.called(words))
     if program in downloads.PROGRAMS:
         yield from downloads.told(words, folder)

@@ -78,7 +78,8 @@ def read(repository: Repository, said: Iterable[Mention], dockerfiles: Iterable[
 
     Where the author's Dockerfile applies it, the build stops as that one's does; pages and scripts go on.
     """
-    authored = [each for docker in dockerfiles if docker.purpose == "project" for each in docker.patches]
+    own = (each for docker in dockerfiles if docker.purpose == "project" for each in docker.patches)
+    authored = [each for each in own if each.topic == "patched"]
     pages = (each for each in said if each.topic == "patched" and each.source in {"readme", "script"})
     found: dict[tuple[str, str], Patch] = {}
     for mention in (*authored, *pages):

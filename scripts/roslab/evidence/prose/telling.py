@@ -59,6 +59,7 @@ SIGNS: Signs = tuple(
         ("mkdir", r"\bmkdir\s"),
         ("tmux", r"\b(?:tmuxp\s+load|tmuxinator\s+(?:start|local))\s"),
         ("_IGNORE", r"\btouch\s"),
+        ("sed ", r"\bsed\s+-"),
         ("/include", r"\b(?:mv|cp|install)\s"),
         ("./", r"(?:^|[\s`$])\.{1,2}/\w"),
         ("build/", r"(?:^|[\s`$])build/\w"),
