@@ -17,6 +17,7 @@ Bound = tuple[str | None, str | None]
 """The oldest version that fits, and the first that does not."""
 _NAME = pattern(r"^\[(.+)\]$", re.MULTILINE)
 _TAG = pattern(r"(?P<before>v?)(?P<version>\d+(?:\.\d+)+)")
+_ASIDE = pattern(r"-D(?:\w+_)?(?:DOCS?|DOCUMENTATION|TESTS?|TESTING|EXAMPLES?)(?:_\w+)?(?::BOOL)?=OFF")
 NO_BOUNDS: Mapping[str, tuple[Bound, ...]] = MappingProxyType({})
 
 
@@ -53,6 +54,8 @@ class Recipe:
     """What takes the place of ``make install``, in its build folder."""
     makefile_in: str | None
     """The folder of it whose Makefile installs it without CMake, which then finds no package: it is only linked."""
+    cmake_in: str | None
+    """The folder of it with its CMakeLists.txt, where that is not at the root."""
 
 
 @cache
@@ -62,6 +65,17 @@ def recipe_at(url: str) -> str | None:
         return None
     found = ((name, _table(name)) for name in _NAME.findall(_text()))
     return next((name for name, row in found if row and row["repo"].lower().removesuffix(".git") == url), None)
+
+
+@cache
+def leaves_out(url: str) -> tuple[str, ...]:
+    """Return the options by which the table builds what lies at an address without documentation, tests and examples.
+
+    Of some, ``make install`` alone fails where they are on: it copies what another target makes.
+    """
+    name = recipe_at(url)
+    options: tuple[str, ...] = tuple((_table(name) or {}).get("options", ())) if name else ()
+    return tuple(option for option in options if _ASIDE.fullmatch(option))
 
 
 @cache
@@ -157,6 +171,7 @@ def recipe(
         options=tuple(found.get("options", ())),
         make=found.get("make"),
         makefile_in=found.get("makefile_in"),
+        cmake_in=found.get("cmake_in"),
     )
     return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu, bounds, day)), own)
 

@@ -979,3 +979,86 @@ def test_what_the_ubuntu_has_by_now_is_not_compiled(tree: Tree) -> None:
     )
     decision = tree(files)
     assert "libpaho-mqttpp-dev" in decision.apt_guessed or "libpaho-mqttpp-dev" in decision.apt
+
+
+BESIDE = "git clone https://github.com/lab/acme.git {into}\ncd {into_or}\n{go}cmake {source}\nmake\nsudo make install\n"
+
+
+@pytest.mark.parametrize(
+    ("into", "go", "source", "folder"),
+    [
+        ("", "mkdir build && cd build\n", "../src", "../src"),
+        ("/opt/acme_3", "mkdir build\ncd build\n", "../src/", "../src"),
+        ("", "mkdir -p build/release && cd build/release\n", "../../lib/core", "../lib/core"),
+        ("", "mkdir build && cd build\n", "../", None),
+        ("", "mkdir -p build/release && cd build/release\n", "../..", None),
+        ("", "", "../src", None),  # beside the clone: nothing is known of that
+    ],
+)
+def test_a_folder_beside_the_build_folder_is_the_one_that_cmake_is_told(
+    tree: Tree, into: str, go: str, source: str, folder: str | None
+) -> None:
+    page = BESIDE.format(into=into, into_or=into or "acme", go=go, source=source)
+    made = "project(demo)\nfind_package(acme REQUIRED)\nadd_executable(demo demo.cpp)\n"
+    files = {"CMakeLists.txt": made, "demo.cpp": "int main() {}\n"}
+    in_page = tree(files | {"README.md": f"```\n{page}```\n"})
+    run = page.replace("sudo ", "").strip().replace("\n", " && \\\n    ")
+    in_dockerfile = tree(
+        files | {"docker/Dockerfile": f"FROM ubuntu:24.04\nRUN {run}\nRUN git clone http://a.b/c.git\n"}
+    )
+    for decision in (in_page, in_dockerfile):
+        assert [(each.name, each.cmake_folder) for each in decision.source] == [("acme", folder)]
+
+
+OWN_IMAGE = """\
+FROM ubuntu:24.04
+RUN git clone https://github.com/lab/acme.git && cd acme && mkdir build && cd build && cmake .. && make install
+RUN git clone https://github.com/lab/acme-hopper.git /opt/hop && \\
+    cd /opt/hop && mkdir build && cd build && cmake ../src && make install
+RUN git clone https://github.com/lab/acme-cloud.git && \\
+    cd acme-cloud && mkdir build && cd build && cmake .. && make install
+RUN git clone https://github.com/lab/own.git
+"""
+
+
+@pytest.mark.parametrize(
+    ("header", "built"),
+    [
+        ("acme/plugins/robots/hopper/sensor.h", ["acme", "acme-hopper"]),
+        ("acme/plugins/hopper_sensor.h", ["acme"]),
+        ("other/acme/hopper/sensor.h", ["acme"]),
+    ],
+)
+def test_a_plugin_of_the_authors_image_whose_headers_are_included(tree: Tree, header: str, built: list[str]) -> None:
+    made = "project(demo)\nfind_package(acme REQUIRED)\nadd_executable(demo demo.cpp)\n"
+    code = f"#include <{header}>\nint main() {{}}\n"
+    decision = tree({"CMakeLists.txt": made, "demo.cpp": code, "docker/Dockerfile": OWN_IMAGE})
+    assert [each.name for each in decision.source] == built
+    told = [w.message for w in decision.warnings if "installs what is called so" in w.message]
+    assert len(told) == len(built) - 1
+
+
+def test_what_the_table_switches_off_is_off_where_a_page_builds_it(tree: Tree) -> None:
+    clone = "git clone https://github.com/ilpincy/argos3.git\ncd argos3\n"
+    page = f"{clone}mkdir build\ncd build\ncmake {{}}../src\nmake\nmake install\n"
+    made = "project(demo)\nfind_package(acme REQUIRED)\nadd_executable(demo demo.cpp)\n"
+    more = "git clone https://github.com/lab/acme.git\ncd acme/build\ncmake ..\nmake install\n"
+    files = {"CMakeLists.txt": made, "demo.cpp": "int main() {}\n"}
+    for said, options in {
+        "": "-DARGOS_DOCUMENTATION=OFF",
+        "-DARGOS_DOCUMENTATION=ON ": "-DARGOS_DOCUMENTATION=ON",
+    }.items():
+        decision = tree(files | {"README.md": f"```\n{page.format(said)}cd ../..\n{more}```\n"})
+        assert [(each.cmake_options, each.cmake_folder) for each in decision.source] == [
+            (options, "../src"),
+            ("", None),
+        ]
+
+
+def test_a_library_of_the_table_whose_project_lies_below_its_root(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(
+        "project(demo)\nfind_package(ARGoS REQUIRED)\nadd_executable(demo demo.cpp)\n"
+    )
+    (tmp_path / "demo.cpp").write_text("int main() {}\n")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert " -DCMAKE_BUILD_TYPE=Release -DARGOS_DOCUMENTATION=OFF ../src" in text

@@ -32,6 +32,8 @@ _TOOLS = ("cmake", "git")
 _AFFIXES = pattern(r"^lib(?=[a-z])|(?:-|_)dev$|(?<=[a-z]{3})lib$")
 """``lib`` may stand at either end of a library's name: its headers lie in ``cdd`` where it is called ``cddlib``."""
 _NUMBER = pattern(r"_?\d+$")
+_LONG = 3
+"""Fewest letters of a word of a name by which a folder is known."""
 
 
 def why(source: Source, asked: Dependency) -> str:
@@ -78,6 +80,22 @@ def includes(git: GitSource, headers: Mapping[str, Dependency]) -> Dependency | 
     """Return what includes a header of a library: it, or the folder that it lies in, has the library's name."""
     recipe = recipe_at(address(git.url))
     return headers.get(_run_together(git.name)) or headers.get(_run_together(recipe or git.name))
+
+
+def includes_inside(git: GitSource, evidence: Evidence) -> Dependency | None:
+    """Return what includes a header of a plugin, whose folders have each word of its name: ``sim/robots/acme/a.h``.
+
+    Such a library (``sim-acme``) installs its headers among those of the one that it extends.
+    """
+    words = [word for word in plain(git.name).split("_") if len(word) >= _LONG]
+    if len(words) < 2:
+        return None
+    for each in evidence.code:
+        sure = each.namespace == "include" and each.strength == "used" and not places.aside(each.file)
+        first, *inside = each.name.lower().split("/")[:-1] if sure else ("",)
+        if first == words[0] and {*words[1:]} <= {*inside}:
+            return each
+    return None
 
 
 def built_by_everybody(

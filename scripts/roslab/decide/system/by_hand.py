@@ -13,7 +13,7 @@ from roslab.decide.ros.source_names import address, day_of_clone, drifts, fixed,
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.bare_links import bare_links
 from roslab.decide.system.bare_names import bare, offered_name, with_joined, without_major
-from roslab.decide.system.by_everybody import BARE, built_by_everybody, headers_of, includes, named_in
+from roslab.decide.system.by_everybody import BARE, built_by_everybody, headers_of, includes, includes_inside, named_in
 from roslab.decide.system.compiled_libraries import looked_for
 from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.names import Target, resolve
@@ -25,6 +25,7 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.code_limits import satisfies, version_of
+from roslab.knowledge.recipes import leaves_out
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -114,14 +115,15 @@ def by_hand(
     last = {git.file: git.line for git in sorted(found, key=lambda git: git.line) if git.installed}
     unread = any(git.absent for git in evidence.sources)
     there, headers = {*taken, *named_in(evidence.cmake)}, headers_of(evidence)
+    own = {each.file for each in evidence.dockerfiles if each.purpose == "project"}
     lacks = _lacks(evidence, packages, kind, target, free)
     for git in [each for each in dict.fromkeys(free.values()) if each not in found]:
         above = git.line < last.get(git.file, 0)  # what is below it may need it
         may_be = git.installed and (above or (unread and git.kind == "clone" and bool(fixed(git.ref))))
         by_page = may_be and _unknown(_by_page(git), target, pinned=False)
-        why = (
-            (_by_page(git), not above) if by_page else _wanted(git, kind, target, there, includes(git, headers), lacks)
-        )
+        header = includes(git, headers) or (includes_inside(git, evidence) if git.file in own else None)
+        why = (_by_page(git), not above) if by_page else _wanted(git, kind, target, there, header, lacks)
+        why = (header, True) if header and not why and git.file in own and _by_hand(git) else why
         if why:
             found[git] = why[0]
             unasked |= {git} if why[1] else set()
@@ -187,8 +189,12 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
 
 def _by_script(git: GitSource) -> bool:
     """Tell whether a script compiles and installs a clone."""
-    by_hand = git.installed and (git.configured or git.by_make)
-    return by_hand and git.kind == "clone" and not git.aside and git.file.endswith(_SCRIPTS)
+    return _by_hand(git) and git.file.endswith(_SCRIPTS)
+
+
+def _by_hand(git: GitSource) -> bool:
+    built = git.installed and (git.configured or git.by_make)
+    return built and git.kind == "clone" and not git.aside
 
 
 def _needs(git: GitSource, others: Iterable[GitSource], target: Target) -> tuple[str, ...]:
@@ -240,15 +246,20 @@ def of_majors(evidence: Evidence, sources: Iterable[Source]) -> Iterator[str]:
 
 
 def _source(git: GitSource, day: str) -> Source:
-    """Return a library as a page or a list has it; ``day``: that of the repository's last commit."""
+    """Return a library as a page or a list has it; ``day``: that of the repository's last commit.
+
+    What the table switches off of one that it knows is off, unless the page says otherwise.
+    """
     ref = fixed(git.ref)
+    said = {_named(word) for word in git.options.split()}
+    ours = () if git.by_make else leaves_out(address(git.url))
     return Source(
         name=git.name,
         repo=https(git.url),
         ref=ref,
         before=day_of_clone(ref, day),
         build="cmake",
-        cmake_options=git.options,
+        cmake_options=" ".join((*(option for option in ours if _named(option) not in said), git.options)).strip(),
         cmake_folder=(git.below if git.by_make else f"../{git.below}") if git.below else None,
         unread=not git.by_make,
         by_make=git.by_make,

@@ -69,7 +69,7 @@ def _source(built: Recipe) -> Source:
         depends=built.depends,
         build="cmake",
         cmake_options=" ".join(built.options),
-        cmake_folder=built.makefile_in,
+        cmake_folder=f"../{built.cmake_in}" if built.cmake_in else built.makefile_in,
         make_command=built.make,
         tabled=built.makefile_in is None,
         by_make=built.makefile_in is not None,

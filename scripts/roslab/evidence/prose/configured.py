@@ -72,10 +72,24 @@ def preset_of(words: Sequence[str]) -> str:
     return f" {PRESET}{names[0]}" if names else ""
 
 
-def folder_of(words: Sequence[str]) -> str:
-    """Return the folder that a call of CMake names by a path, ``""`` for ``..`` and for none."""
+def folder_of(words: Sequence[str], here: str) -> str:
+    """Return the folder that a call of CMake names by a path, ``""`` for ``..`` and for none.
+
+    ``here``: the folder that the text is in, from which ``../src`` is one beside it.
+    """
     source = _source(words)
-    return "" if source.startswith("..") else source.replace(UNKNOWN, "").strip("/")
+    if source.startswith(".."):
+        return _beside(source, here)
+    return source.replace(UNKNOWN, "").strip("/")
+
+
+def _beside(source: str, here: str) -> str:
+    """Return the folder that ``../src`` means from ``here``, ``""`` for ``..`` alone and for what is not known."""
+    path = posixpath.normpath(source)
+    if path.replace("../", "").strip(".") == "":
+        return ""
+    there = posixpath.normpath(posixpath.join(here, path))
+    return "" if there.startswith("..") or UNKNOWN in there else there
 
 
 def _source(words: Sequence[str]) -> str:
@@ -128,6 +142,8 @@ def source_of(folder: str, words: Sequence[str]) -> str:
 
     A folder whose name begins with ``build`` is one to build in, and so is any other from which ``cmake ..`` is called.
     """
+    if named := _beside(_source(words), folder) if folder else "":
+        return named
     source = _BUILD_FOLDER.sub("", folder)
     if source == folder and {"..", "../"} & {*words}:
         source = posixpath.dirname(folder)

@@ -243,19 +243,18 @@ class Collector:
         from roslab.evidence.prose.archives import archives  # noqa: PLC0415 - few pages compile by hand
         from roslab.evidence.prose.checkouts import clone_at, titled  # noqa: PLC0415 - as above
 
-        words = command.words
+        words, here = command.words, workspaces.longer(self.folder, self.place)
         if program in {"wget", "curl"}:
             self.sources += archives(command, self.file)
             return
         if program == "cmake":
             self._mention("build_tool", "cmake", command)
             if not {"--build", "--install", "--version"} & {*words}:
-                self.options, self.configured, self.below = options_of(words), True, folder_of(words)
+                self.options, self.configured, self.below = options_of(words), True, folder_of(words, here)
                 # A folder in which CMake is run, ``.`` where the text begins, with its options, may be a library's
                 self._mention("compiled", source_of(self.folder, words), command, text=self.options + preset_of(words))
         if not installs(program, words, configured=self.configured):
             return
-        here = workspaces.longer(self.folder, self.place)
         clone = clone_at([*here.split("/"), *self.below.split("/")], self.sources)
         clone = titled(self.heading, self.sources) if clone is None and program != "dpkg" else clone
         if self.configured and program != "dpkg":
