@@ -10,7 +10,7 @@ from typing import Literal
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.launch_file import LaunchFile
-from roslab.evidence.python.imports import modules_of, statements
+from roslab.evidence.python.imports import modules_of
 from roslab.evidence.python.modules import Module, modules, run_by_pages
 from roslab.evidence.python.through_modules import of_tree
 from roslab.evidence.python_project import PythonProject
@@ -56,7 +56,7 @@ def read(
 
 def _of(module: Module, topic: Literal["at_top", "node_import"]) -> Iterator[Mention]:
     found: dict[str, int] = {}
-    for match in statements(module.text):
+    for match in module.statements:
         for name in modules_of(match) if not match["indent"] else ():
             found.setdefault(name, module.text.count("\n", 0, match.start()) + 1)
     for name, line in found.items():

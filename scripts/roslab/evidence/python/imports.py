@@ -18,6 +18,7 @@ from roslab.evidence.python.of_python3 import of_python3
 from roslab.evidence.python.programs import read as programs
 from roslab.evidence.python.rendered import rendered
 from roslab.evidence.python.shown_by_imports import names, shown_by_imports
+from roslab.evidence.python.statements import IMPORT, statements
 from roslab.evidence.python.through_modules import of_tree
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
@@ -27,12 +28,6 @@ from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
-_IMPORT = pattern(
-    r"^(?P<indent>[ \t]*)(?:import[ \t]+(?P<plain>[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?"
-    r"(?:[ \t]*,[ \t]*[A-Za-z_][\w.]*(?:[ \t]+as[ \t]+\w+)?)*)(?=[ \t]*(?:[#;,\\\r]|$))"
-    r"|from[ \t]+(?P<module>[A-Za-z_][\w.]*)[ \t]+import\b)",
-    re.MULTILINE,
-)
 _TYPELIB = pattern(r"\brequire_version\(\s*[\"'](\w+)[\"']\s*,\s*[\"']([\d.]+)[\"']")
 _PLAIN_PYTHON = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)python[ \t]*\r?$", re.MULTILINE)
 """A first line that starts `python`, which Ubuntu 20.04 and newer install only on demand."""
@@ -72,7 +67,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 namespace="call", name=library, strength="used", file=file.path, line=text.count("\n", 0, position) + 1
             )
         found |= {f"{each.name} {each.role}": each for each in _typelibs(module)}
-        found_in = [(match, modules_of(match, sorted_in)) for match in statements(text)]
+        found_in = [(match, modules_of(match, sorted_in)) for match in module.statements]
         imported[file.path] = [name for match, _ in found_in for name in names(match)]
         said = {**_told(module, found_in), **said}
         others = {top for _, tops in found_in for top in tops} - local
@@ -207,24 +202,12 @@ def _add_notebooks(
     for file in notebooks.files(repository):
         text = repository.read(file, limit=notebooks.MAX_SIZE)
         for line, code in notebooks.imports(text):
-            match = _IMPORT.match(code)
+            match = IMPORT.match(code)
             for top in modules_of(match, sorted_in) if match and not match["indent"] else ():
                 if not _standard(top) and top not in local and top not in found and not top.startswith("_"):
                     found[top] = Dependency(
                         namespace="import", name=top, strength="optional", file=file.path, line=line
                     )
-
-
-def statements(text: str) -> Iterator[re.Match[str]]:
-    """Yield the statements that import; lines without that word need no pattern, which would read every one."""
-    position = text.find("import")
-    while position >= 0:
-        start = text.rfind("\n", 0, position) + 1
-        match = _IMPORT.match(text, start)
-        if match:
-            yield match
-        end = text.find("\n", match.end() if match else position)
-        position = text.find("import", end) if end >= 0 else -1
 
 
 def modules_of(match: re.Match[str], sorted_in: frozenset[str] = frozenset()) -> list[str]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import cached_property
 
 from roslab.evidence import places
 from roslab.evidence.copied_libraries import folders_of_copies, in_copy
 from roslab.evidence.facts import Mention
+from roslab.evidence.python.statements import statements
 from roslab.evidence.python.unsuffixed import unsuffixed
 from roslab.knowledge.hints import words_of
 from roslab.repository.checkout import File, Repository, nearest
@@ -39,6 +41,11 @@ class Module:
     def words(self) -> frozenset[str]:
         """The names in it that are hints."""
         return words_of(self.text)
+
+    @cached_property
+    def statements(self) -> tuple[re.Match[str], ...]:
+        """Those of it that import."""
+        return tuple(statements(self.text))
 
     @cached_property
     def names_ros(self) -> bool:

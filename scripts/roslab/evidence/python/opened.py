@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matching_lines
-from roslab.evidence.python.imports import statements
 from roslab.evidence.python.modules import modules
+from roslab.evidence.python.statements import statements
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 

@@ -8,7 +8,8 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.python import notebooks
-from roslab.evidence.python.imports import modules_of, statements
+from roslab.evidence.python.imports import modules_of
+from roslab.evidence.python.statements import statements
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 

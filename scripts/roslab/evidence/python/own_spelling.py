@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.python.imports import statements
 from roslab.evidence.python.modules import Module, modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -31,7 +30,7 @@ def read(repository: Repository) -> Iterator[Mention]:
 
 
 def _import(module: Module, repository: Repository) -> Mention | None:
-    for match in statements(module.text):
+    for match in module.statements:
         named = _NAMED.match(match[0].strip())
         if named is None:
             continue

@@ -10,7 +10,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.program import Program
 from roslab.evidence.python.import_graph import ImportGraph
-from roslab.evidence.python.imports import modules_of, statements
+from roslab.evidence.python.imports import modules_of
 from roslab.evidence.python.modules import Module, modules, run_by_pages
 from roslab.evidence.python.through_modules import of_tree
 from roslab.knowledge.frameworks import imports
@@ -74,9 +74,7 @@ def _reached(
 def imported(module: Module, names: Collection[str]) -> dict[str, int]:
     """Return those of the names that a module imports under no condition, each with its first line."""
     found: dict[str, int] = {}
-    if not any(name in module.text for name in names):
-        return found
-    for match in statements(module.text):
+    for match in module.statements:
         for name in modules_of(match) if not match["indent"] else ():
             if name in names and name not in found:
                 found[name] = module.text.count("\n", 0, match.start()) + 1

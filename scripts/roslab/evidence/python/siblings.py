@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.python.imports import modules_of, statements
+from roslab.evidence.python.imports import modules_of
 from roslab.evidence.python.modules import modules
 from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
@@ -30,7 +30,7 @@ def read(repository: Repository, projects: Iterable[PythonProject]) -> Iterator[
         own = max((each for each in folders if path.startswith(f"{each}/")), key=len, default=None)
         if own is None or places.test(path) or places.example(path):
             continue
-        for match in statements(module.text):
+        for match in module.statements:
             for name in modules_of(match) if not match["indent"] else ():
                 other = tops.get(name, own)
                 if other != own and (own, other) not in told:
