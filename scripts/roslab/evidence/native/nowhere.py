@@ -10,6 +10,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import PackageManifest
 from roslab.evidence.lex.cmake import EVERY, calls
+from roslab.evidence.lex.lines import end_of_line, lines_with
 from roslab.evidence.native.cmake_needs import made_here
 from roslab.evidence.native.limits import HEADERS, Signs, conditional
 from roslab.evidence.native.unlisted import Unlisted
@@ -136,12 +137,13 @@ class Nowhere:
         """Tell whether a header has a template, or CMake names it with its folder, as it does to make it of a file."""
         if self.repository.named(f"{posixpath.basename(name)}.in"):
             return True
-        return any(name in text for text in self._lists)
+        return name in self._lists
 
     @cached_property
-    def _lists(self) -> tuple[str, ...]:
-        """The texts of every list of CMake."""
-        return tuple(self.repository.read(file) for file in self.repository.named("CMakeLists.txt"))
+    def _lists(self) -> str:
+        """The lines of every list of CMake that may name a header."""
+        texts = (self.repository.read(file) for file in self.repository.named("CMakeLists.txt"))
+        return "\n".join(text[start : end_of_line(text, start)] for text in texts for start in lines_with(text, ".h"))
 
     def _within(self, path: str, package: str) -> bool:
         """Tell whether a path is inside of a package, where it may be generated, or in a submodule."""

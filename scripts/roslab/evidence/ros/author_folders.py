@@ -30,6 +30,8 @@ _AT_HOME = pattern(
     r"((?:[\w.+@-]+/){2,30}[\w.+@-]*)"
 )
 """A path below the home of whoever runs it, as a shell, a launch file or code writes it."""
+_HOMES = ("~/", "HOME", "Path.home()")
+"""What each of these has."""
 _ANYBODY = "/home/~/"
 """What stands for that home while a path is looked at."""
 _HOME = pattern(r"/(?:home|Users)/[A-Za-z][\w.-]*/.|/root/.|[A-Z]:\\")
@@ -93,7 +95,8 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
 
 def _written(text: str) -> list[tuple[int, str]]:
     """Return the paths of a text with their places, those below the home of whoever runs it at the end."""
-    at_home = {match.end(): match for match in _AT_HOME.finditer(text)}
+    homes = _AT_HOME.finditer(text) if any(home in text for home in _HOMES) else ()
+    at_home = {match.end(): match for match in homes}
     paths = [(match.start(), match[0].rstrip(".")) for match in _PATH.finditer(text) if match.end() not in at_home]
     return paths + [(match.start(), _ANYBODY + match[1].rstrip(".")) for match in at_home.values()]
 

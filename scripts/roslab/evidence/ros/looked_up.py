@@ -32,6 +32,8 @@ _IN_PYTHON = pattern(
 https://docs.ros.org/en/api/roslib/html/python/roslib.packages-module.html, read 2026-11-28."""
 _PYTHON = ("rospkg", "roslib", "ament_index_python")
 """Modules without one of which a function of such a name is another one."""
+_ASKED = pattern(r"get(?:Path|_package_share)")
+"""What both of C++ have, which takes one look."""
 _BEGINNINGS = ("ros::package::getPath", "ament_index_cpp::get_package_share_directory")
 
 
@@ -54,5 +56,5 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
 def _matches(file: File, text: str) -> Iterable[re.Match[str]]:
     if not file.name.endswith(".py"):
-        return matches_at(_LOOKED_UP, text, *_BEGINNINGS)
+        return matches_at(_LOOKED_UP, text, *_BEGINNINGS) if _ASKED.search(text) else ()
     return _IN_PYTHON.finditer(text) if any(word in text for word in _PYTHON) else ()

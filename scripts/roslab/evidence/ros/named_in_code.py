@@ -6,7 +6,6 @@ import re
 
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
-from roslab.evidence.lex.lines import matches_at
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -21,7 +20,6 @@ _TAKEN = pattern(
     r"\b(?:taken|adapted|copied|based|borrowed|ported|derived|modified|forked|stolen)\b[^\n]{0,40}\b(?:from|on|of)\b",
     re.IGNORECASE,
 )
-_BEGINNINGS = ("https://github.com/", "https://gitlab.com/")
 
 
 def read(repository: Repository) -> tuple[GitSource, ...]:
@@ -30,7 +28,7 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
     files = [f for f in repository.suffixed(*_CODE) if f.size <= MAX_SIZE and not places.vendored(f.path)]
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
-        for match in matches_at(_ADDRESS, text, *_BEGINNINGS):
+        for match in _ADDRESS.finditer(text):
             url = text[match.start() : match.end(1)].removesuffix(".git")
             first = found.get(url)
             taken = bool(_TAKEN.search(text, max(text.rfind("\n", 0, match.start()), 0), match.start()))
