@@ -34,3 +34,20 @@ FILES = {
 )
 def test_they_are_given_to_the_build(tree: Tree, page: str, options: tuple[str, ...]) -> None:
     assert tree({**FILES, "README.md": f"# demo\n\nROS Noetic\n\n```\n{page}\n```\n"}).cmake_options == options
+
+
+@pytest.mark.parametrize(
+    ("files", "options"),
+    [
+        ({"setup.sh": "catkin init\ncatkin build --cmake-args -DWITH_B=ON\n"}, ("-DWITH_B=ON",)),
+        ({"setup.sh": "catkin build -DCMAKE_BUILD_TYPE=Debug\n"}, ()),
+        ({"tools/setup.sh": "catkin build -DWITH_A=ON\n"}, ()),
+        ({"fast.sh": "catkin build -DWITH_A=ON\n", "slow.sh": "catkin build -DWITH_A=OFF\n"}, ()),
+        ({"setup.sh": "catkin build -DWITH_A=ON\n", "README.md": "ROS Noetic\n\n```\ncatkin build\n```\n"}, ()),
+    ],
+)
+def test_where_no_page_builds_those_of_the_one_script_are_given(
+    tree: Tree, files: dict[str, str], options: tuple[str, ...]
+) -> None:
+    page = {"README.md": "# demo\n\nROS Noetic\n\n```\n./setup.sh\n```\n", "CMakeLists.txt": FILES["CMakeLists.txt"]}
+    assert tree({**FILES, **page, **files}).cmake_options == options

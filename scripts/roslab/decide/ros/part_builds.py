@@ -43,6 +43,13 @@ def builds(evidence: Evidence, build_tool: BuildTool) -> tuple[Mention, ...]:
     return tuple(call for call in calls if call.file == calls[0].file)
 
 
+def by_script(evidence: Evidence, build_tool: BuildTool) -> tuple[Mention, ...]:
+    """Return the builds of the only script at the root that calls the build tool: readers of the pages run it."""
+    said = [m for m in evidence.mentions if m.topic == "build_tool" and m.source == "script" and "/" not in m.file]
+    calls = [call for call in said if call.value == build_tool and not _NO_BUILD.match(call.text)]
+    return tuple(calls) if len({call.file for call in calls}) == 1 else ()
+
+
 def configured(evidence: Evidence, build_tool: BuildTool) -> tuple[Mention, ...]:
     """Return the calls that set options for the builds of that page, before the first of them."""
     first = next(iter(builds(evidence, build_tool)), None)

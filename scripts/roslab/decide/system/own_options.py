@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import BuildTool, Config, Source
-from roslab.decide.ros.part_builds import ONLY, builds, configured, to_whole
+from roslab.decide.ros.part_builds import ONLY, builds, by_script, configured, to_whole
 from roslab.decide.ros.source_names import plain
 from roslab.decide.system.switches import given
 from roslab.evidence.facts import Evidence
@@ -38,9 +38,9 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
     Where that has none, those of the Makefile there, or of a script that builds.
 
     ``folder_name`` is the repository's name, into whose folder the page may go. Of a workspace of ROS, what the first
-    call of its build tool on such a page gives CMake, and what catkin_tools was told to keep before it; where that
-    builds a part of it, also what the calls behind it give until the whole is built. Before them come variables that
-    CMake files use and nothing sets.
+    call of its build tool on such a page, else in the one script at the root that has any, gives CMake, and what
+    catkin_tools was told to keep before it; where that builds a part of it, also what the calls behind it give until
+    the whole is built. Before them come variables that CMake files use and nothing sets.
     """
     meant = () if config.compatible else tuple(f"-D{name}={value}" for name, value in evidence.misnamed)
     if build_tool in _OF_ROS:
@@ -69,7 +69,7 @@ def _of_programs(evidence: Evidence, config: Config, own: tuple[str, ...]) -> tu
 
 
 def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> tuple[str, ...]:
-    calls = () if config.compatible else builds(evidence, build_tool)
+    calls = () if config.compatible else builds(evidence, build_tool) or by_script(evidence, build_tool)
     kept = configured(evidence, build_tool) if calls else ()
     words = (word for call in (*kept, *to_whole(calls)) for word in call.text.replace(" -D ", " -D").split())
     words = (word.replace(":=", "=", 1) if word.startswith("-D") else word for word in words)  # ``-DGUI:=ON``: no type
