@@ -8,8 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from roslab.evidence.gather import gather
 from roslab.evidence.python import imports
+from roslab.evidence.python import modules as python_modules
 from roslab.evidence.python.programs import read as programs
+from roslab.evidence.python.statements import statements
 from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
 
@@ -186,3 +189,19 @@ def test_what_the_tree_compiles_is_its_own(tmp_path: Path, files: dict[str, str]
 def test_copied_code_of_a_known_package_may_not_be_compiled(tmp_path: Path) -> None:
     files = {"main.py": "import open3d\n", "third_party/a/setup.py": EXTENSION.replace("fast_ops", "open3d")}
     assert [d.name for d in imports.read(tree(tmp_path, files))] == ["open3d"]
+
+
+def test_the_imports_of_a_module_are_looked_for_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+
+    def counted(text: str) -> object:
+        asked.append(text)
+        return statements(text)
+
+    monkeypatch.setattr(python_modules, "statements", counted)
+    guard = "if __name__ == '__main__':\n    pass\n"
+    files = {
+        f"{name}.py": f"import {other}\nimport cv2, odd_{name}\n{guard}" for name, other in (("a", "b"), ("b", "a"))
+    }
+    gather(tree(tmp_path, {**files, "README.md": "```bash\npython a.py\n```\n"}))
+    assert sorted(asked) == sorted(files.values())
