@@ -8,7 +8,15 @@ from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.hidden import hidden
 from roslab.evidence.lex.cmake import PROJECT, WHOLE, Call, calls
-from roslab.evidence.native import cmake_needs, cmake_since, imported_targets, included, installed_programs, own_project
+from roslab.evidence.native import (
+    cmake_needs,
+    cmake_since,
+    imported_targets,
+    included,
+    installed_programs,
+    linker_flags,
+    own_project,
+)
 from roslab.evidence.native.added import Added
 from roslab.evidence.native.authors_parts import authors_parts
 from roslab.evidence.native.bare_links import with_bare
@@ -163,6 +171,8 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
                 _note(needing, path, reading)
         else:
             _note(call, file.path, reading)
+            if call.name == "find_package":
+                reading.dependencies += linker_flags.of_module(call, repository, file)
     reading.dependencies = [cmake_needs.of_lua(asked, text) for asked in reading.dependencies]
     reading.dependencies += searched(text, file.path, repository)
     own = reading.libraries | reading.executables.keys() | {reading.name}
@@ -254,7 +264,7 @@ def _note(call: Call, path: str, reading: Reading) -> None:
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
     elif name in {"set", "set_target_properties"}:
         reading.written.note(call, path.rpartition("/")[0], reading.executables)
-        reading.dependencies += cmake_needs.files(told, path)
+        reading.dependencies += (*cmake_needs.files(told, path), *linker_flags.named(told, path))
     elif name == "cmake_minimum_required":
         reading.minimum = reading.minimum or cmake_since.minimum(call, path)
         cmake_since.raised(call, path, reading.newer)
