@@ -34,6 +34,7 @@ from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.included_interfaces import included_interfaces
 from roslab.decide.ros.keys import by_pip
 from roslab.decide.ros.layout import Layout
+from roslab.decide.ros.linked_install import by_links
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
 from roslab.decide.ros.submodule_packages import may_fail_in
@@ -237,6 +238,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         not_there=() if of.own.answer else not_there.answer,
         lacking=() if of.own.answer else of.missing.answer.lacking,
         undeclared=of.missing.answer.undeclared,
+        by_links=by_links(evidence, config, of.build_tool.answer),
         workspace=of.layout.answer.workspace,
         set_up_links=of.layout.answer.set_up_links,
         git_folder=not config.compatible and any(m.topic == "git_folder" for m in evidence.mentions),

@@ -220,6 +220,8 @@ class Decision:
     """Packages that a clone may bring, each with the folders of those that are not built where none does."""
     undeclared: bool = False
     """A package requires another one of the repository that its package.xml does not name."""
+    by_links: bool = False
+    """colcon installs links to the source: a program imports what lies beside it and is not installed."""
     ended: tuple[str, ...] = ()
     """Packages that manifests of rosbuild name and this ROS no longer has."""
     workspace: Literal["none", "overlay", "root"] = "none"

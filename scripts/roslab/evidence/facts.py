@@ -153,7 +153,7 @@ class Mention:
         "asked_option", "reached", "as_sources", "node_import", "only_in_manifest", "lost_folder", "sibling_folder",
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import", "from_above",
         "lost_header", "needs_extension", "unbounded", "optional_ros", "typestore", "cuda_path", "lost_module",
-        "screen", "mounted", "argument_count", "copied", "session_loaded", "system_library", "edited",
+        "screen", "mounted", "argument_count", "copied", "session_loaded", "system_library", "edited", "left_beside",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -9,6 +9,7 @@ from typing import Literal, get_args
 
 from roslab.config.model import Config, Source, WorkspaceTool
 from roslab.decide.decision import Decision
+from roslab.decide.ros.linked_install import OPTION
 from roslab.decide.ros.source_names import address
 from roslab.decide.system.missing import skipping
 from roslab.knowledge.cpp_standards import raised
@@ -69,11 +70,13 @@ def ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...], f
     default: RosTool = "catkin_make" if decision.kind == "ros1" else "colcon"
     tool = next((known for tool in tools for known in ROS_TOOLS if known == tool), default)
     own = decision.build_tool in ROS_TOOLS
+    linked = (OPTION,) if decision.by_links else ()
     of_sisters = dict.fromkeys(word for source in sisters for word in shlex.split(source.cmake_options))
     return RosBuild(
         tool=tool,
         arguments=(
             *_of_rosmake(decision),
+            *linked,
             *config.build_args,
             *skipping(tool, decision.left_out),
             *_told(decision, folder),

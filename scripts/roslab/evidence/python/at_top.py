@@ -23,6 +23,10 @@ MAX_SIZE = 64 * 1024
 
 _INSTALLED = pattern(r"\b(?:catkin_install_python|install)[ \t]*\(\s*PROGRAMS\b([^()]{1,4000})\)", re.IGNORECASE)
 _PROGRAM = pattern(r"[\w./-]+\.py\b")
+_INSTALLS = pattern(
+    r"\b(?:install|ament_python_install_(?:package|module))[ \t]*\(\s*(DIRECTORY\b)?([^()]{1,4000})\)", re.IGNORECASE
+)
+_AMENT = "ament_package"
 _VARIANT = 2
 """Fewest words of a name that another one begins with by more than chance."""
 
@@ -37,7 +41,8 @@ def read(
 
     Of those that pages run what they import themselves; of nodes, which launch files start and CMake or the setup.py
     beside a package.xml installs, what modules of the tree import for them, too. With its own topic what is a
-    module of the tree that was not committed, by the names of those beside it, the first of which is its text.
+    module of the tree that was not committed, by the names of those beside it, the first of which is its text; and a
+    module beside a program that CMake installs without it, for ROS 2: only a link to the source finds it.
     """
     run = run_by_pages(mentions)
     for module in modules(repository) if run else ():
@@ -46,12 +51,15 @@ def read(
     nodes = {*_started(launched), *_installed(repository), *_entries(repository, projects)}
     starting = [module.file.path for module in modules(repository) if module.file.path in nodes] if nodes else []
     reached = nodes | of_tree(repository).reached(starting) if starting else frozenset()
+    alone = _alone(repository) if reached else {}
     for module in modules(repository) if reached else ():
         if module.file.path in reached:
             beside = of_tree(repository).beside(module.file.path)
             for each in _of(module, "node_import"):
                 variant = _variant(each.value, beside)
                 yield replace(each, topic="lost_module", text=variant) if variant else each
+                if each.value in beside and module.file.path in alone and each.value not in alone[module.file.path]:
+                    yield replace(each, topic="left_beside")
 
 
 def _of(module: Module, topic: Literal["at_top", "node_import"]) -> Iterator[Mention]:
@@ -75,6 +83,22 @@ def _installed(repository: Repository) -> Iterator[str]:
         text = repository.read(file, limit=MAX_SIZE)
         for match in _INSTALLED.finditer(text) if "PROGRAMS" in text else ():
             yield from (posixpath.normpath(posixpath.join(file.folder, name)) for name in _PROGRAM.findall(match[1]))
+
+
+def _alone(repository: Repository) -> dict[str, AbstractSet[str]]:
+    """Return the programs that CMake copies out of their folder for ROS 2, with the names of all that it installs."""
+    found: dict[str, AbstractSet[str]] = {}
+    for file in repository.named("CMakeLists.txt"):
+        text = repository.read(file, limit=MAX_SIZE)
+        if "PROGRAMS" not in text or _AMENT not in text:
+            continue
+        calls = [(bool(match[1]), match[2].replace('"', " ").split()) for match in _INSTALLS.finditer(text)]
+        names = {word.rstrip("/").rpartition("/")[2].removesuffix(".py") for _, words in calls for word in words}
+        folders = {word.rstrip("/") for whole, words in calls if whole for word in words}
+        for match in _INSTALLED.finditer(text):
+            programs = (name.removeprefix("./") for name in _PROGRAM.findall(match[1]))
+            found |= {posixpath.join(file.folder, p): names for p in programs if posixpath.dirname(p) not in folders}
+    return found
 
 
 def _entries(repository: Repository, projects: Iterable[PythonProject]) -> Iterator[str]:

@@ -104,7 +104,9 @@ rm -rf "${seen}"
 # random targets, others at each build
 mapfile -t built < <(present | grep --line-regexp --extended-regexp 'build(_isolated)?')
 mapfile -t found < <(present | grep --line-regexp --extended-regexp --invert-match 'build(_isolated)?')
-if [ "${#built[@]}" -gt 0 ] && grep --recursive --quiet --extended-regexp "${PWD}/build(_isolated)?/" "${found[@]}"; then
+links_to_build() { [ -n "$(find "${found[@]}" -type l -lname "${PWD}/build*" -print -quit)" ]; }
+if [ "${#built[@]}" -gt 0 ] &&
+  { links_to_build || grep --recursive --quiet --extended-regexp "${PWD}/build(_isolated)?/" "${found[@]}"; }; then
   find "${built[@]}" \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
   found+=("${built[@]}")
 fi

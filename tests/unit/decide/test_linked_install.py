@@ -1,0 +1,87 @@
+"""Programs of ROS 2 that import what lies beside them and is not installed: their authors' builds make links."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+
+Tree = Callable[[dict[str, str]], Decision]
+
+PACKAGE = (
+    '<package format="3"><name>demo</name><version>1.0.0</version><buildtool_depend>ament_cmake</buildtool_depend>'
+    "<depend>rclpy</depend><export><build_type>ament_cmake</build_type></export></package>"
+)
+CMAKE = """\
+project(demo)
+find_package(ament_cmake REQUIRED)
+install(PROGRAMS src/eye.py DESTINATION lib/${{PROJECT_NAME}})
+{}
+ament_package()
+"""
+BY_LINKS = "ROS 2 Humble\n```\ncolcon build --symlink-install\nros2 run demo eye.py\n```\n"
+
+
+def _files(more: str = "", page: str = BY_LINKS, code: str = "from helping.reader import read\n") -> dict[str, str]:
+    return {
+        "README.md": page,
+        "package.xml": PACKAGE,
+        "CMakeLists.txt": CMAKE.format(more),
+        "src/eye.py": f"#!/usr/bin/env python3\nimport rclpy\n{code}",
+        "src/helping/__init__.py": "",
+        "src/helping/reader.py": "def read(): ...\n",
+        "src/lone.py": "",
+    }
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "",
+        "ament_python_install_package(${PROJECT_NAME} PACKAGE_DIR src)",
+        "install(DIRECTORY launch DESTINATION share/a)",
+    ],
+)
+def test_links_are_installed_where_only_they_find_a_module(tree: Tree, more: str) -> None:
+    assert tree(_files(more)).by_links
+
+
+@pytest.mark.parametrize(
+    ("more", "page", "code"),
+    [
+        ("", BY_LINKS.replace(" --symlink-install", ""), "import lone\n"),
+        ("", BY_LINKS, ""),
+        ("", BY_LINKS, "import numpy\n"),
+        ("", BY_LINKS, "def run():\n    import lone\n"),
+        ("ament_python_install_package(helping PACKAGE_DIR src/helping)", BY_LINKS, "import helping\n"),
+        ("install(PROGRAMS src/lone.py DESTINATION lib/${PROJECT_NAME})", BY_LINKS, "import lone\n"),
+        ("install(DIRECTORY src/ DESTINATION lib/${PROJECT_NAME})", BY_LINKS, "import lone\n"),
+        ('install(DIRECTORY "src/helping" DESTINATION lib/demo)', BY_LINKS, "import helping\n"),
+    ],
+)
+def test_copies_are_installed_elsewhere(tree: Tree, more: str, page: str, code: str) -> None:
+    assert not tree(_files(more, page, code)).by_links
+
+
+def test_a_package_of_catkin_runs_its_programs_where_they_lie(tree: Tree) -> None:
+    files = _files(page="ROS Noetic\n```\ncolcon build --symlink-install\n```\n")
+    files["package.xml"] = "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("ament", "catkin")
+    assert not tree(files).by_links
+
+
+def test_colcon_is_told(tmp_path: Path) -> None:
+    for name, text in _files().items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    planned = plan_repository(str(tmp_path))
+    assert planned.plan.workspace.ros is not None
+    assert planned.plan.workspace.ros.arguments == ("--symlink-install",)
+    (tmp_path / "roslab.yaml").write_text("format: 3\nbuild_args: [--symlink-install, --merge-install]\n")
+    planned = plan_repository(str(tmp_path))
+    assert planned.plan.workspace.ros is not None
+    assert planned.plan.workspace.ros.arguments == ("--symlink-install", "--merge-install")
