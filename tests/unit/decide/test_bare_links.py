@@ -118,3 +118,25 @@ def test_the_module_of_cmake_for_an_old_lua_finds_its_package(tree: Tree) -> Non
     decision = tree(cpp("find_package(Lua51 REQUIRED)\n"))
     assert "liblua5.1-0-dev" in (*decision.apt, *decision.apt_guessed)
     assert not any("Lua51" in warning.message for warning in decision.warnings)
+
+
+@pytest.mark.parametrize(
+    ("linked", "package"),
+    [
+        ("boost_system", "libboost-all-dev"),
+        ("boost_program_options", "libboost-all-dev"),
+        ("PocoNet", "libpoco-dev"),
+        ("BulletCollision", "libbullet-dev"),
+        ("fftw3f", "libfftw3-dev"),
+        ("osgViewer", "libopenscenegraph-dev"),
+        ("ncursesw", "libncurses-dev"),
+    ],
+)
+@pytest.mark.parametrize(
+    "call", ["target_link_libraries(demo {})", "set(LIBS m {})\ntarget_link_libraries(demo ${{LIBS}})"]
+)
+def test_what_ubuntu_has_under_the_name_that_is_linked(tree: Tree, linked: str, package: str, call: str) -> None:
+    cmake = f"project(demo CXX)\nadd_executable(demo a.cpp)\n{call.format(linked)}\n"
+    found = tree({"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n"})
+    assert package in found.apt_guessed
+    assert f"links {linked}" not in "".join(warning.message for warning in found.warnings)
