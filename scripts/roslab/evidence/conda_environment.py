@@ -26,5 +26,9 @@ class CondaEnvironment:
     """A list that says that conda wrote it, on a Linux."""
     flow: frozenset[str] = frozenset()
     """Its lists that stand in brackets, ``pip: [a, b]``: what changes lines finds none of their items."""
+    system: str = ""
+    """``Windows`` or ``macOS``, where it was written."""
+    on_linux: tuple[str, ...] = ()
+    """Of such a file, what of its packages Linux has, without their builds; none if that is all as it stands."""
     tasks: tuple[tuple[str, str, int], ...] = ()
     """Of pixi: name, command, line."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.decide.decision import Warning_
+from roslab.decide.python.conda_alone import CondaAlone
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.reasons import warn
@@ -44,6 +45,23 @@ def _of_list(environment: CondaEnvironment) -> bool:
     return environment.file.endswith(".txt") and environment.channels == (_DEFAULTS,)
 
 
+def by_specs(evidence: Evidence, conda: str | None) -> CondaEnvironment | None:
+    """Return an environment of which conda is given the packages by name: pixi's, or one of another system."""
+    return next((each for each in evidence.conda if each.file == conda and (each.specs or each.on_linux)), None)
+
+
+def by_name(environment: CondaEnvironment | None, alone: CondaAlone) -> tuple[str, ...]:
+    """Return the channels of packages that are given by name; conda adds its own to a file that does not shut them out.
+
+    Those of such an environment, else of what conda ``alone`` has.
+    """
+    if environment is None:
+        return alone.channels
+    added = () if environment.specs or {_DEFAULTS, "nodefaults"} & {*environment.channels} else (_DEFAULTS,)
+    named = (each for each in environment.channels if each != "nodefaults" and not _NO_CHANNEL.fullmatch(each))
+    return (*named, *added)
+
+
 def no_channels(evidence: Evidence, conda: str | None) -> tuple[str, ...]:
     """Return the addresses of packages among the channels of a file: the build stops where no channel answers."""
     listed = (each for environment in evidence.conda if environment.file == conda for each in environment.channels)
@@ -56,9 +74,13 @@ def in_brackets(evidence: Evidence, conda: str | None) -> bool:
     return any(each.flow & changed for each in evidence.conda if each.file == conda)
 
 
-def told(answer: Python) -> Iterator[Warning_]:
-    """Yield a warning for each that is left out."""
+def told(answer: Python, evidence: Evidence) -> Iterator[Warning_]:
+    """Yield a warning for each that is left out, and for a file that was written on another system."""
     file = answer.conda_file or ""
+    for each in evidence.conda:
+        if each.file == file and each.on_linux:
+            left = f"builds, the releases of libraries and what {each.system} alone has are left out"
+            yield warn(f"{file} is of an environment on {each.system}: {left}", Place(file=file))
     for address in answer.conda_no_channels:
         message = f"{address} is no channel of conda: it is left out of {file}"
         yield warn(f"{message}; name the owner and the package there (owner::package)", Place(file=file))

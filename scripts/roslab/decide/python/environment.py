@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from roslab.config.model import Config, Kind
 from roslab.decide.cuda.toolkit import by_script, extends_torch
 from roslab.decide.decision import Choice
+from roslab.decide.python import conda_channels as channels
 from roslab.decide.python.agreeing import agreeing
 from roslab.decide.python.bare import bare_apart
 from roslab.decide.python.beside_nodes import Loose, beside_nodes
@@ -14,7 +15,6 @@ from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.by_own_name import with_unknown_modules
 from roslab.decide.python.chosen_reasons import reasons_of
 from roslab.decide.python.conda_alone import conda_alone
-from roslab.decide.python.conda_channels import default_channels, further_channels, in_brackets, no_channels, told
 from roslab.decide.python.conda_cuda import cuda_of_conda
 from roslab.decide.python.conda_limits import limits_of
 from roslab.decide.python.conda_part import conda_part
@@ -96,7 +96,7 @@ def decide_python(
     loose = beside_nodes(evidence, kind, ubuntu, chosen.files) if manager == "system" else {}
     repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
     manifests = [*loosened(of_manifests(evidence, chosen), runs, loose)]
-    pixi = next((each for each in evidence.conda if each.file == chosen.conda and each.specs), None)
+    pixi = channels.by_specs(evidence, chosen.conda)
     part = conda_part(evidence, chosen, number, by_file=conda is not None and not pixi, by_name=repaired.files)
     declared = [*lists.requirements, *repaired.requirements, *part.declared]
     kept = dict(kept_by_build_types(evidence, [*declared, *chosen.guessed, *manifests]))
@@ -197,19 +197,19 @@ def decide_python(
         alone=repaired.alone,
         isolated=isolated(chosen.projects, compiled_first),
         conda_file=conda,
-        conda_specs=pixi.specs if pixi else alone.specs,
-        conda_channels=(*(pixi or alone).channels, *further_channels(evidence, conda)),
+        conda_specs=(pixi.specs or pixi.on_linux) if pixi else alone.specs,
+        conda_channels=(*channels.by_name(pixi, alone), *channels.further_channels(evidence, conda)),
         conda_local=part.local,
         conda_pip=part.others,
-        conda_flow=in_brackets(evidence, conda),
+        conda_flow=channels.in_brackets(evidence, conda),
         conda_instead=part.instead,
-        conda_no_channels=no_channels(evidence, conda),
+        conda_no_channels=channels.no_channels(evidence, conda),
         conda_old_pip=old_pip(evidence, conda),
         conda_pip_below=pip_below(evidence, conda),
         conda_limits=(*in_conda.answer, *undeclared.answer.conda),
         conda_cuda=cuda_of_conda(evidence, kind, conda, cuda) if conda or alone.specs else "",
         setuptools=older.answer,
-        conda_defaults=not pixi and default_channels(evidence, conda),
+        conda_defaults=not pixi and channels.default_channels(evidence, conda),
         first=compiled_first,
         defines=defines.answer,
         bounds=(*limits, *numpy.answer),
@@ -240,7 +240,7 @@ def decide_python(
             *native.reasons,
         ),
         warnings=(
-            *told(answer),
+            *channels.told(answer, evidence),
             *outvoted(own, ubuntu, ros_distro),
             *refused_python(runs, chosen.projects),
             *not_for_python3(evidence, ros_distro),

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable
 
 from roslab.evidence.conda_environment import CondaEnvironment
-from roslab.evidence.python import conda_content
+from roslab.evidence.python import conda_content, conda_system
 from roslab.repository.checkout import File, Repository
 from roslab.values.conda import conda_package, named_python
 from roslab.values.pattern import pattern
@@ -88,6 +88,7 @@ def _environment(repository: Repository, file: File, *, by_content: bool = False
     items = [item for listed in inner for item in listed if isinstance(item, str)]
     pip = [found for item in items if (found := _item(item, file.path, line_of(item)))]
     name, channels = data.get("name"), data.get("channels")
+    system = conda_system.system_of(text, packages)
     return CondaEnvironment(
         file=file.path,
         line=1,
@@ -95,6 +96,8 @@ def _environment(repository: Repository, file: File, *, by_content: bool = False
         python=named_python(packages),
         packages=packages,
         requirements=tuple(pip),
+        system=system,
+        on_linux=conda_system.as_on_linux(packages, system),
         flow=frozenset(first or second for first, second in _FLOW.findall(text)),
         channels=tuple(each for each in channels if isinstance(each, str)) if isinstance(channels, list) else (),
     )
