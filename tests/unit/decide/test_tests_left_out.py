@@ -149,3 +149,19 @@ def test_tests_of_packages_that_ask_for_what_nobody_has(
     assert decision.build_tool == "colcon"
     assert ("-DBUILD_TESTING=OFF" in decision.cmake_options) is left_out
     assert any(f"only the tests ask for {asked}" in each.message for each in decision.warnings) is left_out
+
+
+@pytest.mark.parametrize("release", ["18.04", "22.04"])
+def test_what_would_be_compiled_for_the_tests_alone_leaves_them_out(tree: Tree, release: str) -> None:
+    """Ubuntu 18.04 has googletest's sources alone, so that a table tells how it is built."""
+    files = {"CMakeLists.txt": HERE.replace("GTest ", "GTest CONFIG "), "README.md": f"Made on Ubuntu {release}.\n"}
+    decision = tree({**CODE, **files})
+    assert decision.base_image == f"ubuntu:{release}"
+    assert "-DBUILD_TESTING=OFF" in decision.cmake_options
+
+
+def test_what_is_compiled_anyway_leaves_no_tests_out(tree: Tree) -> None:
+    files = {"CMakeLists.txt": f"{HERE}find_package(GTest REQUIRED)\n", "README.md": "Made on Ubuntu 18.04.\n"}
+    decision = tree({**CODE, **files})
+    assert [source.name for source in decision.source] == ["googletest"]
+    assert "-DBUILD_TESTING=OFF" not in decision.cmake_options

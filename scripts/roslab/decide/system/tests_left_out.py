@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 
+from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import folders_of
 from roslab.decide.system.names import Target, resolve
@@ -19,7 +20,8 @@ def of_tests(evidence: Evidence, target: Target, packages: Packages, names: Coll
     switches: dict[str, Dependency] = {}
     for asked, switch in left_to_a_switch(evidence):
         found = resolve(asked, target)
-        of_cmake = found.known and not found.apt
+        built = found.recipe and plain(found.recipe) in names
+        of_cmake = built or (found.known and not (found.apt or found.recipe))
         if asked.name not in inside and not of_cmake and not provided_as(asked.name, names):
             switches.setdefault(switch, asked)
     return switches
