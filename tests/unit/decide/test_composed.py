@@ -108,6 +108,30 @@ def test_of_two_services_with_one_dockerfile_none_tells_how_it_starts(tree: Tree
     assert not decision.ports
 
 
+@pytest.mark.parametrize(
+    ("calls", "world"),
+    [
+        ("docker compose up other", "garden"),
+        ("docker compose build\ndocker compose up -d other", "garden"),
+        ("docker compose run --rm simulation", "house"),
+        ("docker compose up other simulation", None),
+        ("docker compose up", None),
+        ("docker compose up\ndocker compose run other", None),
+    ],
+)
+def test_of_several_services_that_counts_which_a_page_names(tree: Tree, calls: str, world: str | None) -> None:
+    compose = COMPOSE + COMPOSE.partition("\n")[2].replace("simulation:", "other:").replace("house", "garden")
+    page = f"# Demo\n## Run\n```\n{calls}\n```\n"
+    command = tree(FILES | {"README.md": page, "docker-compose.yml": compose}).command
+    assert command == (*(("env", f"WORLD={world}") if world else ()), "bash", "-c", "/ws/src/demo/start.sh")
+
+
+def test_the_dockerfile_of_a_named_service_is_taken(tree: Tree) -> None:
+    compose = COMPOSE + COMPOSE.partition("\n")[2].replace("simulation:", "robot:").replace("simulator", "robot")
+    page = PAGE.replace("up --build", "up --build robot")
+    assert tree(FILES | {"README.md": page, "docker-compose.yml": compose}).dockerfile == "Dockerfile.robot"
+
+
 def test_packages_that_compose_starts_are_more_than_a_wrapper(tree: Tree) -> None:
     files = {f"ros/{name}": text for name, text in FILES.items() if name in {"package.xml", "CMakeLists.txt"}}
     files |= {"setup.py": "from setuptools import setup\nsetup(name='demo')\n", "demo/__init__.py": "import requests\n"}

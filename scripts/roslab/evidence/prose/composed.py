@@ -24,7 +24,7 @@ MAX_PAGES = 8
 """Most pages about containers that are opened, those nearest to the root first."""
 _ABOUT = pattern(r"(?<![a-z])(?:docker|container|compose)", re.IGNORECASE)
 """The name of such a page, or of its folder: ``docs/docker.md``, ``docker/README.md``."""
-_CALL = pattern(r"\bdocker[- ]compose((?:[ \t]+-\S+(?:[ \t]+[^-\s]\S*)??)*)[ \t]+(?:up|build|run)\b")
+_CALL = pattern(r"\bdocker[- ]compose((?:[ \t]+-\S+(?:[ \t]+[^-\s]\S*)??)*)[ \t]+(up|build|run)\b([^\n;&|`]{0,300})")
 _FILE = pattern(r"(?:-f|--file)(?:[ \t]+|=)(\S+)")
 _DEFAULTS = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
 _PORTS = 1 << 16
@@ -39,20 +39,28 @@ _OF_HOST = pattern(
 
 
 def services(repository: Repository) -> Mapping[str, Service]:
-    """Return the service of each such Dockerfile, by its path."""
+    """Return the service of each such Dockerfile, by its path; where each call names services, of these alone."""
     return repository.once(_services)
 
 
 def _services(repository: Repository) -> dict[str, Service]:
     found: dict[str, list[Service]] = {}
+    named: dict[str, list[Service]] = {}
+    every = False
     for page in _read(repository):
         for call in _CALL.finditer(text_of(repository, page)):
             file = _composed(repository, call[1], page)
-            for dockerfile, service in _built(repository, file, page) if file else ():
+            services = list(_built(repository, file, page)) if file else []
+            chosen = [(dockerfile, service) for name, dockerfile, service in services if name in call[3].split()]
+            every = every or (call[2] == "up" and not chosen)
+            for dockerfile, service in chosen:
+                named.setdefault(dockerfile, []).append(service)
+            for _, dockerfile, service in services:
                 found.setdefault(dockerfile, []).append(service)
         if found:
             break
-    return {path: _only(made, repository.read(path, limit=MAX_SIZE)) for path, made in found.items()}
+    meant = found if every else named or found
+    return {path: _only(made, repository.read(path, limit=MAX_SIZE)) for path, made in meant.items()}
 
 
 def _read(repository: Repository) -> Iterator[File]:
@@ -90,8 +98,8 @@ def _composed(repository: Repository, options: str, page: File) -> File | None:
     return next(iter(top or files), None) if top or len(files) == 1 else None
 
 
-def _built(repository: Repository, file: File, page: File) -> Iterator[tuple[str, Service]]:
-    """Yield each Dockerfile that a file of Compose builds, with its service."""
+def _built(repository: Repository, file: File, page: File) -> Iterator[tuple[str, str, Service]]:
+    """Yield each Dockerfile that a file of Compose builds, with its service behind its name."""
     if file.size > MAX_SIZE:
         return
     text = repository.read(file)
@@ -107,6 +115,7 @@ def _built(repository: Repository, file: File, page: File) -> Iterator[tuple[str
         line = text[: match.start()].count("\n") + 1 if (match := _key(str(name)).search(text)) else 1
         own = not said.get("entrypoint")
         yield (
+            str(name),
             posixpath.normpath(posixpath.join(file.folder, *where)),
             Service(
                 file=file.path,
