@@ -18,6 +18,7 @@ on the loopback, a buildkitd, emulation of arm64, stand-in base images under the
   up --base NAME          the stand-in of this image alone, also where it is made only on request (ros:indigo-ros-base,
                           nvidia/cuda:… without its toolkit)
   up --lint               the linters alone; needs no engine
+  up --packages           what comes with packages of this machine alone: the engine, the registries, Xvfb
   down                    end what `up` started; what it made stays in the cache
   status                  say what runs
   path                    print the folder of the linters
@@ -56,6 +57,7 @@ def main(argv: list[str]) -> int:
     up.add_argument("--native", action="store_true", help="nothing of arm64")
     up.add_argument("--base", action="append", metavar="NAME", help="the stand-in of this image alone")
     up.add_argument("--lint", action="store_true", help="the linters alone")
+    up.add_argument("--packages", action="store_true", help="what comes with packages of this machine alone")
     for name in ("down", "status", "env", "path", "real"):
         commands.add_parser(name)
     options = parser.parse_args(argv)
@@ -63,7 +65,8 @@ def main(argv: list[str]) -> int:
         if options.command == "up" and options.lint:
             laboratory.lint()
         elif options.command == "up":
-            laboratory.up(emulated=not options.native, everything=options.all, bases=options.base)
+            emulated, made = not options.native, not options.packages
+            laboratory.up(emulated=emulated, everything=options.all, bases=options.base, made=made)
         elif options.command == "down":
             laboratory.down()
         elif options.command == "status":

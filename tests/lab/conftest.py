@@ -4,11 +4,22 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from functools import cache
 
 import pytest
 
 from . import laboratory
 from .laboratory import Laboratory
+
+_wait = cache(laboratory.wait)
+
+
+def pytest_runtest_logstart() -> None:
+    """Wait once, before the first of these tests, for the `up` that tests/all has at work beside the others.
+
+    Here it counts for no test: how long each took says which are to begin first in the next run.
+    """
+    _wait()
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import secrets
@@ -31,7 +32,7 @@ from . import (
     tools,
 )
 from .command import LabError
-from .home import folder, lock
+from .home import folder, home, lock
 from .steps import step
 
 ARCHITECTURES = ("amd64", "arm64")
@@ -70,11 +71,14 @@ class Laboratory:
             yield {**self.environment, "DOCKER_CONFIG": place}
 
 
-def up(*, emulated: bool = True, everything: bool = False, bases: Sequence[str] | None = None) -> None:
+def up(
+    *, emulated: bool = True, everything: bool = False, bases: Sequence[str] | None = None, made: bool = True
+) -> None:
     """Make and start everything a test may want, one line of progress per step; what is there already stays.
 
     Without `emulated` the stand-ins are for this machine alone; `everything` adds those that take long under emulation;
-    `bases` are the real names of the only ones that are wanted. Programs are compiled beside the making of images.
+    `bases` are the real names of the only ones that are wanted. Programs are compiled beside the making of images;
+    without `made` neither is, and there is only what comes with packages.
     Raises LabError when a step fails.
     """
     if os.geteuid() != 0 and engine.host() is None:
@@ -98,6 +102,8 @@ def up(*, emulated: bool = True, everything: bool = False, bases: Sequence[str] 
             real = network.real_registry()
             _standins_marker().write_text("no" if real else "yes")
             told.note = "yes, no stand-ins are made" if real else "no, stand-ins are made"
+        if not made:
+            return
         with ThreadPoolExecutor(max_workers=1) as beside:
             programs = beside.submit(_programs)
             if not real:
@@ -204,6 +210,13 @@ def _packages_without_image() -> bool:
     """
     given = _standins_marker().read_text() == "yes" and packages_folder.place("jazzy") is not None
     return given and not images.stands("jazzy-packages", "ros:jazzy-ros-base", _docker_environment())
+
+
+def wait() -> None:
+    """Return when no other command is at work on the lab: what it makes may be what a test needs."""
+    if home().is_dir():
+        with lock(io.StringIO()):
+            pass
 
 
 @contextmanager
