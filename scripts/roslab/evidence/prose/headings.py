@@ -24,6 +24,9 @@ WITHOUT = pattern(
     re.IGNORECASE,
 )
 """What needs no other machine: ``Simulation (no hardware)``."""
+_HARDWARE = pattern(r"\b(?:real[- ]robots?|hardware)\b", re.IGNORECASE)
+_SIMULATED = pattern(r"\b(?:simulat(?:ions?|ed|ors?|ing)|dry run)\b", re.IGNORECASE)
+_BOTH = pattern(r"\b(?:real|actual|physical|hardware|not?|n't|instead)\b", re.IGNORECASE)
 _SYSTEM = pattern(rf"\b(?:{_SYSTEMS})", re.IGNORECASE)
 """What the title of a whole page may be about; other words tell what the code is for: ``Policies for Real Robots``."""
 _LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
@@ -99,6 +102,17 @@ def title_of(lines: Sequence[str]) -> int:
                 return 0
             found = found or number
     return found
+
+
+def simulated(lead: str, titles: Mapping[int, str]) -> bool:
+    """Tell whether what follows needs no hardware though its section is about that: ``In case of a simulation:``.
+
+    ``lead``: the last line of prose before it; ``titles``: those that it stands under.
+    """
+    lead = lead.rstrip(" *_") if len(lead) <= MAX_LINE else ""
+    said = lead.endswith(":") and _SIMULATED.search(lead) and not _BOTH.search(WITHOUT.sub("", lead))
+    about = [WITHOUT.sub("", title) for title in titles.values()] if said else []
+    return any(map(_HARDWARE.search, about)) and not any(_ELSEWHERE.search(_HARDWARE.sub("", each)) for each in about)
 
 
 def section_of(heading: tuple[int, str] | None, elsewhere: int) -> int:

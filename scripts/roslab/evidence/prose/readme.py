@@ -39,7 +39,7 @@ from roslab.evidence.prose.by_paths import started_by_paths
 from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.failing import of_failure
-from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, title_of, under
+from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, simulated, title_of, under
 from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
 from roslab.evidence.prose.in_sentences import IN_SENTENCES, emphasised, in_sentence
@@ -215,7 +215,7 @@ def _read(text: str, file: File) -> Prose:
 
 
 def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int, str, str]]:
-    """Yield ``(line, shell text, titles above it)``.
+    """Yield ``(line, shell text, titles above it)``; what is simulated in a section about hardware has its own title.
 
     That is the lines of fenced and indented blocks, lines that begin with a command, and inline code; with ``also``,
     only the lines of fenced blocks in which it is found.
@@ -230,7 +230,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     signed = lines_with(shown, (*signs, *IN_SENTENCES)) if not also else frozenset()
     titles: dict[int, str] = {}
     elsewhere = index = 0
-    fenced = False
+    fenced, lead = False, ""
     title, commented = title_of(lines), commented_out(lines, _START)
     while index < len(lines):
         line = lines[index]
@@ -245,12 +245,14 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             heading = heading_of(line, below)
             elsewhere = section_of(heading, elsewhere) if index != title else 0
             titles = under(titles, heading)
+            lead = line if line.rstrip(" *_").endswith(":") or not line.startswith(("    ", "\t")) else lead
         drawn = fenced and index < len(lines) and _BRANCH.match(lines[index][:MAX_LINE])
         if also:
             tells = bool(fenced and not drawn and also.search(line))
         else:
             tells = index in signed and _tells(line, signs, fenced=fenced)
-        if elsewhere or len(line) > MAX_LINE or not tells or index in commented:
+        without = bool(elsewhere and tells) and simulated(lead, titles)
+        if len(line) > MAX_LINE or not tells or index in commented or (elsewhere and not without):
             continue
         first, marked = index, _MARKED.match(line)
         while line.rstrip().endswith("\\") and index < len(lines) and len(line) < 4 * MAX_LINE:
@@ -259,7 +261,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             index += 1
         title = not fenced and "`" in line and titles_commands(lines, first)
         for shell in _shell(line, signs, fenced=fenced, title=title):
-            yield first, shell, " / ".join(titles.values())
+            yield first, shell, " / ".join((*titles.values(), *((lead.strip(" :*_"),) if without else ())))
 
 
 def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
