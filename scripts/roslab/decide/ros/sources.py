@@ -16,6 +16,7 @@ from roslab.decide.ros.for_launches import only_for_launches
 from roslab.decide.ros.imported_clones import with_imported
 from roslab.decide.ros.in_tree import in_tree, inside_packages, not_cloned
 from roslab.decide.ros.itself import names_of_itself
+from roslab.decide.ros.linked_workspaces import with_workspace
 from roslab.decide.ros.lists_elsewhere import with_lists
 from roslab.decide.ros.misnamed import left_over
 from roslab.decide.ros.required_links import required_links
@@ -112,6 +113,7 @@ def decide_sources(
     chosen.linked(evidence, used, known | rosdep_keys() | answered, itself)
     there = known | rosdep_keys() | by_page(used, evidence)
     choice = with_lists(chosen.choice(files), unknown, evidence, chosen.before, itself)
+    choice = with_workspace(choice, unknown, evidence, chosen.before, itself)
     names = frozenset(plain(each.name) for each in needed)
     answer = with_imported(replace(choice.answer, asked=names, within=inside_packages(evidence)), evidence)
     answer = with_tabled(answer, chosen.ros, ros_distro or "")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import posixpath
+
 from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
@@ -15,6 +17,8 @@ PLAIN = "install-plain-clones"
 """The script that compiles and installs clones in which catkin finds no package."""
 LISTED = "clone-listed"
 """The script that clones what a list or a page names, where its host lets anybody."""
+TAKES_LISTED = "take-listed"
+"""The script that clones what a workspace's repository lists."""
 INTERFACES = "take-message-branches"
 """The script that looks for the messages that the code includes."""
 _RECORDED = pattern(r"[0-9a-f]{7,40}")
@@ -41,7 +45,7 @@ def sister_sources(plan: Plan) -> str:
     depends = tuple(dict.fromkeys(d for s in sources for d in s.depends))
     blocks = [shell.apt_install(depends, secrets.for_apt(plan), locks.apt(plan, "sisters"))] if depends else []
     listed = [s for s in sources if _from_list(s)]
-    sure = [s for s in sources if not s.holding and s not in listed]
+    sure = [s for s in sources if not (s.holding or s.lists) and s not in listed]
     sure_runs = [shell.run(*_fetched(plan, s), secrets=secrets.for_git(plan, "user")) for s in sure]
     hiding = with_called([PACKAGES]) if any(s.only for s in sure) else ()
     sure_runs = [*(shell.copy_script(name).rstrip() for name in hiding), *sure_runs]
@@ -52,8 +56,24 @@ def sister_sources(plan: Plan) -> str:
     if tried:
         why = "# Packages that nothing known brings: what is not there is told and stops nothing"
         runs += [why, *(shell.copy_script(name).rstrip() for name in with_called([HOLDING])), *tried]
+    runs += [line for s in sources if s.lists for line in _of_workspace(plan, s)]
     runs += _of_interfaces(plan)
     return "\n".join([*blocks, "USER ${NB_USER}", f"RUN mkdir --parents {WS}/src", *runs, "USER root"])
+
+
+def _of_workspace(plan: Plan, source: Source) -> list[str]:
+    """Return the instructions that clone what a workspace's repository lists."""
+    branch = f" --branch {quote.shell(source.ref)}" if source.ref else ""
+    day = f" --before {quote.shell(source.before)}" if source.before else ""
+    own = f" --but {quote.shell(posixpath.basename(plan.workspace.folder))}"
+    where = f"{quote.shell(source.repo or '')} {quote.shell_with_user(f'{WS}/src/{source.name}')}"
+    why = "# A page sends the reader to this workspace: what it lists is taken"
+    scripts = (shell.copy_script(name).rstrip() for name in with_called([TAKES_LISTED]))
+    return [
+        why,
+        *scripts,
+        shell.run(f"{TAKES_LISTED}{branch}{day}{own} {where}", secrets=secrets.for_git(plan, "user")),
+    ]
 
 
 def _of_interfaces(plan: Plan) -> list[str]:
