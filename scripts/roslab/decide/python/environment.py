@@ -42,6 +42,7 @@ from roslab.decide.python.machine_lists import machine_lists
 from roslab.decide.python.manifests import beside, left_to_parts
 from roslab.decide.python.named_frameworks import named_frameworks
 from roslab.decide.python.native_parts import decide_native_parts
+from roslab.decide.python.newer_than_ros import newer_than_ros
 from roslab.decide.python.numpy_limit import numpy_limit
 from roslab.decide.python.of_manifests import of_manifests, own_names
 from roslab.decide.python.old_setuptools import setuptools_of
@@ -242,6 +243,7 @@ def decide_python(
         warnings=(
             *channels.told(answer, evidence),
             *outvoted(own, ubuntu, ros_distro),
+            *newer_than_ros(evidence, ubuntu, ros_distro),
             *refused_python(runs, chosen.projects),
             *not_for_python3(evidence, ros_distro),
             *repaired.warnings,
