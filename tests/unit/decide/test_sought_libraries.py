@@ -65,3 +65,10 @@ def test_a_manifest_for_catkin_tells_nothing_of_what_cmake_alone_needs(tree: Tre
 )
 def test_what_is_looked_for_nowhere(tree: Tree, cmake: str, origin: str) -> None:
     assert _sought(tree(_files(cmake, origin=origin))) == []
+
+
+@pytest.mark.parametrize("name", ["acme_cmake_modules", "acmesim"])
+def test_modules_of_cmake_may_find_more_than_their_own_name(tree: Tree, name: str) -> None:
+    decision = tree(_files(f"find_package({name} REQUIRED)\nfind_package(Qq REQUIRED)"))
+    told = next(each.message for each in decision.warnings if "that brings Qq" in each.message)
+    assert (f"the build looks for it in {LAB}/{name}, and" in told) is name.endswith("modules")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from types import MappingProxyType
 
 from roslab.config.model import BuildTool
@@ -11,6 +11,7 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.dependency import Dependency
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 SKIP: dict[BuildTool, str] = {
     "colcon": "--packages-skip",
@@ -22,6 +23,7 @@ SKIP: dict[BuildTool, str] = {
 releases of catkin_tools and of catkin_make_isolated know. https://colcon.readthedocs.io/en/released/reference/package-selection-arguments.html
 https://docs.ros.org/en/api/catkin/html/dev_guide/generated_cmake_api.html"""
 _LETTERS = "CMake requires {name}, and the tree has {other}: CMake tells letters apart, and {then}; write {other} there"
+_OF_MODULES = pattern(r"cmake[-_]?modules?$")
 SOURCE = "give its repository under `source` in roslab.yaml"
 
 
@@ -88,6 +90,17 @@ def leave_out(
         warnings=tuple(warnings),
         stops=tuple(stops),
     )
+
+
+def with_modules(
+    tried: Mapping[str, str], unmet: Iterable[tuple[str, Dependency]], build_tool: BuildTool
+) -> Mapping[str, str]:
+    """Return where the build looks for names, with those that CMake alone builds without: modules may find them.
+
+    What a repository of CMake's modules brings is known by no name.
+    """
+    where = next((each for name, each in tried.items() if _OF_MODULES.search(name)), "")
+    return {**{asked.name: where for _, asked in unmet}, **tried} if where and build_tool == "cmake" else tried
 
 
 def folders_of(packages: Packages, names: Collection[str]) -> tuple[str, ...]:

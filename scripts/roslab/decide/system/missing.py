@@ -22,7 +22,7 @@ from roslab.decide.system.bare_links import without_linked
 from roslab.decide.system.built import Built
 from roslab.decide.system.by_hand import of_majors
 from roslab.decide.system.guards import required_by_tool
-from roslab.decide.system.left_out import SKIP, folders_of, leave_out
+from roslab.decide.system.left_out import SKIP, folders_of, leave_out, with_modules
 from roslab.decide.system.library_headers import without_library
 from roslab.decide.system.lost_extensions import lost_extensions, may_stop, told
 from roslab.decide.system.lost_libraries import lost_libraries
@@ -177,7 +177,7 @@ def decide_missing(
         started=started,
         left=skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {},
     )
-    alike, tried = other_letters(evidence, packages), tried or {}
+    alike, tried = other_letters(evidence, packages), with_modules(tried or {}, unmet, build_tool)
     found = leave_out(
         lacking, packages, build_tool, started=started, left=left, tried=tried, linked=linked, alike=alike
     )
