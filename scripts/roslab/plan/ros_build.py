@@ -108,7 +108,8 @@ def _told(decision: Decision, folder: str) -> tuple[str, ...]:
     """Return the arguments that tell colcon the packages to which it does not come from the workspace."""
     if not decision.hidden:
         return ()
-    return ("--base-paths", ".", *(relpath(f"{folder}/{each}", WORKSPACE) for each in decision.hidden))
+    first = "." if folder == WORKSPACE and "" not in decision.ignored else "src"
+    return ("--base-paths", first, *(relpath(f"{folder}/{each}", WORKSPACE) for each in decision.hidden))
 
 
 def _of_rosmake(decision: Decision) -> tuple[str, ...]:

@@ -49,10 +49,20 @@ def test_colcon_is_told_of_what_it_does_not_come_to(
     assert any(each.message.startswith("not built, for no package") for each in decision.warnings) is bool(ignored)
 
 
-def test_the_folders_are_arguments_of_colcon(tree: Tree) -> None:
-    build = workspace(tree({**NODE, "p.cpp": "", "CMakeLists.txt": LIBRARY}), Config(), (), "repo").ros
+@pytest.mark.parametrize(
+    ("place", "cmake", "arguments"),
+    [
+        ("ros", NODE["ros/arm/CMakeLists.txt"], ("src", "src/repo/ros/arm")),
+        ("src", NODE["ros/arm/CMakeLists.txt"], ("src", "src/arm")),
+        ("src", NEEDS, (".", "src/arm")),
+    ],
+)
+def test_the_folders_are_arguments_of_colcon(tree: Tree, place: str, cmake: str, arguments: tuple[str, ...]) -> None:
+    """Where the repository is the workspace, clones that lie beside its packages are found, too."""
+    node = {path.replace("ros/", f"{place}/"): text for path, text in {**NODE, "ros/arm/CMakeLists.txt": cmake}.items()}
+    build = workspace(tree({**node, "p.cpp": "", "CMakeLists.txt": INSTALLED}), Config(), (), "repo").ros
     assert build
-    assert build.arguments == ("--base-paths", ".", "src/repo/ros/arm")
+    assert build.arguments == ("--base-paths", *arguments)
 
 
 def test_what_the_command_starts_is_built(tmp_path: Path) -> None:
