@@ -262,3 +262,23 @@ def test_an_environment_without_a_python_gets_that_of_its_day(tmp_path: Path) ->
     found = decided(tmp_path, files, config=Config(pip_date="2020-06-01")).python
     assert found.conda_limits[:1] == (f"python={found.version}",)
     assert found.version == "3.7"
+
+
+@pytest.mark.parametrize(
+    ("between", "guessed"),
+    [
+        ("conda activate a\n", ["scipy==1.8.0", "evo==1.18.0"]),
+        ("conda activate a\npip install --upgrade evo\n", ["scipy==1.8.0", "evo==1.18.0"]),
+        ("conda activate a\n# what is left\n", ["scipy==1.8.0", "evo==1.18.0"]),
+        ("conda activate a\n```\n\nOr without conda:\n```\n", ["scipy==1.8.0"]),
+    ],
+)
+def test_the_list_that_a_page_has_pip_install_into_the_environment(
+    tree: Tree, between: str, guessed: list[str]
+) -> None:
+    page = _page(f"conda env create -f lab.yml\n{between}pip install -r requirements.txt")
+    files = {"lab.yml": FILE, "requirements.txt": "einops==0.4\nscipy==1.8.0\nevo==1.18.0\n", "README.md": page}
+    python = tree({"train.py": "import torch\nimport scipy\n", **files}).python
+    assert python.conda_file == "lab.yml"
+    named = [str(each.written) for each in python.pip_guessed if each.name in {"einops", "scipy", "evo"}]
+    assert sorted(named, reverse=True) == guessed

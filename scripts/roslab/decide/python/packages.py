@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind
+from roslab.decide.python.after_conda import after_conda
 from roslab.decide.python.bare import needs_of
 from roslab.decide.python.companions import companions_of
 from roslab.decide.python.conda_environments import conda_file
@@ -68,6 +69,9 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     known |= {each.key for each in more}
     sure = (*known_requirements(evidence, files, folders, conda), *more)
     guessed = guesses(evidence, pins, kind, manifests=manifests, known=known, loose=loose)
+    listed = {each.key: each for each in after_conda(evidence, conda, known)}
+    guessed = tuple(listed.pop(each.key, each) for each in guessed)
+    guessed += tuple(listed.values())
     if not (files or conda):
         guessed += tuple(of_unmade(evidence, kind, folders, known | {each.key for each in guessed}))
     guessed += tuple(newer_parts(evidence, kind, known | {each.key for each in guessed}))
