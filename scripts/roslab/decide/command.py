@@ -37,7 +37,7 @@ from roslab.decide.included import included
 from roslab.decide.launched import launched
 from roslab.decide.launches_without import without_unconfigurable
 from roslab.decide.left_to_reader import left_to_reader
-from roslab.decide.meant_commands import listed, named_like_it, pointed_at, whole_of
+from roslab.decide.meant_commands import listed, named_like_it, pointed_at, started_below, whole_of
 from roslab.decide.outward import ports_of_page, volumes_of
 from roslab.decide.own_commands import own
 from roslab.decide.reasons import because, configured
@@ -119,8 +119,7 @@ def decide_command(
     by_image = (listed_in(each, authored) if authored else each.argv for each in once(by_argv.values()))
     named = in_bin(evidence, kind) if authored is None else {}
     candidates = tuple(dict.fromkeys(by_name(argv, named, kind) for argv in by_image))[:MAX_CANDIDATES]
-    volumes = volumes_of(authored, config)
-    mounts = (*volumes, *config.volume)
+    mounts = (*(volumes := volumes_of(authored, config)), *config.volume)
     if config.command is not None:
         text = line_of(config.command)
         said = configured(config, "command", text, "command")
@@ -131,8 +130,10 @@ def decide_command(
         return Choice(answer=chosen, reasons=(said,), warnings=warnings)
     command, why = (authored and _authors(authored)) or _obvious(evidence, found, kind, dockerfile, authored)
     gui = shown(shlex.join(command), config, evidence, authored)
-    inside = next((c for c in found if c.argv == command and (c.inside or (c.makes and not dockerfile))), None)
-    page = by_argv.get(command)
+    told = () if dockerfile or command in by_argv else started_below(evidence, kind, command)
+    same = [c for c in (*found, *told) if c.argv == command]
+    inside = next((c for c in same if c.inside or (c.makes and not dockerfile)), None)
+    page = by_argv.get(command, *told)
     ports = ports_of(command) or (authored.service.ports if authored and authored.service else ())
     ports = ports or (ports_of_page(page, evidence) if page and not dockerfile else ()) or ports_in(command, evidence)
     whole = launched(inside or page, evidence) if page else None

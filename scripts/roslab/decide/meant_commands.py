@@ -50,6 +50,12 @@ def pointed_at(evidence: Evidence, kind: Kind) -> Candidate | None:
     return next(iter(shown or (found if len(found) == 1 and found[0].argv[0] != "bash" else [])), None)
 
 
+def started_below(evidence: Evidence, kind: Kind, command: tuple[str, ...]) -> tuple[Candidate, ...]:
+    """Return the script that a page names so, where it is the command and starts in a folder of its own."""
+    found = pointed_at(evidence, kind) if command[0] == "bash" and len(command) > 1 else None
+    return (found,) if found and found.inside and found.argv == command else ()
+
+
 def listed(evidence: Evidence, kind: Kind) -> Candidate | None:
     """Return the first launch file of a list of them at the root: of that, pages below it tell no more than parts."""
     for candidate, said in _pointed(evidence, kind):
@@ -77,7 +83,17 @@ def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
             argv = (*server(evidence), said.value)
         if argv:
             why = f"{page_of(said.file)} names it"
-            candidate = Candidate(argv=argv, why=why, file=said.file, line=said.line, strong=True, heading=said.heading)
+            there = said.inside if argv[0] == "bash" else ""
+            candidate = Candidate(
+                argv=argv,
+                why=why,
+                file=said.file,
+                line=said.line,
+                strong=True,
+                heading=said.heading,
+                inside=there,
+                files=(said.value,),
+            )
             yield candidate, said.text
 
 

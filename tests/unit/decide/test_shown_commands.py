@@ -181,3 +181,46 @@ def test_such_a_script_of_compiled_code_is_a_test(tree: Tree) -> None:
     files = {"CMakeLists.txt": cmake, "a.cpp": "int main() {}\n", "scripts/run_all.sh": "python plot.py\n"}
     found = tree({**files, "scripts/run_test.sh": "python check.py\n", "README.md": page})
     assert found.command == ("bash", "scripts/run_all.sh")
+
+
+SEVERAL = ("demo/small/run.py", "demo/large/run.py", "demo/large/old/run.py")
+
+
+@pytest.mark.parametrize(
+    ("page", "started"),
+    [
+        ("cd demo/large\npython run.py", ("python", "demo/large/run.py")),
+        (
+            "git clone https://github.com/lab/own.git\ncd own\ncd demo/small\npython run.py",
+            ("python", "demo/small/run.py"),
+        ),
+        ("cd demo\npython run.py", ("bash",)),
+    ],
+)
+def test_of_several_of_a_name_the_one_where_the_page_went(tree: Tree, page: str, started: tuple[str, ...]) -> None:
+    files = {**PYTHON, **dict.fromkeys(SEVERAL, PROGRAM), "README.md": f"# Usage\n```\n{page}\n```\n"}
+    assert tree(files).command == started
+
+
+STARTS = "mkdir -p logs\npython train.py fit --config configs/a.yaml > logs/a.txt\nPORT=1 python3 -u tools/check.py\n"
+LABELS = ("labels/train.py", "labels/tools/check.py", "labels/configs/a.yaml")
+
+
+@pytest.mark.parametrize(
+    ("text", "more", "page", "started"),
+    [
+        (STARTS, (), "Then execute [run.sh](labels/run.sh).", "cd labels && exec bash run.sh"),
+        (STARTS, (), "```\nbash labels/run.sh\n```", "cd labels && exec bash run.sh"),
+        (STARTS, (), "```\nbash labels/run.sh labels/configs/a.yaml\n```",
+         ("bash", "labels/run.sh", "labels/configs/a.yaml")),
+        (STARTS, ("train.py",), "```\nbash labels/run.sh\n```", ("bash", "labels/run.sh")),
+        ("cd $(dirname $0)\n" + STARTS, (), "```\nbash labels/run.sh\n```", ("bash", "labels/run.sh")),
+        (STARTS + "python gone.py\n", (), "```\nbash labels/run.sh\n```", ("bash", "labels/run.sh")),
+        ("python labels/train.py\n", (), "```\nbash labels/run.sh\n```", ("bash", "labels/run.sh")),
+    ],
+)  # fmt: skip
+def test_a_script_starts_where_all_that_it_starts_lies(
+    tree: Tree, text: str, more: tuple[str, ...], page: str, started: object
+) -> None:
+    files = {**PYTHON, **dict.fromkeys((*LABELS, *more), PROGRAM), "labels/run.sh": text}
+    assert tree(files | {"README.md": f"# Running the code\n{page}\n"}).command == started

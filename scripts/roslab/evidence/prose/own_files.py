@@ -9,7 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.authors_words import of_author
 from roslab.evidence.prose.runners import SIMULATORS
-from roslab.evidence.prose.script_folders import started_above
+from roslab.evidence.prose.script_folders import started_above, started_beside
 from roslab.evidence.prose.started_in import beside_build, ends, script_in, started_in
 from roslab.evidence.ros import vcs
 from roslab.repository.checkout import Repository
@@ -44,7 +44,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         path = _in_checkout(path, repository) or _from_above(path, repository) or path
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
-            path = only(path, repository) or path
+            path = only(path, repository) or _where_it_went(path, mention.inside, repository) or path
         path = _by_its_program(words[0], _with_ending(path, repository) if index else path, repository)
         path = _with_number(path, repository)
         beside = (
@@ -104,7 +104,7 @@ def _folder_of(mention: Mention, words: list[str], repository: Repository) -> st
     if words[0] == "roslaunch" or words[:2] == ["ros2", "launch"]:
         return next((folder for folder in ends(mention.inside) if folder in repository.folders), "")
     found = started_in(mention, words, repository) or beside_build(mention, words, repository)
-    return found or started_above(words, repository)
+    return found or started_above(words, repository) or started_beside(words, repository)
 
 
 def _unseen(path: str, folder: str, repository: Repository) -> tuple[str, str] | None:
@@ -195,6 +195,12 @@ def only(path: str, repository: Repository) -> str | None:
     ends = [file.path for file in repository.named(posixpath.basename(path)) if file.path.endswith(f"/{path}")]
     own = [each for each in ends if not places.vendored(each)]
     return own[0] if len(own) == 1 else None
+
+
+def _where_it_went(path: str, inside: str, repository: Repository) -> str | None:
+    """Return the file of that path below the folder that a page went to, which tells which of several is meant."""
+    there = (posixpath.normpath(posixpath.join(end, path)) for end in ends(inside) if end)
+    return next((each for each in there if repository.has(each)), None)
 
 
 def _below(path: str, repository: Repository) -> str:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.headings import MAX_LINE, lines_of
 from roslab.evidence.prose.pages import pages, text_of
+from roslab.evidence.prose.script_folders import started_above, started_beside
 from roslab.evidence.python.top_level import first_statement
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -105,6 +106,7 @@ def read(repository: Repository) -> tuple[Mention, ...]:
                         line=sentence.number,
                         text=line.strip()[:200],
                         heading=sentence.heading,
+                        inside=started_above((path,), repository) or started_beside((path,), repository),
                     )
                     kept = found.setdefault(path, said)
                     if path.endswith(".py") and _RUNNING.search(said.heading) and not _RUNNING.search(kept.heading):

@@ -28,6 +28,12 @@ _MAIN = pattern(r"^if __name__ ==", re.MULTILINE)
 _ABOVE = pattern(r"\.\.(?:/\.\.)*/?")
 _STOPS = pattern(r"^set[ \t]+-\w*e", re.MULTILINE)
 """The script ends where a command fails."""
+_STARTS = pattern(
+    r"^[ \t]*(?:\w+=\S*[ \t]+)*(?:python[\d.]*|(?:ba)?sh|source|\.)[ \t]+(?:-u[ \t]+)?"
+    r"((?:[\w-]+/)*[\w-]+\.(?:py|sh))(?=\s|$)",
+    re.MULTILINE,
+)
+"""A line that starts a script by a path which begins nowhere."""
 _PROGRAM = pattern(r"(?:^|\s)((?:[\w-]+/)*[\w-]+\.(?:py|sh))(?=\s|$)", re.MULTILINE)
 
 
@@ -67,6 +73,20 @@ def started_above(words: Sequence[str], repository: Repository) -> str:
     above = posixpath.normpath(posixpath.join(folder, goes[1]))
     started = (posixpath.normpath(posixpath.join(above, name)) for name in _PROGRAM.findall(text, goes.end()))
     return folder if any(map(repository.has, started)) else ""
+
+
+def started_beside(words: Sequence[str], repository: Repository) -> str:
+    """Return the folder of a shell script that goes nowhere and starts what lies there, and nowhere else; else ``""``.
+
+    A command that gives it a path from the root is meant to be run there.
+    """
+    script = _script(words, repository)
+    folder = posixpath.dirname(script)
+    text = repository.read(script, limit=MAX_SIZE) if folder else ""
+    started = [] if not text or _GOES.search(text) else _STARTS.findall(text)
+    if not started or any(map(repository.has, (*started, *(word for word in words if word != script)))):
+        return ""
+    return folder if all(repository.has(posixpath.join(folder, each)) for each in started) else ""
 
 
 def _script(words: Sequence[str], repository: Repository) -> str:
