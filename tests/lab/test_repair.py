@@ -172,7 +172,7 @@ LEFT = {
     "a mistake in the code": Broken(
         config=NATIVE,
         files={"CMakeLists.txt": EXECUTABLE, "main.cpp": "int main() { return 1 +; }\n"},
-        why="not repaired: no known cause",
+        why="error: expected primary-expression before",
     ),
     "a header of no known package": Broken(
         config=WHOLE,

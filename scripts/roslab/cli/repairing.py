@@ -66,7 +66,7 @@ class Repairing:
         found = holders.completed(found, answer, given(self.planned), self._ask)
         if not found.certain.changes:
             maybe = [f"it may need {change}, for {change.asked}" for change in found.changes]
-            self._stop(error, "; ".join(maybe or [why for _, why in found.refused]))
+            self._stop(error, "; ".join(maybe or [why for failure, why in found.refused if failure]))
         self.seen |= causes
         self.rounds += 1
         for change in found.certain.changes:

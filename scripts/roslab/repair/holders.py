@@ -60,10 +60,10 @@ def completed(found: Repair, answer: Answer, given: Given, ask: Callable[[Sequen
         said = ask([path for one in wanted for path in one.paths])
     except BuildError as error:
         reason = f"apt was not asked which package holds it: {error.problems[0].message}"
-        return replace(found, refused=(("", reason),))
-    answers = tuple(changes(wanted, said, given))
-    new = tuple(one for one in answers if isinstance(one, Change) and not has(given.config, one.entry))
-    refused = tuple(("", one) for one in answers if isinstance(one, str))
+        return replace(found, refused=((wanted[0].found.id or "", reason),))
+    answers = tuple(zip(wanted, changes(wanted, said, given), strict=True))
+    new = tuple(each for _, each in answers if isinstance(each, Change) and not has(given.config, each.entry))
+    refused = tuple((one.found.id or "", each) for one, each in answers if isinstance(each, str))
     return replace(found, changes=(*found.changes, *new), refused=refused or found.refused)
 
 
