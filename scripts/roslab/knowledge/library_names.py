@@ -58,5 +58,6 @@ def _item(built: Recipe) -> str:
     item: dict[str, object] = {"name": built.name, "repo": built.repo, "ref": built.ref}
     item |= {"depends": list(built.depends)} if built.depends else {}
     item |= {"cmake_options": " ".join(built.options)} if built.options else {}
+    item |= {"cmake_folder": f"../{built.cmake_in}"} if built.cmake_in else {}
     item |= {"make_command": built.make} if built.make else {}
     return json.dumps(item)

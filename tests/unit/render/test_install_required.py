@@ -225,3 +225,8 @@ def test_the_image_calls_it_between_the_clone_and_cmake(tmp_path: Path, asked: s
         which = "acme_lidar of https://github.com/lab/acme_lidar, which README.md:1 names, cannot be"
         assert f"roslab: {which} cloned: the build stops" in before
         assert f"roslab: {which} compiled: the build stops" in after
+
+
+def test_the_folder_of_a_project_below_its_root_is_to_be_written_too() -> None:
+    told = next(line for line in library_names("noble").splitlines() if line.startswith("argos = "))
+    assert '"cmake_options": "-DARGOS_DOCUMENTATION=OFF", "cmake_folder": "../src"' in told
