@@ -193,7 +193,7 @@ LEFT = {
     "a package that nobody has": Broken(
         config=f"{PYTHON}pip: [no-such-package-of-anybody-at-all]\n",
         files={"main.py": "print(1)\n"},
-        why="not repaired: ",
+        why="pip's index has no release of no-such-package-of-anybody-at-all",
     ),
     "a Dockerfile of the author's": Broken(
         config="format: 3\ndockerfile: Dockerfile\n",

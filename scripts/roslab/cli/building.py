@@ -42,7 +42,7 @@ def build(options: argparse.Namespace) -> int:
     if not options.repair:
         _once(options, planned, arguments)
         return 0
-    repairing = Repairing(options=options, planned=planned)
+    repairing = Repairing(options=options, planned=planned, arguments=arguments)
     while error := _failure(options, repairing, arguments):
         repairing.repair(error)
     repairing.finish()

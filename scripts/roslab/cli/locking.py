@@ -22,9 +22,11 @@ from roslab.lock.materials import of_build
 from roslab.pipeline import Planned, lock_file
 from roslab.plan.lock import to_text, without
 from roslab.plan.locked import Material
+from roslab.plan.plan import Plan
 from roslab.render import moved
 from roslab.render.dockerfile import question
 from roslab.values.dataclass import replace
+from roslab.values.secret import APT_AUTH
 
 NEAREST = "a build takes what is left; build, look whether it still proves, and run `roslab lock`"
 
@@ -77,7 +79,7 @@ def _check(options: argparse.Namespace) -> int:
     engine.check()
     problems = []
     for platform, _ in _names(options, planned):
-        answer = checking.check(planned.plan, question(planned.plan), platform)
+        answer = _asked(planned.plan, platform)
         for said in answer.silent:
             engine.say(f"roslab: warning: {said}")
         problems += [Problem(message=f"{platform}: {each}", hint=NEAREST) for each in answer.missing]
@@ -93,13 +95,18 @@ def available(planned: Planned, platforms: Sequence[str]) -> Planned:
     if plan.lock is None or plan.author_dockerfile:
         return planned
     for platform in platforms:
-        answer = checking.check(plan, question(plan), platform)
+        answer = _asked(plan, platform)
         for said in answer.silent:
             engine.say(f"roslab: warning: {said}")
         for each in answer.missing:
             engine.say(f"{lock_file(planned.config)}: warning: {each}")
         plan = without(plan, answer.missing)
     return replace(planned, plan=plan)
+
+
+def _asked(plan: Plan, platform: str) -> checking.Answer:
+    secrets = of_environment([name for name in plan.secrets if name == APT_AUTH], os.environ)
+    return checking.check(plan, question(plan), platform, secrets)
 
 
 def compared(planned: Planned, image: str, platform: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import io
+import os
 from collections.abc import Sequence
 
 from roslab.cli.planning import named, planned_of
@@ -11,6 +12,7 @@ from roslab.config import locate
 from roslab.config.addition import Entry, added
 from roslab.engine.asking import ask
 from roslab.engine.docker import FailedBuild, native_platform, say
+from roslab.engine.secrets import of_environment
 from roslab.errors import Problem
 from roslab.explain.answer import Answer, explain
 from roslab.files import write_configuration
@@ -45,6 +47,8 @@ class Repairing:
 
     options: argparse.Namespace
     planned: Planned
+    arguments: tuple[tuple[str, str], ...] = ()
+    """Arguments of the build."""
     rounds: int = 0
     changes: list[Change] = field(default_factory=list)
     seen: set[tuple[str, tuple[tuple[str, str], ...]]] = field(default_factory=set)
@@ -66,7 +70,9 @@ class Repairing:
         found = holders.completed(found, answer, given(self.planned), self._ask)
         if not found.certain.changes:
             maybe = [f"it may need {change}, for {change.asked}" for change in found.changes]
-            self._stop(error, "; ".join(maybe or [why for failure, why in found.refused if failure]))
+            said = {one.fix for one in answer.explanations}  # the build's own error says it
+            refused = [why for failure, why in found.refused if failure and why not in said]
+            self._stop(error, "; ".join(maybe or refused))
         self.seen |= causes
         self.rounds += 1
         for change in found.certain.changes:
@@ -79,7 +85,10 @@ class Repairing:
 
     def _ask(self, paths: Sequence[str]) -> str:
         say("roslab: asking apt which package holds what is missing")
-        return ask(question_of_files(self.planned.plan, paths), native_platform())
+        plan, own = self.planned.plan, native_platform()
+        platform = own if own in plan.platforms or not self.options.platforms else plan.platforms[0]
+        secrets = of_environment(plan.secrets, os.environ)
+        return ask(question_of_files(plan, paths), platform, secrets=secrets, arguments=self.arguments)
 
     def _entries(self) -> list[Entry]:
         return [change.entry for change in self.changes]

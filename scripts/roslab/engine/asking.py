@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-import secrets
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
+from secrets import token_hex
 
 from roslab.engine import docker as engine
+from roslab.engine.secrets import Secret
 
 
-def ask(question: str, platform: str) -> str:
+def ask(
+    question: str, platform: str, *, secrets: Sequence[Secret] = (), arguments: Sequence[tuple[str, str]] = ()
+) -> str:
     """Return the text of the file ``answer`` that is all of a Dockerfile's image; the engine's store keeps nothing.
 
-    The argument ASKED is another one each time, so that what hangs on it is asked anew. Raises ``FailedBuild``.
+    ``secrets`` and ``arguments``, as those of a proxy, are the build's own. The argument ASKED is another one each
+    time, so that what hangs on it is asked anew. Raises ``FailedBuild``.
     """
     with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
         place = Path(folder)
@@ -22,7 +27,8 @@ def ask(question: str, platform: str) -> str:
             context=place / "context",
             dockerfile=place / "Dockerfile",
             platforms=(platform,),
-            arguments=(("ASKED", secrets.token_hex(8)),),
+            arguments=(*arguments, ("ASKED", token_hex(8))),
+            secrets=tuple(secrets),
             output=f"type=local,dest={place / 'out'}",
             extra=("--provenance=false",),
         )

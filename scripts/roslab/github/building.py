@@ -31,7 +31,8 @@ def dockerfile(environment: Environment) -> None:
             workflow.warn(Problem(message=found.text))
         else:
             workflow.say(found.text)
-    run = replace(run, plan=locking.available(run.plan, run.here(environment)))
+    given = secrets.held(folder, run, environment)
+    run = replace(run, plan=locking.available(run.plan, run.here(environment), given))
     dockerfile, context = write_plan(run.plan, root, folder.dockerfile)
     authored = run.plan.author_dockerfile
     if authored and (copy := checkout.shielded(dockerfile, context, folder.dockerfile)):
@@ -87,7 +88,7 @@ def dockerfile(environment: Environment) -> None:
         "provenance": ("mode=max" if what.public else "mode=min,inline-only=true") if run.push else "false",
         "sbom": builder.scanner(environment, wanted=run.push and what.public, act=what.act),
     }
-    build |= secrets.outputs(secrets.held(folder, run, environment))
+    build |= secrets.outputs(given)
     later = {"started": time.time(), "tree": kept.write, "mounts": mounts, "source": source}
     folder.write("build.json", json.dumps({**build, **later}))
     workflow.outputs(build, environment)

@@ -16,7 +16,7 @@ from roslab.evidence.gather import gather
 from roslab.explain import words
 from roslab.explain.answer import Answer
 from roslab.explain.answer import explain as explained
-from roslab.github import access, builder, checkout, event, kept, suggestion, workflow
+from roslab.github import access, builder, checkout, event, kept, secrets, suggestion, workflow
 from roslab.github.run import Folder, Run
 from roslab.render.dockerfile import holders as question_of_files
 from roslab.render.outcome import Repair as Lines
@@ -51,7 +51,7 @@ def explain(environment: Mapping[str, str]) -> None:
         access.require(refused, image=run.image, event=what)
     if not log:
         raise BuildError(Problem(message="the build failed", hint="the log of the step above says why"))
-    mending = mend(_answer(log), run, _root(run, environment), _asking(run, environment))
+    mending = mend(_answer(log), run, _root(run, environment), _asking(folder, environment))
     _hand_over(folder, mending, environment)
     raise BuildError(*mending.problems)
 
@@ -65,7 +65,7 @@ def explain_proof(folder: Folder, failure: Problem, output: str, environment: Ma
     if not answer.explanations or answer.explanations[0].id is None:
         return failure
     run = folder.run
-    mending = mend(answer, run, _root(run, environment), _asking(run, environment))
+    mending = mend(answer, run, _root(run, environment), _asking(folder, environment))
     _hand_over(folder, mending, environment)
     first = mending.problems[0]
     return replace(first, message=f"{failure.message}: {first.message}")
@@ -75,12 +75,14 @@ def _answer(log: str) -> Answer:
     return explained(io.BytesIO(log.encode("utf-8", errors="replace")))
 
 
-def _asking(run: Run, environment: Mapping[str, str]) -> Callable[[Sequence[str]], str]:
+def _asking(folder: Folder, environment: Mapping[str, str]) -> Callable[[Sequence[str]], str]:
     """Return what asks the apt of the image's base which packages hold files."""
 
     def asking(paths: Sequence[str]) -> str:
         workflow.say("asking apt which package holds what is missing")
-        return ask(question_of_files(run.plan, paths), run.here(environment)[0])
+        run = folder.run
+        platform = run.here(environment)[0]
+        return ask(question_of_files(run.plan, paths), platform, secrets=secrets.held(folder, run, environment))
 
     return asking
 

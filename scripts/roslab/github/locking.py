@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from roslab.engine.secrets import Secret
 from roslab.errors import BuildError, Problem
 from roslab.github import kept as attempts
 from roslab.github import workflow
@@ -27,13 +28,13 @@ SECONDS = 60.0
 """Longest that the package sources are asked."""
 
 
-def available(plan: Plan, platforms: Sequence[str]) -> Plan:
+def available(plan: Plan, platforms: Sequence[str], secrets: Sequence[Secret] = ()) -> Plan:
     """Return the plan without what its lock names and nobody has any more; each is told before the build."""
     if plan.lock is None or plan.author_dockerfile:
         return plan
     for platform in platforms:
         with workflow.group(f"Ask for what {NAME} names, for {platform}"):
-            answer = check.check(plan, question(plan), platform)
+            answer = check.check(plan, question(plan), platform, secrets)
         for said in answer.silent:
             workflow.say(said)
         for each in answer.missing:

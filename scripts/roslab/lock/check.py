@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from roslab.engine import docker as engine
 from roslab.engine import registry
 from roslab.engine.asking import ask
 from roslab.engine.docker import last_line, output
+from roslab.engine.secrets import Secret
 from roslab.errors import BuildError
 from roslab.lock import index
 from roslab.lock.inventory import inspect
@@ -33,14 +34,15 @@ class Answer:
     silent: tuple[str, ...]
 
 
-def check(plan: Plan, question: str, platform: str) -> Answer:
+def check(plan: Plan, question: str, platform: str, secrets: Sequence[Secret] = ()) -> Answer:
     """Ask the registry, apt's sources, pip's indexes and git for what a plan's lock names for a platform.
 
-    ``question`` is the Dockerfile that asks apt's sources, as ``render.dockerfile.question`` writes it.
+    ``question`` is the Dockerfile that asks apt's sources, as ``render.dockerfile.question`` writes it, and
+    ``secrets`` are those of the build.
     """
     silent: list[str] = []
     gone = [*_base(plan, silent)]
-    gone += [] if gone else _apt(question, platform, silent)
+    gone += [] if gone else _apt(question, platform, secrets, silent)
     machine = plan.lock.machine(platform) if plan.lock else None
     if machine:
         packages = [package for each in machine.python for package in each.packages]
@@ -80,9 +82,9 @@ def _digest(name: str) -> str | None:
         return None
 
 
-def _apt(question: str, platform: str, silent: list[str]) -> Iterator[Missing]:
+def _apt(question: str, platform: str, secrets: Sequence[Secret], silent: list[str]) -> Iterator[Missing]:
     try:
-        answer = ask(question, platform)
+        answer = ask(question, platform, secrets=secrets)
     except engine.FailedBuild as error:
         silent.append(f"apt's sources were not asked: {error.problems[0].message}")
         return

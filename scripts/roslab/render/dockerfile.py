@@ -31,6 +31,7 @@ from roslab.render.layers import (
     python_clones,
     python_projects,
     scripts,
+    secrets,
     shell,
     slim,
     system,
@@ -205,10 +206,8 @@ def _of_base(plan: Plan, script: str, lines: str) -> str:
     Its first steps are those of the image, which need not be repeated. The argument ASKED makes the question a new one.
     """
     order = OLD_FORMATS if plan.compatible else TODAY
-    ask = (
-        f"{shell.heredoc('/asked', lines)}{shell.copy_script(script)}ARG ASKED\n"
-        f"RUN : ${{ASKED}} && {script} /asked >/answer"
-    )
+    call = shell.run(f": ${{ASKED}} && {script} /asked >/answer", secrets=secrets.of_apt_sources(plan))
+    ask = f"{shell.heredoc('/asked', lines)}{shell.copy_script(script)}ARG ASKED\n{call}"
     base = f"FROM {quote.image(plan.base_image)} AS base\n{_join(order.base, plan)}\n{ask}"
     return "\n\n".join((scripts.stage(base), base, "FROM scratch\nCOPY --from=base /answer /\n"))
 

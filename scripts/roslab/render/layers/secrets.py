@@ -75,6 +75,11 @@ def for_apt(plan: Plan) -> Secrets:
     return _of(plan, (APT_AUTH,), "root", mounted=(caches.apt_lists(plan.name),))
 
 
+def of_apt_sources(plan: Plan) -> Secrets:
+    """Return the password of a package source alone: what is only asked leaves nothing among apt's lists."""
+    return _of(plan, (APT_AUTH,), "root")
+
+
 def for_both(plan: Plan) -> Secrets:
     """Return what rosdep needs, which calls apt and, for some keys, pip."""
     lists = caches.apt_lists(plan.name)
