@@ -12,9 +12,15 @@ from roslab.knowledge.repairs import complete, repairs
 from roslab.repair.asked import asked
 from roslab.repair.change import Change, Given, Repair
 from roslab.values.dataclass import dataclass, replace
+from roslab.values.pattern import pattern
 
 _DEVELOPMENT = "-dev"
 """End of the names of packages that hold headers and what links: Debian Policy, 8.4."""
+
+_LINE = pattern(r"(?m)^(?P<number>\d{1,6}) (?P<package>[a-z0-9][a-z0-9+.-]{1,200})$")
+"""A line of the answer; the name of a package: Debian Policy, 5.6.1."""
+_SHOWN = 5
+"""Most packages that are named of those that hold a file: a common name of a header stands in a hundred."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -60,11 +66,24 @@ def completed(found: Repair, answer: Answer, given: Given, ask: Callable[[Sequen
         said = ask([path for one in wanted for path in one.paths])
     except BuildError as error:
         reason = f"apt was not asked which package holds it: {error.problems[0].message}"
-        return replace(found, refused=((wanted[0].found.id or "", reason),))
-    answers = tuple(zip(wanted, changes(wanted, said, given), strict=True))
-    new = tuple(each for _, each in answers if isinstance(each, Change) and not has(given.config, each.entry))
-    refused = tuple((one.found.id or "", each) for one, each in answers if isinstance(each, str))
-    return replace(found, changes=(*found.changes, *new), refused=refused or found.refused)
+        return _refused(found, wanted, [(wanted[0].found.id or "", reason)])
+    new: list[Change] = []
+    refused: list[tuple[str, str]] = []
+    for one, each in zip(wanted, changes(wanted, said, given), strict=True):
+        if isinstance(each, str):
+            refused.append((one.found.id or "", each))
+        elif has(given.config, each.entry):
+            refused.append((each.failure, f"roslab.yaml has {each.value} already, and that did not help"))
+        else:
+            new.append(each)
+    return _refused(replace(found, changes=(*found.changes, *new)), wanted, refused)
+
+
+def _refused(found: Repair, wanted: tuple[Sought, ...], refused: list[tuple[str, str]]) -> Repair:
+    """Return a repair with these reasons for what was sought, and with its own for all other failures."""
+    sought_for = {one.found.id for one in wanted}
+    others = (each for each in found.refused if each[0] not in sought_for)
+    return replace(found, refused=(*refused, *others))
 
 
 def changes(wanted: tuple[Sought, ...], answer: str, given: Given) -> Iterator[Change | str]:
@@ -73,9 +92,8 @@ def changes(wanted: tuple[Sought, ...], answer: str, given: Given) -> Iterator[C
     ``answer`` has lines of a path's number, from 1 over all that was sought, and a package that holds it.
     """
     said: dict[int, list[str]] = {}
-    for line in answer.splitlines():
-        number, _, package = line.partition(" ")
-        said.setdefault(int(number), []).append(package)
+    for match in _LINE.finditer(answer):
+        said.setdefault(int(match["number"]), []).append(match["package"])
     first = 1
     for one in wanted:
         held = next((said[at] for at in range(first, first + len(one.paths)) if at in said), [])
@@ -91,6 +109,12 @@ def changes(wanted: tuple[Sought, ...], answer: str, given: Given) -> Iterator[C
                 asked=asked(one.found, given, packages[0]),
             )
         elif packages:
-            yield f"{what} is in {', '.join(packages[:-1])} and {packages[-1]}: name one under `apt`"
+            yield f"{what} is in {_listed(packages)}: name one under `apt`"
         else:
             yield f"no package of the image's sources holds {what}"
+
+
+def _listed(packages: Sequence[str]) -> str:
+    first = packages[:_SHOWN]
+    *others, last = (*first, f"{len(packages) - _SHOWN} more") if len(packages) > _SHOWN else first
+    return f"{', '.join(others)} and {last}"

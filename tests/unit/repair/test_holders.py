@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import os
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -12,9 +14,10 @@ from roslab.cli.repairing import given
 from roslab.explain.answer import Answer, explain
 from roslab.pipeline import plan_repository
 from roslab.render import dockerfile
-from roslab.repair.change import Change
-from roslab.repair.holders import changes, sought
+from roslab.repair.change import Change, Repair
+from roslab.repair.holders import changes, completed, sought
 
+SCRIPT = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts/packages-holding.sh"
 HEADER = "/src/main.cpp:1:10: fatal error: fstrcmp.h: No such file or directory"
 
 
@@ -80,6 +83,10 @@ def test_nothing_is_sought_where_no_file_is_missing() -> None:
             "1 libone-dev\n1 libtwo-dev\n",
             ["the header fstrcmp.h (main.cpp:1) is in libone-dev and libtwo-dev: name one under `apt`"],
         ),
+        (
+            "".join(f"1 {name}\n" for name in ("aa", "bb", "cc", "dd", "ee", "ff", "gg")),
+            ["the header fstrcmp.h (main.cpp:1) is in aa, bb, cc, dd, ee and 2 more: name one under `apt`"],
+        ),
         ("", ["no package of the image's sources holds the header fstrcmp.h (main.cpp:1)"]),
     ],
 )
@@ -91,6 +98,39 @@ def test_one_package_that_holds_it_is_certain(tmp_path: Path, said: str, wanted:
     assert all(one.certain for one in found if isinstance(one, Change))
 
 
+def test_the_reasons_of_other_failures_stay(tmp_path: Path) -> None:
+    (tmp_path / "roslab.yaml").write_text("format: 3\nkind: cpp\napt: [libzoo-dev]\n")
+    (tmp_path / "CMakeLists.txt").write_text("project(robot CXX)\n")
+    what, told = given(plan_repository(tmp_path)), Repair(refused=(("disk-full", "free some"), ("header-missing", "?")))
+    for said, reason in (
+        ("", "no package of the image's sources holds the header fstrcmp.h"),
+        ("1 libzoo-dev\n", "roslab.yaml has libzoo-dev already, and that did not help"),
+    ):
+        found = completed(told, answer(HEADER), what, lambda _, said=said: said)  # type: ignore[misc]
+        assert found == Repair(refused=(("header-missing", reason), ("disk-full", "free some")))
+
+
+@pytest.mark.parametrize(("code", "said"), [(0, "1 libzoo-dev\n1 zoo2\n"), (1, ""), (3, None)])
+def test_without_an_index_of_files_nobody_says_that_no_package_holds_it(
+    tmp_path: Path, code: int, said: str | None
+) -> None:
+    asked = tmp_path / "asked"
+    asked.write_text("usr/include/zoo\\.h\n")
+    lines = "libzoo-dev: /usr/include/zoo.h\nzoo2: /usr/include/zoo.h\n" if code == 0 else ""
+    for name, does in (
+        ("apt-get", "echo noise"),
+        ("apt-file", f"[ $1 = search ] || exit 0\necho \"$*\" >{tmp_path}/called\nprintf '{lines}'\nexit {code}"),
+    ):
+        (tmp_path / name).write_text(f"#!/bin/bash\n{does}\n")
+        (tmp_path / name).chmod(0o755)
+    path = f"{tmp_path}:{os.environ['PATH']}"
+    ran = subprocess.run(
+        ["bash", SCRIPT, asked], env={**os.environ, "PATH": path}, capture_output=True, text=True, check=False
+    )
+    assert (ran.stdout if ran.returncode == 0 else None) == said
+    assert (tmp_path / "called").read_text() == "search --regexp ^/usr/include/zoo\\.h$\n"
+
+
 def test_the_question_is_put_to_the_base_and_its_sources(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text(
         '<package format="2"><name>robot</name><version>1.0.0</version><description>d</description><maintainer '
@@ -100,6 +140,7 @@ def test_the_question_is_put_to_the_base_and_its_sources(tmp_path: Path) -> None
     (tmp_path / "roslab.yaml").write_text("format: 3\nbase: {ros: noetic}\n")
     plan = plan_repository(tmp_path).plan
     text = dockerfile.holders(plan, ["usr/include/zoo\\.h", "usr/bin/zoo"])
+    assert "--mount" not in text.rpartition("ARG ASKED")[2]
     assert f"FROM {plan.base_image} AS base\n" in text
     assert "renew-package-sources --ros" in text
     assert "COPY <<'EOF' /asked\nusr/include/zoo\\.h\nusr/bin/zoo\nEOF\n" in text

@@ -1,7 +1,7 @@
 #!/bin/bash
 # usage: packages-holding LIST
 # Prints for each line of LIST, a regular expression that the path of a file matches as a whole, its number and each package of
-# the package sources that holds such a file.
+# the package sources that holds such a file. Fails where they have no index of files.
 set -euo pipefail
 
 apt-get update >&2
@@ -10,5 +10,5 @@ apt-file update >&2
 number=0
 while read -r path; do
   number=$((number + 1))
-  { apt-file search --regexp "^/${path}\$" </dev/null || true; } | sed --quiet "s/: .*//; s/^[a-z0-9]/${number} &/p" | sort --unique
+  { apt-file search --regexp "^/${path}\$" </dev/null || [ $? = 1 ]; } | sed --quiet "s/: .*//; s/^[a-z0-9]/${number} &/p" | sort --unique
 done <"$1"
