@@ -73,6 +73,8 @@ def _clones(evidence: Evidence, dockerfile: str) -> Iterator[GitSource]:
 def _days(evidence: Evidence, config: Config, dockerfile: str, clones: Iterable[GitSource]) -> dict[GitSource, str]:
     """Return the day of each clone of a Dockerfile at a head that the build takes as it was on that day."""
     days = {base.name: base.git_day for base in decide_bases(evidence, config, dockerfile).answer}
+    if not days:
+        return {}
     stages = next(each.stages for each in evidence.dockerfiles if each.file == dockerfile)
     found = {git: days.get(image_at(git.line, stages)) for git in clones if git.file == dockerfile and at_head(git)}
     return {git: day for git, day in found.items() if day}

@@ -35,6 +35,13 @@ def test_what_its_steps_clone_comes_from_source_and_nothing_else(tree: Tree) -> 
     assert [(each.name, each.ref, each.before) for each in decision.source] == [("shapes", "1.2.0", "")]
 
 
+def test_a_dockerfile_that_roslab_yaml_names_and_nothing_reads_clones_nothing_that_is_known(tmp_path: Path) -> None:
+    named = {"Other": IMAGE.format(CLONE.format("")), "roslab.yaml": "dockerfile: Other\n"}
+    tree_of(tmp_path, FILES | named)
+    decision = plan_repository(tmp_path).decision
+    assert (decision.dockerfile, decision.source) == ("Other", ())
+
+
 @pytest.mark.parametrize(
     ("options", "day", "said"),
     [
