@@ -16,7 +16,7 @@ https://github.com/ros/catkin/blob/noetic-devel/cmake/catkin_workspace.cmake, 20
 """
 
 
-def _run(workspace: Path, said: str, *, apart: bool = True) -> tuple[int, list[str]]:
+def _run(workspace: Path, said: str, *words: str, apart: bool = True) -> tuple[int, list[str]]:
     """Return how the script ends, and what was called, with a catkin_make that says that and fails."""
     programs = workspace / "programs"
     programs.mkdir(exist_ok=True)
@@ -27,7 +27,7 @@ def _run(workspace: Path, said: str, *, apart: bool = True) -> tuple[int, list[s
         program.write_text(f'#!/bin/bash\necho "{name} $*" >>{workspace}/called\n{does}\n')
         program.chmod(0o755)
     ran = subprocess.run(
-        ["bash", SCRIPT, "env", "catkin_make", "-j2", "-DA=b c"],
+        ["bash", SCRIPT, "env", "catkin_make", "-j2", "-DA=b c", *words],
         cwd=workspace,
         env={**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"},
         capture_output=True,
@@ -54,3 +54,20 @@ def test_one_that_catkin_make_refuses_is_compiled_package_by_package(tmp_path: P
 def test_what_fails_for_another_reason_fails(tmp_path: Path, said: str, apart: bool, calls: int) -> None:
     code, called = _run(tmp_path, said, apart=apart)
     assert (code, len(called)) == (1, calls)
+
+
+@pytest.mark.usefixtures("scripts_on_path")
+def test_packages_that_are_left_out_stay_so(tmp_path: Path) -> None:
+    for name in ("kept", "lost", "also_lost"):
+        (tmp_path / "src" / name).mkdir(parents=True)
+        manifest = f"<package><name>{name}</name><depend>kept</depend></package>\n"
+        (tmp_path / "src" / name / "package.xml").write_text(manifest)
+    code, called = _run(tmp_path, REFUSED, "-DCATKIN_BLACKLIST_PACKAGES=lost;also_lost")
+    assert (code, called[1:]) == (0, ["catkin_make_isolated -j2 --cmake-args -DA=b c"])
+    assert sorted(marker.parent.name for marker in tmp_path.rglob("CATKIN_IGNORE")) == ["also_lost", "lost"]
+
+
+def test_a_part_with_what_it_needs_is_compiled_into_one_folder(tmp_path: Path) -> None:
+    assert _run(tmp_path, REFUSED, "--only-pkg-with-deps", "demo")[1][1:] == [
+        "catkin_make_isolated -j2 --merge --only-pkg-with-deps demo --cmake-args -DA=b c"
+    ]

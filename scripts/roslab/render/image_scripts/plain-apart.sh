@@ -2,7 +2,8 @@
 # usage: plain-apart COMMAND...
 # Compiles the workspace in the current folder by a command that calls catkin_make. Where what is cloned to it brings a package
 # of plain CMake, catkin_make refuses the workspace: catkin_make_isolated compiles each package by itself then, and build and
-# devel are links to its folders, so that what names them finds the same.
+# devel are links to its folders, so that what names them finds the same. It knows no list of packages that are left out
+# (-DCATKIN_BLACKLIST_PACKAGES): these are hidden from it by markers.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 if [ ! -e devel_isolated ]; then
@@ -23,7 +24,15 @@ fi
 words=() options=()
 for word in "$@"; do
   case "${word}" in
+    -DCATKIN_BLACKLIST_PACKAGES*=*)
+      IFS=';' read -r -a without <<<"${word#*=}"
+      for name in "${without[@]}"; do
+        workspace-packages needed src "${name}" | sed --quiet "s:^${name}\t\(.*\)/package[.]xml$:\1/CATKIN_IGNORE:p" |
+          xargs --delimiter='\n' --no-run-if-empty touch
+      done
+      ;;
     -D*) options+=("${word}") ;;
+    --only-pkg-with-deps*) words+=(--merge "${word}") ;; # it takes that with one folder for all alone
     catkin_make) words+=(catkin_make_isolated) ;;
     *) words+=("${word}") ;;
   esac

@@ -18,6 +18,7 @@ CALLED = {
     "leave-out-doubles": (MANIFEST,),
     "leave-out-failed": (PACKAGES, MANIFEST),
     "leave-out-lacking": (PACKAGES,),
+    "plain-apart": (PACKAGES,),
     "take-listed": ("checkout-branch",),
     "raise-standard": ("required-by-cmake", MANIFEST),
     "required-components": ("required-by-cmake", MANIFEST),
