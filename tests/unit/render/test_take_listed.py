@@ -55,6 +55,7 @@ def test_forks_take_the_place_of_what_is_there(tmp_path: Path) -> None:
         _commit(tmp_path / name, "a", f"fork of {name}\n")
     (tmp_path / "ws/src").mkdir(parents=True)
     _commit(tmp_path / "ws/src/maps", "a", "upstream\n")
+    (tmp_path / "ws/src/maps/.git/roslab-plain").write_text("maps\n")
     rows = [("src/maps", "maps", "main"), ("extra/", "extra", ""), ("planner", "lab_planner", ""), ("x", "gone", "")]
     text = "".join(
         f"- git:\n    local-name: {local}\n    uri: {(tmp_path / name).as_uri()}\n"
@@ -63,7 +64,8 @@ def test_forks_take_the_place_of_what_is_there(tmp_path: Path) -> None:
     )
     _commit(tmp_path / "lab_ws", "packages_https.rosinstall", text)
     said, found = _run(tmp_path, "--but", "lab_planner")
-    assert found == {"lab_ws/maps": "fork of maps\n", "lab_ws/extra": "fork of extra\n"}
+    assert found == {"maps": "fork of maps\n", "lab_ws/extra": "fork of extra\n"}
+    assert (tmp_path / "ws/src/maps/.git/roslab-plain").read_text() == "maps\n", "it is compiled before the workspace"
     assert "roslab: maps is taken as" in said
     assert "gone , which" in said
 

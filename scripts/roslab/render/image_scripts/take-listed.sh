@@ -86,6 +86,9 @@ while read -r name from ref; do
   git -C "${place}" submodule update --init --recursive || echo "roslab: left out: submodules of ${from} cannot be cloned"
   if [ -e "${there}/.git" ] && [ "${there}" != "${folder}" ]; then
     echo "roslab: ${name} is taken as ${url} lists it"
+    # install-plain-clones, and who leaves out what fails, know it by that folder
+    if [ -e "${there}/.git/roslab-plain" ]; then cp "${there}/.git/roslab-plain" "${place}/.git"; fi
     rm -rf "${there}"
+    mv "${place}" "${there}"
   fi
 done < <(listed)
