@@ -54,9 +54,14 @@ def test_what_another_one_needs_is_installed_before_it(tmp_path: Path) -> None:
     calls = tmp_path / "calls"
     needs = f'[[ "$2" = *core ]] || grep --quiet core {calls} || exit 1\necho "$(basename "$2")" >>{calls}'
     (tmp_path / "calls").touch()
-    said = _installed(tmp_path, needs, "--in", str(tmp_path / "src"))
+    (tmp_path / "src/mapper/.git").mkdir(parents=True)
+    (tmp_path / "src/mapper/.git/roslab-plain").write_text("mapper\n")
+    (tmp_path / "src/mapper/CMakeLists.txt").write_text("project(mapper)\n")
+    (tmp_path / "src/mapper/package.xml").write_text("<package><name>mapper</name></package>\n")
+    said = _installed(tmp_path, needs, "--in", str(tmp_path / "src"), str(tmp_path / "src/quad_map"))
     assert (tmp_path / "calls").read_text().split() == ["quad_map_core", "quad_map"]
     assert "left out" not in said
+    assert said.count("it is compiled by CMake") == 2
     assert sorted(each.parent.name for each in tmp_path.rglob("COLCON_IGNORE")) == ["quad_map", "quad_map_core"]
 
 

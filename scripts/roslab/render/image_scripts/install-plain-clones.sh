@@ -13,15 +13,15 @@ set -u
 if [ "${1:-}" = --in ]; then
   shopt -s nullglob
   for noted in "$2"/*/.git/roslab-plain; do
-    folder="${noted%/.git/roslab-plain}"
-    touch "${folder}/COLCON_IGNORE"
-    set -- "$@" "${folder}"
+    set -- "$@" "${noted%/.git/roslab-plain}"
   done
   shift 2
 fi
 todo=()
 for folder in "$@"; do
   if [ ! -f "${folder}/CMakeLists.txt" ] || [ -n "$(find "${folder}" -name package.xml -print -quit)" ]; then continue; fi
+  if [[ " ${todo[*]-} " = *" ${folder} "* ]]; then continue; fi # it is noted and named
+  if [ -e "${folder}/.git/roslab-plain" ]; then touch "${folder}/COLCON_IGNORE"; fi
   echo "roslab: ${folder} has no package.xml: it is compiled by CMake and installed to /usr/local"
   todo+=("${folder}")
 done
