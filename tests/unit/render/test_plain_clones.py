@@ -94,5 +94,7 @@ def test_the_image_does_so_for_what_cmake_asks_for(tmp_path: Path, cmake: str, c
         (tmp_path / name).write_text(text)
     text = dockerfile(plan_repository(tmp_path).plan)
     assert "https://github.com/lab/stonefish.git" in text
-    assert ("\nRUN install-plain-clones /home/${NB_USER}/ws/src/stonefish\n" in text) == called
-    assert ("COPY --from=scripts /configure-library /usr/local/bin/" in text) == called
+    named = " /home/${NB_USER}/ws/src/stonefish" if called else ""
+    assert f"\nRUN install-plain-clones --in /home/${{NB_USER}}/ws/src{named}\n" in text, "and what clones need in turn"
+    assert text.index("--complete") < text.index("\nRUN install-plain-clones")
+    assert "COPY --from=scripts /configure-library /usr/local/bin/" in text

@@ -10,7 +10,7 @@ from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
 from roslab.render.layers.called import PACKAGES, with_called
 from roslab.render.layers.system import BRANCH, CONFIGURE, fetch, prepared
-from roslab.render.layers.workspace import HOLDING, WS, source_folder, words
+from roslab.render.layers.workspace import HOLDING, WS, completes, source_folder, words
 from roslab.values.pattern import pattern
 
 PLAIN = "install-plain-clones"
@@ -140,10 +140,11 @@ def _called(script: str, source: Source) -> str:
 def plain_clones(plan: Plan) -> str:
     """Compile what CMake of the workspace asks for by its name, where it turns out to be no package of ROS.
 
-    So may be what is only tried: the script that clones it notes which.
+    So may be what is only tried, and what clones need in turn: the script that clones these notes which.
     """
     folders = [quote.shell_with_user(f"{WS}/src/{s.name}") for s in plan.workspace.sources if s.unread]
-    noted = f" --in {WS}/src" if any(s.holding for s in plan.workspace.sources) else ""
+    tried = completes(plan) or any(s.holding for s in plan.workspace.sources)
+    noted = f" --in {WS}/src" if tried else ""
     if not folders and not noted:
         return ""
     scripts = "".join(map(shell.copy_script, (CONFIGURE, "compile-jobs")))

@@ -75,11 +75,16 @@ def rosdep(plan: Plan) -> str:
 
 def _complete(plan: Plan) -> str:
     """Return the options that clone what cloned repositories need in turn, ``""`` where nothing is cloned."""
-    place = plan.workspace
-    if plan.compatible or not place.sources or place.folder == WORKSPACE:
+    if not completes(plan):
         return ""
-    day = next((source.before for source in place.sources if source.before), "")
+    day = next((source.before for source in plan.workspace.sources if source.before), "")
     return " --complete" + (f" --before {quote.shell(day)}" if day else "")
+
+
+def completes(plan: Plan) -> bool:
+    """Tell whether the build looks for what cloned repositories need in turn."""
+    place = plan.workspace
+    return bool(plan.rosdep and place.sources) and not plan.compatible and place.folder != WORKSPACE
 
 
 def _required(plan: Plan) -> str:
