@@ -6,6 +6,7 @@ import argparse
 import io
 import os
 from collections.abc import Sequence
+from typing import NoReturn
 
 from roslab.cli.planning import named, planned_of
 from roslab.config import locate
@@ -13,7 +14,7 @@ from roslab.config.addition import Entry, added
 from roslab.engine.asking import ask
 from roslab.engine.docker import FailedBuild, native_platform, say
 from roslab.engine.secrets import of_environment
-from roslab.errors import Problem
+from roslab.errors import ConfigurationError, Problem
 from roslab.explain.answer import Answer, explain
 from roslab.files import write_configuration
 from roslab.pipeline import Planned
@@ -75,13 +76,22 @@ class Repairing:
             self._stop(error, "; ".join(maybe or refused))
         self.seen |= causes
         self.rounds += 1
+        self.planned = self._with(found.certain.changes, error)
+        self.changes += found.certain.changes
         for change in found.certain.changes:
             say(f"roslab: repair {self.rounds} adds {change}, for {change.asked}")
-        self.changes += found.certain.changes
-        if any(change.key == "submodules" for change in found.certain.changes):
+
+    def _with(self, changes: Sequence[Change], error: FailedBuild) -> Planned:
+        """Return the plan with more changes. Raises ``FailedBuild`` if roslab.yaml, of an old format, takes none."""
+        if any(change.key == "submodules" for change in changes):
             self._fetch(error)
         file, old = configuration(self.planned, self.options)
-        self.planned = planned_of(self.options, config_text=added(old, self._entries(), file=file))
+        entries = [*self._entries(), *(change.entry for change in changes)]
+        try:
+            return planned_of(self.options, config_text=added(old, entries, file=file))
+        except ConfigurationError as refused:
+            needed = "; ".join(f"{change}, for {change.asked}" for change in changes)
+            self._stop(error, f"it needs {needed}, which cannot be added: {refused.problems[0]}")
 
     def _ask(self, paths: Sequence[str]) -> str:
         say("roslab: asking apt which package holds what is missing")
@@ -109,7 +119,7 @@ class Repairing:
             self._stop(error, f"the submodule {first.path} of {first.url} cannot be fetched: {first.reason}")
         say("roslab: fetched the submodules")
 
-    def _stop(self, error: FailedBuild, why: str) -> None:
+    def _stop(self, error: FailedBuild, why: str) -> NoReturn:
         """Raise the build's own error with the reason why it is not repaired further, if the log names a cause."""
         if self.changes:
             self._tell("tried, and not enough; nothing is written")

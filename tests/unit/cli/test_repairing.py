@@ -66,6 +66,19 @@ def test_a_failure_says_once_how_it_is_corrected(repairing: Repairing) -> None:
     assert raised.value.problems == error.problems
 
 
+def test_a_configuration_of_an_old_format_is_no_error_of_its_own(repairing: Repairing, tmp_path: Path) -> None:
+    (tmp_path / "robot" / "roslab.yaml").write_text("base: {ubuntu: focal}\napt: [git]\n")
+    repairing.planned = planned_of(repairing.options)
+    error = failed("/home/a/main.cpp:1:10: fatal error: zoo.h: No such file or directory")
+    with pytest.raises(FailedBuild) as raised:
+        repairing.repair(error)
+    first, second = raised.value.problems
+    assert first == error.problems[0]
+    assert str(second).startswith("not repaired: it needs apt: [libzoo-dev], for the header zoo.h (main.cpp:1), which ")
+    assert "roslab migrate --write" in str(second)
+    assert not repairing.changes
+
+
 def test_a_platform_that_is_not_built_is_not_asked(repairing: Repairing, tmp_path: Path) -> None:
     repairing.options.platforms = "linux/arm64"
     repairing.planned = planned_of(repairing.options)
