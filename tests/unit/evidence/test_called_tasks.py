@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import reduce
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from hanging import ends
 from roslab.evidence.lex.make_tasks import parsed
 from roslab.evidence.prose.make_recipes import MakeCalls
+from roslab.evidence.prose.manager_tasks import ManagerCalls
 from roslab.pipeline import plan_repository
 
 CODE = {
@@ -66,6 +69,30 @@ one-test:
 	python -m pytest tests
 around: around
 	make around
+
+ifeq ($(OS),Windows_NT)
+RUN := python.exe
+else
+RUN := python3
+endif
+ported:
+	$(RUN) main.py
+
+chosen:
+ifdef FAST
+	python main.py --fast
+else
+	python main.py
+endif
+
+pathed:
+	PATH=$(CURDIR)/bin:$(PATH) python main.py
+
+plain:
+	python main.py
+define HELP
+	python other.py
+endef
 """
 
 
@@ -88,11 +115,21 @@ around: around
         ("one-test", None),
         ("clean", None),
         ("around", None),
+        ("ported", None),
+        ("ported RUN=python", "python main.py"),
+        ("chosen", None),
+        ("pathed", "PATH=./bin:$PATH python main.py"),
+        ("plain", "python main.py"),
         ("nothing", None),
     ],
 )
 def test_what_a_target_runs(call: str, line: str | None) -> None:
     assert MakeCalls(MAKEFILE).line_of(call) == line
+
+
+def test_lines_that_one_shell_runs_are_left_to_make() -> None:
+    assert MakeCalls("sim:\n\tcd arm\n\tpython main.py\n").line_of("sim") == "(cd arm) && python main.py"
+    assert MakeCalls(".ONESHELL:\nsim:\n\tcd arm\n\tpython main.py\n").line_of("sim") is None
 
 
 @pytest.mark.parametrize(
@@ -104,8 +141,10 @@ def test_what_a_target_runs(call: str, line: str | None) -> None:
         "".join(f"A{n} = $(A{n + 1}) $(A{n + 1}) $(A{n + 1})\n" for n in range(60)) + "run:\n\tpython $(A0)\n",
         "".join("A += $(A) b\n" for _ in range(3_000)) + "run:\n\tpython $(A)\n",
         "".join(f"{'a ' * 90}\n" for _ in range(300)),
+        f"A = {'a' * 1_900}\nrun:\n" + f"\tpython {'$(A)' * 450}\n" * 30,
+        "A = a\n" + "".join(f"run{n}:\n" for n in range(400)) + "run:\n" + "\tpython $(A)\n" * 2_000,
     ],
-    ids=["blanks", "needed", "brackets", "doubled", "grown", "words"],
+    ids=["blanks", "needed", "brackets", "doubled", "grown", "words", "long", "lines"],
 )
 def test_a_hostile_makefile_takes_no_long_time(text: str) -> None:
     with ends():
@@ -179,6 +218,33 @@ def test_the_image_runs_the_task_of_a_manager(tmp_path: Path, call: str, file: s
     text = f"{PROJECT}{text}" if file == "pyproject.toml" else text
     command, _ = plan_of(tmp_path, {file: text, "README.md": f"# Usage\n\n```\n{call}\n```\n"})
     assert command == ("python", "main.py", "--fast")
+
+
+@pytest.mark.parametrize(
+    ("file", "task", "call"),
+    [
+        ("pyproject.toml", "[tool.poe.tasks]\nsim = {cmd = 'python go.py', cwd = 'arm'}\n", "poe sim"),
+        ("pyproject.toml", "[tool.pdm.scripts]\nsim = {cmd = 'python go.py', working_dir = 'arm'}\n", "pdm run sim"),
+        ("Taskfile.yml", "tasks:\n  sim:\n    dir: arm\n    cmds: [echo a, python go.py]\n", "task sim"),
+    ],
+)
+def test_a_task_is_run_in_its_folder(tmp_path: Path, file: str, task: str, call: str) -> None:
+    files = {file: task, "arm/go.py": CODE["main.py"], "README.md": f"# Usage\n\n```\n{call}\n```\n"}
+    assert plan_of(tmp_path, files)[0] == ("python", "arm/go.py")
+
+
+@pytest.mark.parametrize(
+    "tasks",
+    [
+        {**{f"a{n}": [f"a{n + 1}"] * 30 for n in range(30)}, "a30": "python main.py"},
+        {f"a{n}": [f"a{n + 1}"] * 30 for n in range(30)},
+        {"a0": reduce(lambda inner, _: {"cmds": [inner] * 30}, range(90), {"cmds": [""]})},
+    ],
+    ids=["calls", "calls of nothing", "aliases"],
+)
+def test_hostile_tasks_take_no_long_time(tasks: dict[str, Any]) -> None:
+    with ends():
+        assert ManagerCalls({"poe": tasks}).line_of("poe a0") is None
 
 
 @pytest.mark.parametrize(

@@ -6,13 +6,11 @@ what is run in them is the program, and the image has no engine.
 
 from __future__ import annotations
 
-from roslab.evidence.lex.make_tasks import MakeTasks, parsed
+from roslab.evidence.lex.make_tasks import NAMES, MakeTasks, parsed
 from roslab.evidence.prose.just_recipes import joined
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
-NAMES = ("Makefile", "makefile", "GNUmakefile")
-"""Those that come later are read in place of those before."""
 MAX_SIZE = 64 * 1024
 MOST_CALLS = 500
 """Most different calls of one Makefile of which the lines are looked up."""
@@ -76,7 +74,7 @@ def calls(repository: Repository) -> dict[str, MakeCalls]:
 
 
 def _makefiles(repository: Repository) -> dict[str, MakeCalls]:
-    by_folder = {file.folder: file for name in NAMES for file in repository.named(name)}
+    by_folder = {file.folder: file for name in reversed(NAMES) for file in repository.named(name)}
     files = [file for file in nearest(by_folder.values())[:MOST_FILES] if file.size <= MAX_SIZE]
     return {file.folder: MakeCalls(repository.read(file)) for file in files}
 

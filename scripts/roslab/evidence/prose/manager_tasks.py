@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 import shlex
 from collections.abc import Iterator, Mapping
+from itertools import islice
 from typing import Any
 
 from roslab.evidence.prose.just_recipes import joined
@@ -24,6 +25,10 @@ MOST_FILES = 60
 MOST_LINES = 30
 DEEPEST = 10
 """Most tasks that call each other."""
+NESTED = 5
+"""Most tables and lists of one task in each other: an alias of YAML may hold itself many times over."""
+_FOLDERS = ("cwd", "dir", "working_dir", "chdir")
+"""What taskipy and poe, Taskfile, pdm and rye call the folder in which a task is run."""
 _FILES = ("pyproject.toml", "hatch.toml", "Pipfile", "Taskfile.yml", "Taskfile.yaml")
 _NAME = r"[A-Za-z_][\w.:-]*"
 _REST = r"(?:[ \t]+[^\s#;&|`<>$]+){0,12}"
@@ -58,7 +63,7 @@ class ManagerCalls:
         runner = next((word for word in words[:3] if word in {"poe", "task"}), words[0])
         named = words[words.index(runner) + (1 if runner in {"poe", "task"} else 2) :]
         tasks = self._tasks.get(runner, {})
-        lines = list(_lines(tasks, named[0], 0)) if named else []
+        lines = list(islice(_lines(tasks, named[0], 0), MOST_LINES + 1)) if named else []
         rest = [word for word in named[1:] if word != "--"]
         if not lines or len(lines) > MOST_LINES:
             return None
@@ -79,28 +84,36 @@ def _lines(tasks: Mapping[str, Any], name: str, depth: int) -> Iterator[str]:
     for line in _said(said) if depth <= DEEPEST else ():
         first, _, rest = line.partition(" ")
         if first in tasks and first != name:
-            *before, end = list(_lines(tasks, first, depth + 1)) or [""]
-            yield from (*before[:MOST_LINES], f"{end} {rest}".strip())
+            *before, end = list(islice(_lines(tasks, first, depth + 1), MOST_LINES + 1)) or [""]
+            yield from (*before, f"{end} {rest}".strip())
         elif line:
             yield line
 
 
-def _said(said: Any) -> Iterator[str]:
+def _said(said: Any, depth: int = 0) -> Iterator[str]:
     """Yield the lines of a task as the runners write them: a text, a list of lines, or a table with one of these."""
+    if depth > NESTED:
+        return
     if isinstance(said, str):
         yield from (line.strip().removeprefix("-").strip() for line in said.split("\n")[: MOST_LINES + 1])
     elif isinstance(said, list):
         for each in said[: MOST_LINES + 1]:
-            yield from _said(each) if isinstance(each, (str, dict)) else ()
+            yield from _said(each, depth + 1) if isinstance(each, (str, dict)) else ()
     elif isinstance(said, dict):
-        for key in ("cmd", "shell", "task"):
-            value = said.get(key)
-            if isinstance(value, list) and all(isinstance(word, str) for word in value):
-                yield shlex.join(value)
-            elif isinstance(value, str):
-                yield from _said(value)
-        for key in ("cmds", "sequence", "composite", "chain"):
-            yield from _said(said[key]) if isinstance(said.get(key), list) else ()
+        folder = next((said[key] for key in _FOLDERS if isinstance(said.get(key), str)), "")
+        for line in _of_table(said, depth):
+            yield f"cd {shlex.quote(folder)} && {line}" if folder and line else line
+
+
+def _of_table(said: Mapping[str, Any], depth: int) -> Iterator[str]:
+    for key in ("cmd", "shell", "task"):
+        value = said.get(key)
+        if isinstance(value, list) and all(isinstance(word, str) for word in value):
+            yield shlex.join(value)
+        elif isinstance(value, str):
+            yield from _said(value, depth + 1)
+    for key in ("cmds", "sequence", "composite", "chain"):
+        yield from _said(said[key], depth + 1) if isinstance(said.get(key), list) else ()
 
 
 def calls(repository: Repository) -> dict[str, ManagerCalls]:
