@@ -45,6 +45,12 @@ def test_what_is_linked_is_copied(tree: Tree, changed: dict[str, str], commands:
     assert ("linux/arm64" in dict(decision.platforms_refused)) == bool(commands)
 
 
+@pytest.mark.parametrize(("library", "refused"), [(f"!<arch>\n{X86}", True), ("!<arch>\n", False), ("", False)])
+def test_an_archive_alone_is_of_a_processor_if_it_says_so(tree: Tree, library: str, refused: bool) -> None:
+    files = {**FILES, "sdk/libacme.so": "", "sdk/other/libacme.a": library, "install.sh": "cp sdk/other/*.a /usr/lib\n"}
+    assert ("linux/arm64" in dict(tree(files).platforms_refused)) == refused
+
+
 def test_one_for_arm_may_be_among_them(tree: Tree) -> None:
     decision = tree({**FILES, "sdk/libacme_io.so.1.2": ARM, "install.sh": "cp sdk/libacme* /usr/lib\n"})
     assert len(decision.scripts) == 1

@@ -39,9 +39,13 @@ def read(repository: Repository) -> Iterator[Mention]:
 
 
 def of_x86(repository: Repository) -> Iterator[X86Only]:
-    """Yield the first such library, unless one for another processor is copied with it."""
+    """Yield the first such library, unless one for another processor is copied with it.
+
+    Of archives, which are linked only where one is needed, none counts beside shared libraries.
+    """
     for said in repository.once(_read):
-        if all(is_x86(path, repository) for path in said.files if ".so" in path):
+        shared = [path for path in said.files if ".so" in path]
+        if all(is_x86(path, repository) for path in shared or said.files):
             yield X86Only(said.files[0], "binary", said.file, said.line)
             return
 
