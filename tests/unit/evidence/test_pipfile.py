@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from roslab.evidence.python.project import read
 from roslab.pipeline import plan_repository
 from roslab.plan.plan import Plan
+from roslab.repository.checkout import Repository
 
 PIPFILE = """\
 [[source]]
@@ -58,6 +60,12 @@ def test_what_pipenv_installs(tmp_path: Path) -> None:
     gym = "gym @ git+https://github.com/openai/gym.git@v0.21.0"
     assert installed(plan) == {"numpy==1.19.5", "opencv-python", gym, 'pyyaml>=5; python_version > "3"'}
     assert plan.python.version == "3.8"
+
+
+def test_a_package_is_told_at_its_own_line(tmp_path: Path) -> None:
+    (tmp_path / "Pipfile").write_text("[packages]\nnumpy-stl = '*'\n'numpy' = '*'\n")
+    found = {each.name: each.line for each in read(Repository.open(tmp_path))[0].requirements}
+    assert found == {"numpy-stl": 2, "numpy": 3}
 
 
 def test_the_lock_tells_the_releases(tmp_path: Path) -> None:

@@ -36,13 +36,8 @@ def project(repository: Repository, path: str, folder: str, text: str) -> Python
     except ValueError:
         return None
     packages = {name: _as_poetry(said) for name, said in _table(data, "packages").items()}
-    lines = text.split("\n")
-    asked = [
-        each
-        for name, said in packages.items()
-        for line in poetry.lines({name: said})
-        if (each := requirement(line, "manifest", path, _line(name, lines)))
-    ]
+    line_of = poetry.finder_of_keys(text)
+    asked = [each for line in poetry.lines(packages) if (each := requirement(line, "manifest", path, line_of(line)))]
     version = _VERSION.fullmatch(str(next((said for key, said in _python(data) if said), "")))
     return PythonProject(
         file=path,
@@ -84,11 +79,6 @@ def _as_poetry(said: Any) -> Any:
     if not isinstance(said, dict):
         return said
     return {_KEYS.get(key, key): value for key, value in said.items()}
-
-
-def _line(name: str, lines: list[str]) -> int:
-    """Return the line of a package: it begins with its name, in quotation marks or not."""
-    return next((n for n, line in enumerate(lines, 1) if line.lstrip(" \t\"'").startswith(name) and "=" in line), 1)
 
 
 def _table(data: Any, key: str) -> dict[str, Any]:
