@@ -41,6 +41,7 @@ def test_what_is_called_is_copied_once() -> None:
         "required-components",
         "clone-holding",
         "leave-out-doubles",
+        "listed-repositories",
         "workspace-packages",
         "read-manifest",
         "required-by-cmake",

@@ -29,29 +29,7 @@ while IFS=$'\t' read -r _ manifest; do
   done < <(read-manifest depends "${manifest}")
 done < <(workspace-packages needed "${workspace}" "${own[@]}")
 
-# Prints NAME URL REF of what the lists of the clones name; the interpreter of rosdep can read YAML
-listed() {
-  find "${workspace}" -mindepth 2 -maxdepth 4 \( -name '*.rosinstall' -o -name '*.repos' \) -print0 |
-    xargs --null --no-run-if-empty "$(sed --quiet '1s/^#! *//p' "$(command -v rosdep)")" -c '
-import sys, yaml
-for path in sys.argv[1:]:
-    try:
-        with open(path) as file:
-            data = yaml.safe_load(file)
-    except Exception:
-        continue
-    rows = []
-    if isinstance(data, list):
-        rows = [(row["git"].get("local-name"), row["git"]) for row in data if isinstance(row, dict) and isinstance(row.get("git"), dict)]
-    elif isinstance(data, dict) and isinstance(data.get("repositories"), dict):
-        rows = [(name, row) for name, row in data["repositories"].items() if isinstance(row, dict)]
-    for name, row in rows:
-        url = row.get("uri") or row.get("url")
-        name = str(name or "").rstrip("/").rpartition("/")[2]
-        if name and url:
-            print("%s %s %s" % (name, url, row.get("version") or ""))
-'
-}
+listed() { listed-repositories "${workspace}" 2 4; }
 
 # Prints NAME URL REF of what the listed repositories hold. Looks once into each, with no more of it than its manifests
 # where the host and git can
