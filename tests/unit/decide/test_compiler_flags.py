@@ -43,6 +43,14 @@ def test_flags_are_one_word_of_the_library(tree: Tree, said: str, kept: str | No
     assert "-DG2O_USE_OPENMP=ON" in words
 
 
+def test_flags_of_a_library_that_no_table_knows(tmp_path: Path) -> None:
+    page = PAGE.format("-O3 -w").replace("RainerKuemmerle/g2o", "lab/acmelib").replace("cd g2o", "cd acmelib")
+    (tmp_path / "README.md").write_text(page)
+    (tmp_path / "CMakeLists.txt").write_text(CMAKE.replace("g2o", "acmelib"))
+    (tmp_path / "a.cpp").write_text("int main() {}\n")
+    assert "'-DCMAKE_CXX_FLAGS=-O3 -w' -DG2O_USE_OPENMP=ON ../" in dockerfile(plan_repository(tmp_path).plan)
+
+
 def test_an_option_of_a_project_that_is_called_like_flags_stays_as_it_is() -> None:
     assert options_of(["cmake", "-DUSE_FLAGS=ON", "-DNAME=a b", "-D", "GUI:=OFF", ".."]) == "-DUSE_FLAGS=ON -DGUI=OFF"
 

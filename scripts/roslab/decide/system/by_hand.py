@@ -72,16 +72,20 @@ def _authored(evidence: Evidence, purpose: Literal["project", "ci"]) -> Iterator
 
 
 def _like(source: Source, git: GitSource, day: str) -> Source:
-    theirs = [shlex.quote(written(word)) for word in git.options.split()]
-    said = {_named(word) for word in git.options.split()}
-    ours = (word for word in source.cmake_options.split() if _named(word) not in said)
-    options = " ".join((*ours, *theirs))
+    options = _options(shlex.split(source.cmake_options), git)
     place = Place(file=git.file, line=git.line)
     if not (ref := fixed(git.ref)):
         return replace(source, cmake_options=options, place=place) if git.options else source
     ref = source.ref if moves(ref) and source.ref else ref
     before = day if drifts(ref) else source.before
     return replace(source, ref=ref, before=before, cmake_options=options, place=place)
+
+
+def _options(ours: Iterable[str], git: GitSource) -> str:
+    """Return those of our options that the author of a clone does not set himself, and his, as a shell reads them."""
+    theirs = [written(word) for word in git.options.split()]
+    said = {_named(word) for word in theirs}
+    return shlex.join((*(word for word in ours if _named(word) not in said), *theirs))
 
 
 def _named(option: str) -> str:
@@ -251,7 +255,6 @@ def _source(git: GitSource, day: str) -> Source:
     What the table switches off of one that it knows is off, unless the page says otherwise.
     """
     ref = fixed(git.ref)
-    said = {_named(word) for word in git.options.split()}
     ours = () if git.by_make else leaves_out(address(git.url))
     return Source(
         name=git.name,
@@ -259,7 +262,7 @@ def _source(git: GitSource, day: str) -> Source:
         ref=ref,
         before=day_of_clone(ref, day),
         build="cmake",
-        cmake_options=" ".join((*(option for option in ours if _named(option) not in said), git.options)).strip(),
+        cmake_options=_options(ours, git),
         cmake_folder=(git.below if git.by_make else f"../{git.below}") if git.below else None,
         unread=not git.by_make,
         by_make=git.by_make,
