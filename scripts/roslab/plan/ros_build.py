@@ -9,6 +9,7 @@ from typing import Literal, get_args
 
 from roslab.config.model import Config, Source, WorkspaceTool
 from roslab.decide.decision import Decision
+from roslab.decide.ros.hidden_packages import BASE_PATHS
 from roslab.decide.ros.linked_install import OPTION
 from roslab.decide.ros.source_names import address
 from roslab.decide.system.missing import skipping
@@ -109,7 +110,7 @@ def _told(decision: Decision, folder: str) -> tuple[str, ...]:
     if not decision.hidden:
         return ()
     first = "." if folder == WORKSPACE and "" not in decision.ignored else "src"
-    return ("--base-paths", first, *(relpath(f"{folder}/{each}", WORKSPACE) for each in decision.hidden))
+    return (BASE_PATHS, first, *(relpath(f"{folder}/{each}", WORKSPACE) for each in decision.hidden))
 
 
 def _of_rosmake(decision: Decision) -> tuple[str, ...]:

@@ -71,6 +71,13 @@ def test_what_the_command_starts_is_built(tmp_path: Path) -> None:
     assert (decision.hidden, decision.ignored) == (("ros/arm",), ())
 
 
+@pytest.mark.parametrize("words", [("--base-paths", "src/repo/ros"), ("--base-paths=src/repo/ros",)])
+def test_where_roslab_yaml_tells_colcon_to_look_it_looks(tmp_path: Path, words: tuple[str, ...]) -> None:
+    files = {**NODE, "p.cpp": "", "CMakeLists.txt": LIBRARY}
+    decision = decided(tmp_path, files, config=Config(build_args=words))
+    assert (decision.hidden, decision.ignored) == ((), ())
+
+
 def test_catkin_looks_below_by_itself(tree: Tree) -> None:
     files = {
         "CMakeLists.txt": LIBRARY,

@@ -13,6 +13,7 @@ from roslab.values.dataclass import dataclass
 from roslab.values.words import line_of
 
 WEIGHT = 60
+BASE_PATHS = "--base-paths"
 _OF_CATKIN = "Project"
 """The name of the project in the CMakeLists.txt that catkin puts into a workspace, which colcon passes by."""
 _TOLD = "colcon is told of it, which takes the project above for a package and looks for none below"
@@ -40,12 +41,13 @@ def decide_hidden(
 ) -> Choice[Hidden]:
     """Return the packages of which colcon is told; ``left_out`` are those that are not built.
 
+    None where roslab.yaml tells colcon where to look: of two such arguments the last one counts.
     Each folder with a CMakeLists.txt is a package to colcon, which looks for no others below it. Whoever made such a
     repository builds in a folder below, so that the project above is built only where it is needed. What that adds
     itself is a part of it. https://github.com/colcon/colcon-cmake (package_identification/cmake.py) and
     https://github.com/colcon/colcon-recursive-crawl, read 2026-11-28
     """
-    if build_tool != "colcon" or config.compatible:
+    if build_tool != "colcon" or config.compatible or any(each.startswith(BASE_PATHS) for each in config.build_args):
         return Choice(answer=Hidden())
     projects = {project.file.rpartition("/")[0]: project for project in evidence.cmake}
     built = [m for m in packages.built if m.name not in left_out]
