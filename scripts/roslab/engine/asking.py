@@ -10,14 +10,16 @@ from secrets import token_hex
 from roslab.engine import docker as engine
 from roslab.engine.secrets import Secret
 
+_ASKED = token_hex(8)
+"""The argument ASKED: what hangs on it is asked anew by each call of the program, and once by each."""
+
 
 def ask(
     question: str, platform: str, *, secrets: Sequence[Secret] = (), arguments: Sequence[tuple[str, str]] = ()
 ) -> str:
     """Return the text of the file ``answer`` that is all of a Dockerfile's image; the engine's store keeps nothing.
 
-    ``secrets`` and ``arguments``, as those of a proxy, are the build's own. The argument ASKED is another one each
-    time, so that what hangs on it is asked anew. Raises ``FailedBuild``.
+    ``secrets`` and ``arguments``, as those of a proxy, are the build's own. Raises ``FailedBuild``.
     """
     with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
         place = Path(folder)
@@ -27,7 +29,7 @@ def ask(
             context=place / "context",
             dockerfile=place / "Dockerfile",
             platforms=(platform,),
-            arguments=(*arguments, ("ASKED", token_hex(8))),
+            arguments=(*arguments, ("ASKED", _ASKED)),
             secrets=tuple(secrets),
             output=f"type=local,dest={place / 'out'}",
             extra=("--provenance=false",),

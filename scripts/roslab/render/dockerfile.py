@@ -197,17 +197,20 @@ def holders(plan: Plan, paths: Sequence[str]) -> str:
 
     ``paths`` are regular expressions, each for a whole path without its first slash.
     """
-    return _of_base(plan, "packages-holding", "\n".join(paths))
+    return _of_base(plan, "packages-holding", "\n".join(paths), before="packages-holding")
 
 
-def _of_base(plan: Plan, script: str, lines: str) -> str:
+def _of_base(plan: Plan, script: str, lines: str, *, before: str = "") -> str:
     """Return a Dockerfile whose image holds one file, ``answer``: what a script of the base says of a list.
 
-    Its first steps are those of the image, which need not be repeated. The argument ASKED makes the question a new one.
+    Its first steps are those of the image, which need not be repeated. The argument ASKED makes the question a new one,
+    and the command ``before``, which a later question with the same argument need not repeat.
     """
     order = OLD_FORMATS if plan.compatible else TODAY
-    call = shell.run(f": ${{ASKED}} && {script} /asked >/answer", secrets=secrets.of_apt_sources(plan))
-    ask = f"{shell.heredoc('/asked', lines)}{shell.copy_script(script)}ARG ASKED\n{call}"
+    given = secrets.of_apt_sources(plan)
+    first = f"{shell.run(f': ${{ASKED}} && {before}', secrets=given)}\n" if before else ""
+    call = shell.run(f": ${{ASKED}} && {script} /asked >/answer", secrets=given)
+    ask = f"{shell.copy_script(script)}ARG ASKED\n{first}{shell.heredoc('/asked', lines)}{call}"
     base = f"FROM {quote.image(plan.base_image)} AS base\n{_join(order.base, plan)}\n{ask}"
     return "\n\n".join((scripts.stage(base), base, "FROM scratch\nCOPY --from=base /answer /\n"))
 

@@ -143,6 +143,10 @@ def test_the_question_is_put_to_the_base_and_its_sources(tmp_path: Path) -> None
     assert "--mount" not in text.rpartition("ARG ASKED")[2]
     assert f"FROM {plan.base_image} AS base\n" in text
     assert "renew-package-sources --ros" in text
-    assert "COPY <<'EOF' /asked\nusr/include/zoo\\.h\nusr/bin/zoo\nEOF\n" in text
+    assert (
+        "ARG ASKED\nRUN : ${ASKED} && packages-holding\n"
+        "COPY <<'EOF' /asked\nusr/include/zoo\\.h\nusr/bin/zoo\nEOF\n"
+        "RUN : ${ASKED} && packages-holding /asked >/answer\n"
+    ) in text
     assert "apt-get install --yes --no-install-recommends build-essential" not in text
     assert text.endswith("FROM scratch\nCOPY --from=base /answer /\n")
