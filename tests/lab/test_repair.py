@@ -225,7 +225,7 @@ def repository(folder: Path, broken: Broken) -> Path:
 
 def build(lab: Laboratory, folder: Path, *options: str) -> CompletedProcess[str]:
     """Run ``roslab build``; a proof's own traceback is no error of its."""
-    command = [sys.executable, "-I", str(SCRIPTS), "build", str(folder), "--tag", "repro-lab", "--write"]
+    command = [sys.executable, "-I", str(SCRIPTS), "build", str(folder), "--tag", "repro-lab"]
     names = {name: value for name, value in lab.environment.items() if not name.startswith(("GITHUB_", "ROSLAB_"))}
     return subprocess.run([*command, *options], env=names, capture_output=True, text=True, timeout=1800, check=False)
 
@@ -236,7 +236,7 @@ def test_it_builds_with_what_was_missing(lab: Laboratory, tmp_path: Path, name: 
     broken = MENDED[name]
     folder = repository(tmp_path / f"repair-{name}", broken)
     words = [] if broken.proof else ["--no-proof"]
-    answer = build(lab, folder, *words)
+    answer = build(lab, folder, "--write", *words)
     assert answer.returncode == 0, answer.stderr[-8000:]
     assert (folder / "roslab.yaml").read_text() == broken.written
     assert "roslab: these lines are written to roslab.yaml:\n--- a/roslab.yaml\n" in answer.stderr
@@ -249,20 +249,7 @@ def test_it_builds_with_what_was_missing(lab: Laboratory, tmp_path: Path, name: 
 @pytest.mark.usefixtures("bases")
 def test_the_first_failure_stands_where_that_is_asked_for(lab: Laboratory, tmp_path: Path) -> None:
     folder = repository(tmp_path / "repair-once", MENDED["header"])
-    command = [
-        sys.executable,
-        "-I",
-        str(SCRIPTS),
-        "build",
-        str(folder),
-        "--tag",
-        "repro-lab",
-        "--no-proof",
-        "--no-repair",
-    ]
-    answer = subprocess.run(
-        command, env=dict(lab.environment), capture_output=True, text=True, timeout=900, check=False
-    )
+    answer = build(lab, folder, "--no-proof", "--no-repair")
     assert answer.returncode == 5, answer.stderr[-4000:]
     assert "Add libgoogle-glog-dev under `apt`" in answer.stderr
     assert "roslab: repair" not in answer.stderr
@@ -274,7 +261,7 @@ def test_the_first_failure_stands_where_that_is_asked_for(lab: Laboratory, tmp_p
 def test_what_cannot_be_mended_stops_with_the_reason(lab: Laboratory, tmp_path: Path, name: str) -> None:
     broken = LEFT[name]
     folder = repository(tmp_path / "repair-left", broken)
-    answer = build(lab, folder, "--no-proof")
+    answer = build(lab, folder, "--write", "--no-proof")
     assert answer.returncode == 5, answer.stderr[-4000:]
     assert broken.why in answer.stderr
     assert (folder / "roslab.yaml").read_text() == broken.config
