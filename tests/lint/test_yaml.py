@@ -218,14 +218,6 @@ def test_every_step_that_speaks_with_docker_has_the_private_folder(path: Path) -
         assert not speaking or steps[-1]["if"].startswith("always()")
 
 
-def test_a_job_of_one_platform_tells_it_to_each_step_that_may_ask_a_base() -> None:
-    """A runner has no emulation of the others: what is asked for them gets no answer."""
-    steps = load(ROOT / ".github/workflows/image.yml")["jobs"]["build"]["steps"]
-    asking = [step for step in steps if re.search(r" github (?:ready|dockerfile|explain|prove)\b", step.get("run", ""))]
-    assert len(asking) == 4
-    assert [step["name"] for step in asking if step["env"].get("ROSLAB_PLATFORM") != "${{ matrix.platform }}"] == []
-
-
 def test_the_action_has_at_most_twelve_inputs_and_each_has_a_sentence() -> None:
     found = load(ROOT / "action.yml")
     assert len(found["inputs"]) <= 12
