@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import reduce
 from pathlib import Path
 from typing import Any
 
@@ -233,12 +232,17 @@ def test_a_task_is_run_in_its_folder(tmp_path: Path, file: str, task: str, call:
     assert plan_of(tmp_path, files)[0] == ("python", "arm/go.py")
 
 
+NESTED: dict[str, Any] = {"cmds": [""]}
+for _ in range(90):
+    NESTED = {"cmds": [NESTED] * 30}
+
+
 @pytest.mark.parametrize(
     "tasks",
     [
         {**{f"a{n}": [f"a{n + 1}"] * 30 for n in range(30)}, "a30": "python main.py"},
         {f"a{n}": [f"a{n + 1}"] * 30 for n in range(30)},
-        {"a0": reduce(lambda inner, _: {"cmds": [inner] * 30}, range(90), {"cmds": [""]})},
+        {"a0": NESTED},
     ],
     ids=["calls", "calls of nothing", "aliases"],
 )
