@@ -65,7 +65,7 @@ def with_found_by_launches(
     looked_up = {
         each.name: each
         for each in evidence.code
-        if each.namespace == "ros" and (each.role, each.strength) == ("exec", "used")
+        if each.namespace == "ros" and (each.role, each.strength) == ("exec", "used") and each.name not in own
     }
     free = {
         name: asked

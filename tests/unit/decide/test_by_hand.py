@@ -1027,6 +1027,7 @@ RUN git clone https://github.com/lab/own.git
         ("acme/plugins/robots/hopper/sensor.h", ["acme", "acme-hopper"]),
         ("acme/plugins/hopper_sensor.h", ["acme"]),
         ("other/acme/hopper/sensor.h", ["acme"]),
+        ("sensor.h", ["acme"]),  # in no folder
     ],
 )
 def test_a_plugin_of_the_authors_image_whose_headers_are_included(tree: Tree, header: str, built: list[str]) -> None:

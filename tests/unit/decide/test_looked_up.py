@@ -82,6 +82,13 @@ def test_what_nothing_brings_is_looked_for_at_the_owner(
     assert sought == ([("https://github.com/lab/lab_maps.git", ("lab_maps",), "catkin_make")] if found else [])
 
 
+def test_a_package_of_the_tree_is_not_looked_for(tmp_path: Path) -> None:
+    tree = {f"demo/{path}": text for path, text in files(f"auto maps = {OLD};").items()}
+    tree |= {"lab_maps/package.xml": PACKAGE.format("catkin").replace("demo", "lab_maps")}
+    tree |= {"lab_maps/CMakeLists.txt": "project(lab_maps)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"}
+    assert _of_owner(tmp_path, {**tree, "README.md": "ROS Noetic\n"}) == []
+
+
 def test_it_is_for_a_package_of_rosbuild_too(tmp_path: Path) -> None:
     cmake = (
         "include($ENV{ROS_ROOT}/core/rosbuild/rosbuild.cmake)\nrosbuild_init()\nrosbuild_add_executable(a src/a.cpp)\n"

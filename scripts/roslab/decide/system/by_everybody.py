@@ -92,8 +92,8 @@ def includes_inside(git: GitSource, evidence: Evidence) -> Dependency | None:
         return None
     for each in evidence.code:
         sure = each.namespace == "include" and each.strength == "used" and not places.aside(each.file)
-        first, *inside = each.name.lower().split("/")[:-1] if sure else ("",)
-        if first == words[0] and {*words[1:]} <= {*inside}:
+        folders = each.name.lower().split("/")[:-1] if sure else []
+        if folders[:1] == words[:1] and {*words[1:]} <= {*folders[1:]}:
             return each
     return None
 
