@@ -86,6 +86,8 @@ def test_a_list_for_pip_beside_it_counts_alone(tmp_path: Path) -> None:
     assert "numpy==1.19.5" not in installed(plan_of(tmp_path, **{"requirements.txt": "numpy==1.21.0\n"}))
 
 
-@pytest.mark.parametrize("text", ["[packages\n", "packages = 3\n", "[packages]\nnumpy = 3\n"])
+@pytest.mark.parametrize(
+    "text", ["[packages\n", "packages = 3\n", "[packages]\nnumpy = 3\n", "[packages]\nnumpy = {extras = 3}\n"]
+)
 def test_a_pipfile_that_cannot_be_read_asks_for_nothing(tmp_path: Path, text: str) -> None:
     assert installed(plan_of(tmp_path, Pipfile=text)) <= {"numpy"}

@@ -71,7 +71,8 @@ def _required(name: str, said: dict[str, Any]) -> str | None:
     if "path" in said or not isinstance(version, str):
         return None
     version = _first(version)
-    extras = ",".join(each for each in said.get("extras", ()) if isinstance(each, str))
+    listed = said.get("extras")
+    extras = ",".join(each for each in listed if isinstance(each, str)) if isinstance(listed, list) else ""
     allowed = "" if version in {"*", ""} else _as_written(version)
     return name + (f"[{extras}]" if extras else "") + allowed
 
