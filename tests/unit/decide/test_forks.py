@@ -58,6 +58,8 @@ def test_packages_of_a_fork_are_compiled_though_the_distribution_has_them(tree: 
     [
         (f"* [grid_map]({LAB}/grid_map)", "grid_map_core"),
         (f"* grid_map is a fork of {LAB}/grid_map", "grid_map_core"),
+        (f"* [the robot]({LAB}/my_robot)", "robot_state_publisher"),
+        (f"* [a controller]({LAB}/custom_controller)", "controller_manager"),
         (f"* grid_map: please fork {LAB}/grid_map", "grid_map_core"),
         (f"* grid_map (forked version, not yet public) {LAB}/grid_map", "grid_map_core"),
         (f"* grid_map (forked version) {LAB}/grid_map", "roscpp"),

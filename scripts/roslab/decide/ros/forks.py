@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 
 from roslab.config.model import BuildTool, Config, Source, workspace_tool
 from roslab.decide.decision import Choice, Warning_
@@ -81,10 +82,16 @@ def _listed(evidence: Evidence, ros_distro: str) -> Iterator[tuple[GitSource, li
             needed.setdefault(each.name, each)
     for git in evidence.sources:
         if git.kind == "link" and (git.holds or git.told) and not git.private:
-            name = plain(unchanged(git.name))
+            name = plain(_forked_from(git.name, there))
             found = [each for each in needed.values() if f"{plain(each.name)}_".startswith(f"{name}_")]
             if found:
                 yield git, found
+
+
+def _forked_from(name: str, packages: AbstractSet[str]) -> str:
+    """Return what a repository is a fork of by its name, if ROS has that: ``custom_controller`` is of none."""
+    called = unchanged(name)
+    return called if plain(called) in packages or listed_repository(called) else name
 
 
 def _of_another(git: GitSource, evidence: Evidence) -> str:

@@ -17,7 +17,7 @@ _FORK = pattern(
 _CHANGED = pattern(r"\b(?:modified|patched|customi[sz]ed|adapted) (?:the )?[`*]*([\w-]+)", re.IGNORECASE)
 """What its author has changed, by name: ``Modified octomap, with labels``."""
 _CALLED_CHANGED = pattern(
-    r"(?:my|custom(?:i[sz]ed)?|modified|patched|forked)[_-](\w[\w.-]*)|"
+    r"(?:custom(?:i[sz]ed)?|modified|patched|forked)[_-](\w[\w.-]*)|"
     r"(\w[\w.-]*?)[_-](?:custom(?:i[sz]ed)?|modified|patched|fork(?:ed)?)",
     re.IGNORECASE,
 )
