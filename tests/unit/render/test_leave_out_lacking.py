@@ -34,6 +34,27 @@ def test_what_a_clone_brings_is_built(tmp_path: Path, cloned: str, hidden: bool)
     assert ("nothing brings quad_x" in ran.stdout) == hidden
 
 
+@pytest.mark.parametrize(
+    ("noted", "asks", "hidden"),
+    [
+        ("quad_x", "find_package( quad_x REQUIRED)", False),
+        ("quad_x", "find_package(catkin REQUIRED COMPONENTS quad_x)", True),
+        ("quad_xy", "find_package(quad_x REQUIRED)", True),
+    ],
+)
+def test_a_plain_library_is_found_by_its_name_and_not_by_catkin(
+    tmp_path: Path, noted: str, asks: str, hidden: bool
+) -> None:
+    for name in ("extra", "above"):
+        _package(tmp_path / "src/mine" / name, name)
+    (tmp_path / "src/mine/extra/CMakeLists.txt").write_text(f"project(extra)\n{asks}\n")
+    (tmp_path / "src/quad/.git").mkdir(parents=True)
+    (tmp_path / "src/quad/.git/roslab-plain").write_text(f"{noted}\n")
+    folders = ["src/mine/extra", "src/mine/above"]
+    subprocess.run(["leave-out-lacking", "quad_x", *folders], cwd=tmp_path, check=True)
+    assert [(tmp_path / folder / "CATKIN_IGNORE").exists() for folder in folders] == [hidden, hidden]
+
+
 def test_the_image_calls_it_with_all_that_it_calls(tmp_path: Path) -> None:
     for name in ("mpc", "extra"):
         _package(tmp_path / name, name)

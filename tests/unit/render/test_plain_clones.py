@@ -38,11 +38,14 @@ def test_only_what_has_no_package_is_compiled(tmp_path: Path) -> None:
     (tmp_path / "sister/CMakeLists.txt").write_text("project(x)\n")
     (tmp_path / "sister/inner/package.xml").write_text("<package><name>inner</name></package>\n")
     (tmp_path / "words").mkdir()
+    (tmp_path / "broken/.git").mkdir()
+    (tmp_path / "broken/.git/roslab-plain").write_text("broken\n")
     folders = [str(tmp_path / name) for name in ("stonefish", "broken", "sister", "words", "gone")]
     said = _installed(tmp_path, f'echo "$2" >>{tmp_path}/calls\n[[ "$2" != *broken ]]', *folders)
     assert (tmp_path / "calls").read_text().split() == [*folders[:2], folders[1]]
     assert "roslab: left out: broken cannot be compiled" in said
     assert (tmp_path / "left-out.txt").read_text() == "source broken\n"
+    assert not (tmp_path / "broken/.git/roslab-plain").exists(), "what requires it is left out, too"
 
 
 def test_what_another_one_needs_is_installed_before_it(tmp_path: Path) -> None:

@@ -42,6 +42,7 @@ while [ "${#todo[@]}" -gt 0 ] && [ "${#todo[@]}" -ne "${before}" ]; do
   if [ "${before}" -eq 1 ]; then break; fi # there is no other one
 done
 for folder in ${todo[@]+"${todo[@]}"}; do
+  rm -f "${folder}/.git/roslab-plain" # what requires it lacks it
   echo "roslab: left out: $(basename "${folder}") cannot be compiled"
   echo "source $(basename "${folder}")" >>"${left_out}"
 done
