@@ -215,7 +215,8 @@ def test_what_its_page_has_cmake_bring(tmp_path: Path, file: str, text: str, cal
     (build.parent / file).parent.mkdir(parents=True, exist_ok=True)
     (build.parent / file).write_text(text)
     (build / "bin").mkdir()
-    for name, body in (("id", "echo 0"), ("apt-mark", "exit 0"), ("rm", "exit 0")):
+    updates = 'echo "$*" >>updates\nexit 1'
+    for name, body in (("id", "echo 0"), ("apt-get", updates), ("apt-mark", "exit 0"), ("rm", "exit 0")):
         (build / "bin" / name).write_text(f"#!/bin/bash\n{body}\n")
         (build / "bin" / name).chmod(0o755)
     script = build / "configure"
@@ -230,3 +231,6 @@ def test_what_its_page_has_cmake_bring(tmp_path: Path, file: str, text: str, cal
     called = (build / "calls").read_text().splitlines()
     assert (len(called), done.returncode) == (calls, 0 if calls == 2 else 1)
     assert ("have CMake bring what it needs" in done.stdout) == (calls == 2)
+    assert (build / "updates").exists() == (calls == 2), (
+        "apt has no lists in an image, and its packages are brought, too"
+    )

@@ -120,6 +120,7 @@ if [ "${#bringing[@]}" -gt 0 ] && [ "$(id --user)" -eq 0 ]; then
   apt-mark showmanual | LC_ALL=C sort >"${stamp}"
   # shellcheck disable=SC2016 # the words of who calls it
   if ! command -v sudo >/dev/null; then printf '#!/bin/bash\nexec env "$@"\n' | install --mode=755 /dev/stdin "${tools}/sudo"; fi
+  apt-get update --quiet=2 || true # what the option calls finds no package without lists, which no layer keeps
   rm -rf CMakeCache.txt CMakeFiles
   status=0
   PATH="${tools}:${PATH}" DEBIAN_FRONTEND=noninteractive configure "${bringing[@]}" "$@" || status=$?
