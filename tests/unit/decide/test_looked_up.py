@@ -83,10 +83,12 @@ def test_what_nothing_brings_is_looked_for_at_the_owner(
 
 
 def test_a_package_of_the_tree_is_not_looked_for(tmp_path: Path) -> None:
-    tree = {f"demo/{path}": text for path, text in files(f"auto maps = {OLD};").items()}
-    tree |= {"lab_maps/package.xml": PACKAGE.format("catkin").replace("demo", "lab_maps")}
-    tree |= {"lab_maps/CMakeLists.txt": "project(lab_maps)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"}
-    assert _of_owner(tmp_path, {**tree, "README.md": "ROS Noetic\n"}) == []
+    tree = {f"demo/{path}": text for path, text in files("int a;", "ament_cmake").items()}
+    tree |= {"lab_maps/package.xml": PACKAGE.format("ament_cmake").replace("demo", "lab_maps")}
+    tree |= {"lab_maps/CMakeLists.txt": "project(lab_maps)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"}
+    code = "from ament_index_python.packages import get_package_share_directory\n\n"
+    tree |= {"lab_maps/launch/a.launch.py": f"{code}maps = get_package_share_directory('lab_maps')\n"}
+    assert _of_owner(tmp_path, {**tree, "README.md": "ROS 2 Humble\n"}) == []
 
 
 def test_it_is_for_a_package_of_rosbuild_too(tmp_path: Path) -> None:
