@@ -10,8 +10,8 @@ import pytest
 
 from hanging import ends
 from roslab.evidence.lex.make_tasks import parsed
-from roslab.evidence.prose.make_recipes import MakeCalls
-from roslab.evidence.prose.manager_tasks import ManagerCalls
+from roslab.evidence.prose.make_recipes import of_makefile
+from roslab.evidence.prose.manager_tasks import of_managers
 from roslab.pipeline import plan_repository
 
 CODE = {
@@ -123,12 +123,12 @@ endef
     ],
 )
 def test_what_a_target_runs(call: str, line: str | None) -> None:
-    assert MakeCalls(MAKEFILE).line_of(call) == line
+    assert of_makefile(MAKEFILE).line_of(call) == line
 
 
 def test_lines_that_one_shell_runs_are_left_to_make() -> None:
-    assert MakeCalls("sim:\n\tcd arm\n\tpython main.py\n").line_of("sim") == "(cd arm) && python main.py"
-    assert MakeCalls(".ONESHELL:\nsim:\n\tcd arm\n\tpython main.py\n").line_of("sim") is None
+    assert of_makefile("sim:\n\tcd arm\n\tpython main.py\n").line_of("sim") == "(cd arm) && python main.py"
+    assert of_makefile(".ONESHELL:\nsim:\n\tcd arm\n\tpython main.py\n").line_of("sim") is None
 
 
 @pytest.mark.parametrize(
@@ -147,7 +147,7 @@ def test_lines_that_one_shell_runs_are_left_to_make() -> None:
 )
 def test_a_hostile_makefile_takes_no_long_time(text: str) -> None:
     with ends():
-        found = MakeCalls(text)
+        found = of_makefile(text)
         for name in parsed(text).targets:
             found.line_of(name)
         found.line_of("run")
@@ -248,7 +248,7 @@ for _ in range(90):
 )
 def test_hostile_tasks_take_no_long_time(tasks: dict[str, Any]) -> None:
     with ends():
-        assert ManagerCalls({"poe": tasks}).line_of("poe a0") is None
+        assert of_managers({"poe": tasks}).line_of("poe a0") is None
 
 
 @pytest.mark.parametrize(

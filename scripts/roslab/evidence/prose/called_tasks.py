@@ -8,10 +8,10 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Callable, Mapping
-from typing import Protocol
 
 from roslab.evidence.prose import just_recipes, make_recipes, manager_tasks
 from roslab.evidence.prose.headings import MAX_LINE, fence
+from roslab.evidence.prose.task_calls import TaskCalls
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -21,13 +21,6 @@ _INDENTED = ("    ", "\t")
 MAX_ADDED = 64 * 1024
 """Most characters by which a page grows: the calls after that stay as they are written."""
 _CD = pattern(r"[ \t]*(?:[$>%][ \t]+)?cd[ \t]+[\"']?([\w./-]{1,200})")
-
-
-class Calls(Protocol):
-    """The tasks of one file, with what each call of them runs."""
-
-    def line_of(self, call: str) -> str | None:
-        """Return what a shell runs for a call, on one line; ``None`` where that is not known."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -40,11 +33,11 @@ class _Runner:
     """A line that is nothing but a call."""
     span: re.Pattern[str]
     """A call in a sentence."""
-    calls: Callable[[Repository], Mapping[str, Calls]]
+    calls: Callable[[Repository], Mapping[str, TaskCalls]]
     """The tasks that it knows, by the folder in which it is called."""
 
 
-def _runner(word: str, calls: Callable[[Repository], Mapping[str, Calls]], words: str) -> _Runner:
+def _runner(word: str, calls: Callable[[Repository], Mapping[str, TaskCalls]], words: str) -> _Runner:
     return _Runner(
         word=word,
         line=pattern(rf"^([ \t]*(?:[$>%][ \t]+)?){words}[ \t]*(?:[ \t]#[^\n]*)?()$"),
@@ -71,7 +64,7 @@ def with_tasks(text: str, repository: Repository, page: File) -> str:
     return text
 
 
-def _with_tasks(text: str, runner: _Runner, by_folder: Mapping[str, Calls], page: File) -> str:
+def _with_tasks(text: str, runner: _Runner, by_folder: Mapping[str, TaskCalls], page: File) -> str:
     lines, fenced, left = text.split("\n"), False, MAX_ADDED
     own = by_folder.get(page.folder) or by_folder.get("")
     calls = own
@@ -89,7 +82,7 @@ def _with_tasks(text: str, runner: _Runner, by_folder: Mapping[str, Calls], page
     return "\n".join(lines)
 
 
-def _run(line: str, form: re.Pattern[str], calls: Calls) -> str:
+def _run(line: str, form: re.Pattern[str], calls: TaskCalls) -> str:
     """Return a line with what its calls run; as it is written where that is not known."""
 
     def run(match: re.Match[str]) -> str:

@@ -6,14 +6,14 @@ what is run in them is the program, and the image has no engine.
 
 from __future__ import annotations
 
+from functools import cache
+
 from roslab.evidence.lex.make_tasks import NAMES, MakeTasks, parsed
-from roslab.evidence.prose.just_recipes import joined
+from roslab.evidence.prose.task_calls import TaskCalls, joined
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
-MOST_CALLS = 500
-"""Most different calls of one Makefile of which the lines are looked up."""
 MOST_FILES = 60
 """Most Makefiles, those nearest to the root first."""
 WORDS = r"make[ \t]+([A-Za-z_][\w-]*(?:[ \t]+[A-Za-z_]\w*=[^\s#;&|`<>$]+){0,8})"
@@ -50,33 +50,21 @@ _OF_VENV = pattern(r"(?<![\w./-])(?:\./)?\.?\w*env\w*/bin/(?=python|pip)")
 """A virtual environment of the reader's: the image has its own."""
 
 
-class MakeCalls:
-    """The targets of one Makefile that start something, with what each call runs, which is found once for all pages."""
-
-    def __init__(self, text: str) -> None:
-        self._text = text
-        self._tasks: MakeTasks | None = None
-        self._known: dict[str, str | None] = {}
-
-    def line_of(self, call: str) -> str | None:
-        """Return the lines of the target that is called, joined; ``None`` where they are not known or start nothing."""
-        if call not in self._known:
-            if len(self._known) >= MOST_CALLS:
-                return None
-            self._tasks = self._tasks or parsed(self._text)
-            self._known[call] = _run(call, self._tasks)
-        return self._known[call]
+def of_makefile(text: str) -> TaskCalls:
+    """Return the targets of a Makefile that start something; it is parsed for the first call."""
+    tasks = cache(lambda: parsed(text))
+    return TaskCalls(lambda call: _run(call, tasks()))
 
 
-def calls(repository: Repository) -> dict[str, MakeCalls]:
+def calls(repository: Repository) -> dict[str, TaskCalls]:
     """Return what the Makefiles in the folders of a tree define."""
     return repository.once(_makefiles)
 
 
-def _makefiles(repository: Repository) -> dict[str, MakeCalls]:
+def _makefiles(repository: Repository) -> dict[str, TaskCalls]:
     by_folder = {file.folder: file for name in reversed(NAMES) for file in repository.named(name)}
     files = [file for file in nearest(by_folder.values())[:MOST_FILES] if file.size <= MAX_SIZE]
-    return {file.folder: MakeCalls(repository.read(file)) for file in files}
+    return {file.folder: of_makefile(repository.read(file)) for file in files}
 
 
 def _run(call: str, tasks: MakeTasks) -> str | None:

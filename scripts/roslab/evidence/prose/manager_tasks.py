@@ -11,15 +11,15 @@ from __future__ import annotations
 import re
 import shlex
 from collections.abc import Iterator, Mapping
+from functools import partial
 from itertools import islice
 from typing import Any
 
-from roslab.evidence.prose.just_recipes import joined
+from roslab.evidence.prose.task_calls import TaskCalls, joined
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
-MOST_CALLS = 500
 MOST_FILES = 60
 """Most files that define tasks, those nearest to the root first."""
 MOST_LINES = 30
@@ -43,32 +43,22 @@ _ARGUMENTS = pattern(r"\{args(?::([^{}\n]*))?\}|\{\{\s*\.CLI_ARGS\s*\}\}")
 _UNFILLED = pattern(r"\{\{|\$\{\w+\}|\{[\w-]+:")
 
 
-class ManagerCalls:
-    """The tasks of one folder by their runner, with what each call runs, which is found once for all pages."""
+def of_managers(tasks: Mapping[str, Mapping[str, Any]]) -> TaskCalls:
+    """Return the tasks of one folder: ``tasks`` has those of each runner by their names."""
+    return TaskCalls(partial(_run, tasks))
 
-    def __init__(self, tasks: Mapping[str, Mapping[str, Any]]) -> None:
-        self._tasks = tasks
-        self._known: dict[str, str | None] = {}
 
-    def line_of(self, call: str) -> str | None:
-        """Return the lines of the task that is called, joined; ``None`` where they are not known."""
-        if call not in self._known:
-            if len(self._known) >= MOST_CALLS:
-                return None
-            self._known[call] = self._run(call)
-        return self._known[call]
-
-    def _run(self, call: str) -> str | None:
-        words = call.split()
-        runner = next((word for word in words[:3] if word in {"poe", "task"}), words[0])
-        named = words[words.index(runner) + (1 if runner in {"poe", "task"} else 2) :]
-        tasks = self._tasks.get(runner, {})
-        lines = list(islice(_lines(tasks, named[0], 0), MOST_LINES + 1)) if named else []
-        rest = [word for word in named[1:] if word != "--"]
-        if not lines or len(lines) > MOST_LINES:
-            return None
-        filled = [_given(line, rest, last=number == len(lines)) for number, line in enumerate(lines, 1)]
-        return None if any(_UNFILLED.search(line) for line in filled) else joined(filled)
+def _run(by_runner: Mapping[str, Mapping[str, Any]], call: str) -> str | None:
+    words = call.split()
+    runner = next((word for word in words[:3] if word in {"poe", "task"}), words[0])
+    named = words[words.index(runner) + (1 if runner in {"poe", "task"} else 2) :]
+    tasks = by_runner.get(runner, {})
+    lines = list(islice(_lines(tasks, named[0], 0), MOST_LINES + 1)) if named else []
+    rest = [word for word in named[1:] if word != "--"]
+    if not lines or len(lines) > MOST_LINES:
+        return None
+    filled = [_given(line, rest, last=number == len(lines)) for number, line in enumerate(lines, 1)]
+    return None if any(_UNFILLED.search(line) for line in filled) else joined(filled)
 
 
 def _given(line: str, rest: list[str], *, last: bool) -> str:
@@ -116,18 +106,18 @@ def _of_table(said: Mapping[str, Any], depth: int) -> Iterator[str]:
         yield from _said(said[key], depth + 1) if isinstance(said.get(key), list) else ()
 
 
-def calls(repository: Repository) -> dict[str, ManagerCalls]:
+def calls(repository: Repository) -> dict[str, TaskCalls]:
     """Return what the files in the folders of a tree define."""
     return repository.once(_by_folder)
 
 
-def _by_folder(repository: Repository) -> dict[str, ManagerCalls]:
+def _by_folder(repository: Repository) -> dict[str, TaskCalls]:
     found: dict[str, dict[str, dict[str, Any]]] = {}
     for file in nearest(repository.named(*_FILES))[:MOST_FILES]:
         if file.size <= MAX_SIZE:
             for runner, tasks in _defined(file.name, repository.read(file)):
                 found.setdefault(file.folder, {}).setdefault(runner, {}).update(tasks)
-    return {folder: ManagerCalls(tasks) for folder, tasks in found.items()}
+    return {folder: of_managers(tasks) for folder, tasks in found.items()}
 
 
 def _defined(name: str, text: str) -> Iterator[tuple[str, dict[str, Any]]]:
