@@ -114,6 +114,8 @@ def test_of_two_services_with_one_dockerfile_none_tells_how_it_starts(tree: Tree
         ("docker compose up other", "garden"),
         ("docker compose build\ndocker compose up -d other", "garden"),
         ("docker compose run --rm simulation", "house"),
+        ("docker compose up other  # no simulation", "garden"),
+        ("docker compose -f gone.yml up\ndocker compose run other", "garden"),
         ("docker compose up other simulation", None),
         ("docker compose up", None),
         ("docker compose up\ndocker compose run other", None),

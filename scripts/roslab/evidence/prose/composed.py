@@ -24,7 +24,7 @@ MAX_PAGES = 8
 """Most pages about containers that are opened, those nearest to the root first."""
 _ABOUT = pattern(r"(?<![a-z])(?:docker|container|compose)", re.IGNORECASE)
 """The name of such a page, or of its folder: ``docs/docker.md``, ``docker/README.md``."""
-_CALL = pattern(r"\bdocker[- ]compose((?:[ \t]+-\S+(?:[ \t]+[^-\s]\S*)??)*)[ \t]+(up|build|run)\b([^\n;&|`]{0,300})")
+_CALL = pattern(r"\bdocker[- ]compose((?:[ \t]+-\S+(?:[ \t]+[^-\s]\S*)??)*)[ \t]+(up|build|run)\b([^\n;&|`#]{0,300})")
 _FILE = pattern(r"(?:-f|--file)(?:[ \t]+|=)(\S+)")
 _DEFAULTS = ("compose.yaml", "compose.yml", "docker-compose.yaml", "docker-compose.yml")
 _PORTS = 1 << 16
@@ -52,7 +52,7 @@ def _services(repository: Repository) -> dict[str, Service]:
             file = _composed(repository, call[1], page)
             services = list(_built(repository, file, page)) if file else []
             chosen = [(dockerfile, service) for name, dockerfile, service in services if name in call[3].split()]
-            every = every or (call[2] == "up" and not chosen)
+            every = every or (call[2] == "up" and bool(services) and not chosen)
             for dockerfile, service in chosen:
                 named.setdefault(dockerfile, []).append(service)
             for _, dockerfile, service in services:
