@@ -36,6 +36,7 @@ RUN = "python main.py --config config/config.yaml"
         ("```\ncp .env.example .env  # and edit it\n```\n", ["cp .env.example .env"]),
         ("```\ncp config/config.example.yaml .\n```\n", ["cp config/config.example.yaml config.example.yaml"]),
         (f"```\n{COPY}\n```\n```\ncp .env.example config/config.yaml\n```\n", [COPY]),
+        ("Do not rename `config/config.example.yaml` to `config/config.yaml`.\n", []),
         ("```\ncp config/config.example.yaml ~/config.yaml\n```\n", []),
         ("```\ncp config/config.example.yaml ../config.yaml\n```\n", []),
         ("```\ncp config/config.example.yaml gone/config.yaml\n```\n", []),

@@ -26,6 +26,7 @@ _OF_BUILDS = frozenset(
 _PATH = r"[\"']?((?:\./)?[\w.][\w.+/-]{0,200})[\"']?"
 _COPIED = pattern(rf"(?<![\w./-])(?:cp|mv)[ \t]+(?:-[fiv]+[ \t]+)*{_PATH}[ \t]+{_PATH}(?=[ \t]*(?:[`;&|)#]|$))")
 _SAID = pattern(
+    r"(?<!\bnot )(?<!n't )(?<!\bnever )"
     rf"\b(?:copy|duplicate|rename)\b[^\n`.]{{0,40}}`{_PATH}`[^\n`.]{{0,40}}\b(?:to|as|into)\b[^\n`.]{{0,30}}`{_PATH}`",
     re.IGNORECASE,
 )
