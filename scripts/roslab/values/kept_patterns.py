@@ -23,6 +23,8 @@ if _KEEPS:
     import _sre  # type: ignore[import-not-found]
     from re import _compiler, _parser  # type: ignore[attr-defined]
 
+at_once = re.compile
+"""Python's own, also where a library is imported whose patterns wait."""
 MAX_KEPT = 3_000
 """Most patterns of a file: it begins anew where more came together, of versions of this program before."""
 _RELEASE = (sys.version, sys.byteorder, "word first")
@@ -37,7 +39,7 @@ def compiled(source: str, flags: int) -> re.Pattern[str]:
     if not _KEEPS:
         from roslab.values.word_first import word_first  # noqa: PLC0415 - only where a pattern is compiled anew
 
-        return re.compile(word_first(source, flags), flags)
+        return at_once(word_first(source, flags), flags)
     forms = _forms()
     key = (source, int(flags))
     if key not in forms:

@@ -10,13 +10,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-_NOTHING_BEFORE = re.compile(r"(?:\\b|\^|\(\?<[!=](?:\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|[^()\[\]\\|])*\))+")
+from roslab.values.kept_patterns import at_once
+
+_NOTHING_BEFORE = at_once(r"(?:\\b|\^|\(\?<[!=](?:\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|[^()\[\]\\|])*\))+")
 """What takes no character at the beginning of a pattern; of lookbehinds those without groups."""
-_WORD = re.compile(r"(?:[A-Za-z0-9_/,:=;<>!\"' -]|\\[./-])+(?![?*+{])|(?:[A-Za-z0-9_/,:=;<>!\"' -]|\\[./-])(?![?*+{])")
-_GROUP = re.compile(r"\((?:\?:|(?!\?))")
-_PART = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|[()|]|[^\\\[()|]+", re.DOTALL)
+_WORD = at_once(r"(?:[A-Za-z0-9_/,:=;<>!\"' -]|\\[./-])+(?![?*+{])|(?:[A-Za-z0-9_/,:=;<>!\"' -]|\\[./-])(?![?*+{])")
+_GROUP = at_once(r"\((?:\?:|(?!\?))")
+_PART = at_once(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|[()|]|[^\\\[()|]+", re.DOTALL)
 """A part of a pattern that belongs together, or what opens, parts and closes a group."""
-_INLINE = re.compile(r"\(\?[a-zA-Z]+\)")
+_INLINE = at_once(r"\(\?[a-zA-Z]+\)")
 
 
 def word_first(source: str, flags: int) -> str:

@@ -6,6 +6,7 @@ import importlib
 import marshal
 import pkgutil
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -183,3 +184,17 @@ def test_a_pattern_with_its_word_first_finds_the_same() -> None:
             changed, found = changed + 1, found + len(expected)
     assert changed > 100
     assert found > 1_000
+
+
+def test_a_pattern_that_nothing_keeps_is_compiled_while_others_wait(tmp_path: Path) -> None:
+    """A library may use one of its patterns while it is imported, as packaging does on a fresh installation."""
+    lines = (
+        "import re, sys",
+        f"sys.pycache_prefix = {str(tmp_path)!r}",
+        f"sys.path.insert(0, {str(Path(roslab.__path__[0]).parent)!r})",
+        "from roslab.values.pattern import postponed",
+        "with postponed():",
+        r"    assert re.compile(r'\bgit\b').search('a git')",
+    )
+    answer = subprocess.run([sys.executable, "-I", "-c", "\n".join(lines)], capture_output=True, text=True, check=False)
+    assert answer.returncode == 0, answer.stderr[-300:]
