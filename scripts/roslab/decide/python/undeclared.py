@@ -9,6 +9,7 @@ from collections.abc import Iterable
 
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.bounds import Constraints, excluded, needing_numpy
+from roslab.decide.python.numpy_limit import OLDEST_PYTHON
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
@@ -82,12 +83,11 @@ def _stated(environment: CondaEnvironment | None) -> set[str]:
 
 
 def _has_both(python: str | None) -> bool:
-    """Tell whether there are wheels of NumPy 1 and of NumPy 2 for a Python: of the one up to 3.12, the other from 3.9.
+    """Tell whether there are wheels of NumPy 1 and of NumPy 2 for a Python: of the one, up to 3.12.
 
-    https://numpy.org/doc/stable/release/1.26.0-notes.html and https://numpy.org/doc/stable/release/2.0.0-notes.html,
-    read 2026-11-28.
+    https://numpy.org/doc/stable/release/1.26.0-notes.html, read 2026-11-28.
     """
-    return python is None or Version("3.9") <= Version(python) < Version("3.13")
+    return python is None or OLDEST_PYTHON <= Version(python) < Version("3.13")
 
 
 def older(asked: Requirement, known: UndeclaredLimit, day: str | None = None) -> bool:
