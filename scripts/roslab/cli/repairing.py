@@ -95,10 +95,10 @@ class Repairing:
 
     def _ask(self, paths: Sequence[str]) -> str:
         say("roslab: asking apt which package holds what is missing")
-        plan, own = self.planned.plan, native_platform()
-        platform = own if own in plan.platforms or not self.options.platforms else plan.platforms[0]
+        plan = self.planned.plan
+        platforms = plan.platforms if self.options.platforms else (native_platform(),)
         secrets = of_environment(plan.secrets, os.environ)
-        return ask(question_of_files(plan, paths), platform, secrets=secrets, arguments=self.arguments)
+        return ask(question_of_files(plan, paths), platforms, secrets=secrets, arguments=self.arguments)
 
     def _entries(self) -> list[Entry]:
         return [change.entry for change in self.changes]

@@ -15,12 +15,18 @@ _ASKED = token_hex(8)
 
 
 def ask(
-    question: str, platform: str, *, secrets: Sequence[Secret] = (), arguments: Sequence[tuple[str, str]] = ()
+    question: str,
+    platforms: Sequence[str],
+    *,
+    secrets: Sequence[Secret] = (),
+    arguments: Sequence[tuple[str, str]] = (),
 ) -> str:
     """Return the text of the file ``answer`` that is all of a Dockerfile's image; the engine's store keeps nothing.
 
-    ``secrets`` and ``arguments``, as those of a proxy, are the build's own. Raises ``FailedBuild``.
+    It is asked on the engine's own platform where that is one of ``platforms``, else on the first. ``secrets`` and
+    ``arguments``, as those of a proxy, are the build's own. Raises ``FailedBuild``.
     """
+    own = engine.native_platform()
     with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
         place = Path(folder)
         (place / "context").mkdir()
@@ -28,7 +34,7 @@ def ask(
         job = engine.Build(
             context=place / "context",
             dockerfile=place / "Dockerfile",
-            platforms=(platform,),
+            platforms=(own if own in platforms else platforms[0],),
             arguments=(*arguments, ("ASKED", _ASKED)),
             secrets=tuple(secrets),
             output=f"type=local,dest={place / 'out'}",

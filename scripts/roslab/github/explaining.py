@@ -11,7 +11,6 @@ from roslab.config import Config, locate
 from roslab.config import read as read_configuration
 from roslab.config.addition import added
 from roslab.engine.asking import ask
-from roslab.engine.docker import native_platform
 from roslab.errors import BuildError, ConfigurationError, Problem, RoslabError
 from roslab.evidence.gather import gather
 from roslab.explain import words
@@ -82,9 +81,8 @@ def _asking(folder: Folder, environment: Mapping[str, str]) -> Callable[[Sequenc
     def asking(paths: Sequence[str]) -> str:
         workflow.say("asking apt which package holds what is missing")
         run = folder.run
-        platforms, own = run.here(environment), native_platform()
-        platform = own if own in platforms else platforms[0]
-        return ask(question_of_files(run.plan, paths), platform, secrets=secrets.held(folder, run, environment))
+        given = secrets.held(folder, run, environment)
+        return ask(question_of_files(run.plan, paths), run.here(environment), secrets=given)
 
     return asking
 

@@ -84,7 +84,7 @@ def _digest(name: str) -> str | None:
 
 def _apt(question: str, platform: str, secrets: Sequence[Secret], silent: list[str]) -> Iterator[Missing]:
     try:
-        answer = ask(question, platform, secrets=secrets)
+        answer = ask(question, (platform,), secrets=secrets)
     except engine.FailedBuild as error:
         silent.append(f"apt's sources were not asked: {error.problems[0].message}")
         return
