@@ -257,6 +257,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         interpreters=() if of.own.answer else interpreters.answer,
         author_folders=() if of.own.answer else folders.answer,
         native=compiles_for_here(evidence) and not config.compatible,
+        compiled_files=evidence.compiled_files,
         compilers=own_compilers(evidence, config, folder_name) if of.build_tool.answer == "cmake" else (),
         dockerfile=of.dockerfile,
         context=of.own.answer.context if of.own.answer else None,

@@ -204,6 +204,8 @@ class Decision:
     """
     native: bool = False
     """CMake files compile for the processor of the machine that builds."""
+    compiled_files: int = 0
+    """Files of C and C++ and definitions of messages in the repository."""
     clones_day: str = ""
     """The day of what files of CMake clone without a commit."""
     without: tuple[str, ...] = ()

@@ -251,6 +251,8 @@ class Evidence:
     repositories: tuple[str, ...] = ()
     """Folders that hold a whole repository of packages."""
     cuda_files: tuple[str, ...] = ()
+    compiled_files: int = 0
+    """Files of C and C++ that are compiled, and definitions of messages, of which code is made that is."""
     x86_only: tuple[X86Only, ...] = ()
     """Each option and each header once for a file, at its first place."""
     worked_on: tuple[Mention, ...] = ()

@@ -271,6 +271,7 @@ def gather(repository: Repository) -> Evidence:
         copies=copies.read(repository, manifests),
         repositories=copies.repositories(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
+        compiled_files=len(repository.suffixed(*cpp.COMPILED)),
         x86_only=tuple(of_x86.read(repository, intrinsics, signs.included)),
         problems=(
             *repository.problems,

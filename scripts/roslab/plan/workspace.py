@@ -10,6 +10,8 @@ from roslab.values.dataclass import dataclass, replace
 
 FEWEST_PROGRAMS = 3
 """Fewest programs of which one may be missing."""
+FEWEST_KEPT = 10
+"""Fewest files for which a cache of what was compiled is worth the package that keeps it."""
 MAX_FOLDERS = 8
 """Most folders of programs on PATH beside the build folder itself."""
 
@@ -102,6 +104,8 @@ class Workspace:
     """The code asks git for the repository's folder."""
     clones_day: str = ""
     """The day of what files of CMake clone without a commit, ``""`` for today's."""
+    compiler_cache: bool = False
+    """What is compiled is kept from one build to the next, file by file."""
     native: bool
     """What is compiled for the processor of the machine that builds is compiled for all processors of a platform."""
     without: tuple[str, ...]
@@ -173,10 +177,18 @@ def workspace(
         unread=tuple(each for each in unread if each not in copied),
         git_folder=decision.git_folder and not decision.dockerfile,
         clones_day=decision.clones_day,
+        compiler_cache=_keeps(decision, sisters),
         native=decision.native,
         without=decision.without,
         links=tuple(links),
     )
+
+
+def _keeps(decision: Decision, sisters: tuple[Source, ...]) -> bool:
+    """Tell whether so much is compiled that it is kept; an author who names a launcher of compilers has one."""
+    options = (*decision.cmake_options, *(source.cmake_options for source in sisters))
+    much = bool(sisters) or decision.compiled_files >= FEWEST_KEPT
+    return much and not any("COMPILER_LAUNCHER" in option for option in options)
 
 
 def custom(config: Config, place: Workspace) -> Custom | None:

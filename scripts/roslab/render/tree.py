@@ -1,4 +1,6 @@
-"""Dockerfile.tree: moves the build tree of a ROS workspace into the builder's cache mount, and out of it again.
+"""Dockerfile.tree: moves what a build compiled into the builder's cache mount, and out of it again.
+
+It is the build tree of a ROS workspace, and what ccache keeps of that or of a program.
 
 GitHub's runners start empty, and a registry's layer cache holds no cache mounts. The image's own build takes the tree
 from the mount as ever: were the tree one of its inputs, an unchanged source would compile again.
@@ -21,8 +23,8 @@ ONCE = "ONCE"
 
 
 def carries(plan: Plan) -> bool:
-    """Tell whether the build keeps a tree."""
-    return plan.compiled_apart and plan.workspace.ros is not None
+    """Tell whether the build keeps anything."""
+    return plan.compiled_apart and (plan.workspace.ros is not None or plan.workspace.compiler_cache)
 
 
 def tree(plan: Plan) -> str:

@@ -43,6 +43,26 @@ def test_a_tree_is_packed_and_taken(tmp_path: Path) -> None:
     assert int(size(tmp_path, second)) > 0
 
 
+def test_what_ccache_keeps_travels_with_the_tree_and_without_one(tmp_path: Path) -> None:
+    program, workspace = tmp_path / "program", tmp_path / "workspace"
+    for mount in (program, workspace):
+        (mount / "ccache/1").mkdir(parents=True)
+        (mount / "ccache/1/a.result").write_text("one")
+        (mount / "ccache/1/stats").write_text("0")
+    fill(workspace, "one")
+    for number, mount in enumerate((program, workspace)):
+        assert int(size(tmp_path, mount)) > 0
+        carry(tmp_path, mount, "pack", str(tmp_path / "before"))
+        (mount / "ccache/1/stats").write_text("1")
+        assert size(tmp_path, mount) == "same", "a count of hits is nothing new"
+        second = tmp_path / f"second{number}"
+        carry(tmp_path, second, "take")
+        assert (second / "ccache/1/a.result").read_text() == "one"
+        assert (second / "tree/build/a.o").exists() == (mount == workspace)
+    (program / "ccache/1/b.result").write_text("two")
+    assert int(size(tmp_path, program)) > 0
+
+
 def test_a_mount_keeps_its_own_tree(tmp_path: Path) -> None:
     first, second = tmp_path / "first", tmp_path / "second"
     fill(first, "one")

@@ -22,6 +22,8 @@ from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 SUFFIXES = (".cpp", ".hpp", ".h", ".cc", ".cxx", ".hh", ".c", ".cu", ".cuh")
+COMPILED = (".cpp", ".cc", ".cxx", ".c", ".msg", ".srv", ".action", ".idl")
+"""Of what is compiled: sources, and definitions of which code is made."""
 MAX_READ = 64 * 1024
 """Bytes of a source file that are searched: includes are at its top, and few files are longer."""
 MAX_SOURCES = 2_500

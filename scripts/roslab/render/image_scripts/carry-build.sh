@@ -1,35 +1,45 @@
 #!/bin/bash
 # usage: carry-build take | carry-build size FOLDER | carry-build pack FOLDER
-# Moves the build tree of a ROS workspace between a cache mount, which one builder has, and an image, which travels.
-# take: out of /before/tree.tar into a mount that has none. size: write the bytes of the mount's tree to FOLDER/size, or
-# "none" if there is none, or "same" if it is the one that was taken or packed last. pack: write it to FOLDER/tree.tar.
-set -euo pipefail
+# Moves what a build compiled between a cache mount, which one builder has, and an image, which travels: the build tree of a ROS
+# workspace, and what ccache keeps.
+# take: out of /before/tree.tar into a mount that has neither. size: write the bytes of what is in the mount to FOLDER/size, or
+# "none" if nothing is, or "same" if it is what was taken or packed last. pack: write it to FOLDER/tree.tar.
+set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 cd /var/cache/roslab-build
-state() { cat fingerprint contents | sha256sum; }
+parts=()
+for name in contents fingerprint tree ccache; do
+  if [ -e "${name}" ]; then parts+=("${name}"); fi
+done
+whole=''
+if [ -e tree ] || [ -e ccache ]; then whole=yes; fi
+# What the mount's state is known by: without a tree, the names of what ccache keeps, which say what they were made of
+state() {
+  if [ -e fingerprint ]; then cat fingerprint contents; else find ccache -type f -not -name stats | sort; fi | sha256sum
+}
 
 case "$1" in
   take)
-    if [ ! -e tree ] && [ -e /before/tree.tar ]; then
+    if [ -z "${whole}" ] && [ -e /before/tree.tar ]; then
       tar --extract --same-owner --file=/before/tree.tar
       state >carried
     fi
     ;;
   size)
     mkdir --parents "$2"
-    if [ ! -e tree ]; then
+    if [ -z "${whole}" ]; then
       echo none
     elif [ -e carried ] && [ "$(cat carried)" = "$(state)" ]; then
       echo same
     else
-      du --summarize --bytes tree | cut --fields=1
+      du --summarize --bytes --total "${parts[@]}" | tail --lines=1 | cut --fields=1
     fi >"$2/size"
     ;;
   pack)
     mkdir --parents "$2"
-    if [ -e tree ]; then
+    if [ -n "${whole}" ]; then
       state >carried
-      tar --create --sort=name --file="$2/tree.tar" contents fingerprint tree
+      tar --create --sort=name --file="$2/tree.tar" "${parts[@]}"
     fi
     ;;
 esac

@@ -4,7 +4,8 @@
 # adds to the source on its way, as models that it downloads beside a CMakeLists.txt, goes there, too.
 # Where a cache is mounted, the build tree is taken from it, and kept there for the next build. It is taken only if all
 # is as it was but the contents of code: the command, the packages, the libraries in /usr/local and /opt, the names of
-# the source's files, and what is in those that are no code. Else, and without a cache, everything is compiled.
+# the source's files, and what is in those that are no code. Else, and without a cache, everything is compiled: by with-ccache,
+# if the command names it, only what is not the very same as in an earlier build.
 set -euo pipefail
 
 cache=/var/cache/roslab-build
@@ -79,7 +80,7 @@ if [ -d "${cache}/tree" ] && cmp --silent "${cache}/fingerprint" <(cat "${seen}"
 fi
 
 rm --force "${cache}/fingerprint" # what fails is not used again
-"$@"
+if command -v with-ccache >/dev/null; then with-ccache --told "$@"; else "$@"; fi
 source_files | comm -13 "${before}" - >"${seen}/new"
 rm "${before}"
 if [ -s "${seen}/new" ]; then

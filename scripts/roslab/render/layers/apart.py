@@ -31,7 +31,14 @@ def compiled(plan: Plan) -> str:
     before, run = workspace.compile_again(plan)
     target = quote.docker_path(workspace.source_folder(plan))
     copy = f"COPY --from={SOURCE} --chown=${{NB_UID}}:${{NB_UID}} / {target}/"
-    parts = (before, copy, workspace.any_processor(plan), run, program.compile_program(plan))
+    parts = (
+        workspace.compiler_cache(plan),
+        before,
+        copy,
+        workspace.any_processor(plan),
+        run,
+        program.compile_program(plan),
+    )
     return "\n".join(part for part in parts if part)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import cloned_heads, shell, workspace
+from roslab.render.layers import cloned_heads, secrets, shell, workspace
 
 INSTALL = "install-program"
 KEEPS_GOING = "make-what-compiles"
@@ -22,17 +22,22 @@ def compile_program(plan: Plan) -> str:
         return ""
     source = f"{workspace.source_folder(plan)}/{program.folder}".rstrip("/")
     build = quote.shell_with_user(f"{workspace.HOME}/{program.build}")
+    launchers = workspace.launchers(plan)
+    kept = secrets.Secrets(mounts=(workspace.tree_mount(plan),)) if launchers else secrets.NONE
+    told = f"{workspace.WITH_CACHE} --told " if launchers else ""
     make, script = (KEEPS_GOING, shell.copy_script(KEEPS_GOING)) if program.keeps_going else ("make", "")
     run = shell.run(
         *(f"source {setup}" for setup in workspace.setups(plan)),
         f"mkdir --parents {build}",
         f"cd {build}",
         *(_compiler(variable, name) for variable, name in program.compilers),
-        f"cmake{workspace.words(program.cmake_options)} {quote.shell_with_user(source)}",
-        f"{make} --jobs={shell.JOBS}{workspace.words(program.arguments)}",
+        f"cmake{workspace.words(program.cmake_options)}{launchers} {quote.shell_with_user(source)}",
+        f"{told}{make} --jobs={shell.JOBS}{workspace.words(program.arguments)}",
         workspace.TIDY,
+        secrets=kept,
         around=cloned_heads.of_day(plan),
     )
+    script += shell.copy_script(workspace.WITH_CACHE) if launchers else ""
     return f"# The program\nUSER ${{NB_USER}}\n{script}{run}"
 
 

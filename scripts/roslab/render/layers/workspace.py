@@ -29,6 +29,9 @@ PLAIN_APART = "plain-apart"
 """The script that compiles packages one by one where a clone brings one that catkin_make refuses."""
 UNKNOWN = "clone-unknown"
 """The script that clones what cloned repositories need in turn."""
+WITH_CACHE = "with-ccache"
+"""The script that compiles one file, or takes what an earlier build made of it."""
+_LAUNCHERS = " ".join(f"-DCMAKE_{language}_COMPILER_LAUNCHER={WITH_CACHE}" for language in ("C", "CXX"))
 _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
 """CMake's logs, which name random targets, others at each build."""
 TIDY = rf"find . \( -name '*.o' -o {_LOGS} \) -delete"
@@ -222,7 +225,8 @@ def compile_again(plan: Plan) -> tuple[str, str]:
         secrets=kept,
         around=cloned_heads.of_day(plan),
     )
-    scripts = ("compile-jobs", "reuse-build", *_scripts(run))
+    launcher = (WITH_CACHE,) if plan.workspace.compiler_cache else ()
+    scripts = ("compile-jobs", "reuse-build", *launcher, *_scripts(run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     return f"{script}{enter_source(plan)}\nWORKDIR {WS}", run.replace(shell.copy_script("compile-jobs"), "")
 
@@ -231,6 +235,19 @@ def tree_mount(plan: Plan) -> str:
     """Return the mount in which the build tree outlives a build; BuildKit knows it by all of these words."""
     cache = f"--mount=type=cache,id=build-{plan.name}-${{TARGETARCH}},target={BUILD_CACHE}"
     return f"{cache},uid=${{NB_UID}},sharing=locked"
+
+
+def launchers(plan: Plan) -> str:
+    """Return CMake's options by which what is compiled in a stage of its own is kept, on a line of their own."""
+    return f" \\\n      {_LAUNCHERS}" if plan.compiled_apart and plan.workspace.compiler_cache else ""
+
+
+def compiler_cache(plan: Plan) -> str:
+    """Install what keeps compiled files, in the stage that compiles."""
+    if not launchers(plan):
+        return ""
+    comment = "Files that are the same as in an earlier build are not compiled again"
+    return f"USER root\n{shell.call('install-ccache', comment=comment, secrets=secrets.for_apt(plan))}"
 
 
 def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
@@ -248,7 +265,7 @@ def without_doubles(build: RosBuild) -> str:
 
 
 def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
-    options, arguments = words(build.cmake_options), words(build.arguments)
+    options, arguments = words(build.cmake_options) + launchers(plan), words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
     jobs = shell.jobs(build.jobs)
     first = f"{again}{HEADERS_FIRST} "
