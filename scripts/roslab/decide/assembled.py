@@ -38,6 +38,7 @@ from roslab.decide.ros.linked_install import by_links
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
 from roslab.decide.ros.submodule_packages import may_fail_in
+from roslab.decide.ros.wanted import wanted_beside
 from roslab.decide.ros.workspace import Packages, manifests_of, names_of
 from roslab.decide.stops_without import decide_stops
 from roslab.decide.system.header_definitions import header_definitions_of
@@ -207,6 +208,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         spare=without.alone,
         most_spare=most(without.alone),
         interfaces=() if without.whole else included_interfaces(evidence, of.packages, distro),
+        wanted=()
+        if of.own.answer or config.compatible
+        else wanted_beside(of.sources.answer, of.packages, of.missing.answer.unsure),
         must_build=without.needed,
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,

@@ -164,6 +164,8 @@ class Decision:
     """Most of these that may be left out."""
     interfaces: tuple[str, ...] = ()
     """Messages, services and actions of cloned packages whose headers the code includes, as ``acme_msgs/Grip``."""
+    wanted: tuple[str, ...] = ()
+    """Packages that CMake or launch files need, no package.xml names, and the build looks for all the same."""
     must_build: tuple[str, ...] = ()
     """Packages that are never left out, for the default command does not start without them."""
     large_files: bool = False

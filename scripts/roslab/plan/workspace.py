@@ -78,6 +78,8 @@ class Workspace:
     """Most of these that may be left out."""
     interfaces: tuple[str, ...] = ()
     """Messages, services and actions whose headers the code includes and a clone has to hold: ``acme_msgs/Grip``."""
+    wanted: tuple[str, ...] = ()
+    """Packages that no package.xml names and that CMake or launch files need: the build looks for them, too."""
     must_build: tuple[str, ...] = ()
     """Packages that are never left out: the build stops where one of them fails."""
     large_files: bool = False
@@ -156,6 +158,7 @@ def workspace(
         spare=decision.spare,
         most_spare=decision.most_spare,
         interfaces=decision.interfaces if sisters else (),
+        wanted=decision.wanted if sisters else (),
         must_build=decision.must_build,
         large_files=decision.large_files and bool(sisters or decision.submodules),
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),

@@ -58,13 +58,13 @@ def image(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def _run(image: Path, *keys: str, day: str = "", manifests: str = "manifests") -> tuple[int, list[str]]:
+def _run(image: Path, *keys: str, day: str = "", manifests: str = "manifests", want: str = "") -> tuple[int, list[str]]:
     """Return the exit code and the packages that the workspace then has."""
     script = image / "clone-unknown"
     text = (FOLDER / "clone-unknown.sh").read_text()
     script.write_text(text.replace("tried=/tmp/clone-unknown", f"tried={image}/tried"))
     ran = subprocess.run(
-        ["bash", script, "--before", day, image / manifests, image / "ws/src", *keys],
+        ["bash", script, "--before", day, "--want", want, image / manifests, image / "ws/src", *keys],
         env=os.environ | {"PATH": f"{image / 'bin'}:{os.environ['PATH']}"},
         capture_output=True,
         text=True,
@@ -155,6 +155,36 @@ def test_a_listed_repository_may_hold_what_it_is_not_called_like(image: Path) ->
     _manifest(image / "ws/src/lib", "lib", "counting")
     assert _run(image, "counting") == (0, ["docs", "lib", "more", "numbers"])
     assert (image / "ws/src/plusplus/more/CATKIN_IGNORE").exists()
+
+
+def test_what_no_manifest_asks_for_is_looked_for_in_lists_and_what_it_needs_in_turn_with_its_owner(image: Path) -> None:
+    _manifest(image / "other/desk/talk", "talk", "voice")
+    _list(image, "desk", _commit(image / "other/desk"))
+    _manifest(image / "other/voice", "voice")
+    _commit(image / "other/voice")
+    assert _run(image, "talk") == (1, ["docs", "lib"])
+    (image / "tried").unlink()
+    assert _run(image, "talk", want="talk lib nowhere") == (0, ["docs", "lib", "talk"])
+    assert _run(image, "lib", "nowhere", "voice", want="talk lib nowhere") == (0, ["docs", "lib", "talk", "voice"])
+
+
+def test_what_a_listed_repository_holds_is_looked_up_as_of_the_day(image: Path) -> None:
+    _manifest(image / "other/desk/talk", "talk")
+    _commit(image / "other/desk")
+    _git(image / "other/desk", "rm", "--quiet", "-r", "talk")
+    _manifest(image / "other/desk/write", "write")
+    _git(image / "other/desk", "add", ".")
+    _git(image / "other/desk", "commit", "--quiet", "--message", "gone", day="2023-01-01")
+    _list(image, "desk", image / "other/desk")
+    assert _run(image, "talk", want="talk", day="2022-01-01") == (0, ["docs", "lib", "talk"])
+    assert {line.split()[0] for line in (image / "tried.held").read_text().splitlines()} == {"talk"}
+
+
+def test_of_a_list_of_a_tag_the_tag_is_looked_into(image: Path) -> None:
+    _manifest(image / "other/desk/talk", "talk")
+    _git(_commit(image / "other/desk"), "tag", "v1")
+    _list(image, "desk", image / "other/desk", version="v1")
+    assert _run(image, "talk", want="talk", day="2001-01-01") == (0, ["docs", "lib", "talk"])
 
 
 def test_what_an_interrupted_look_has_left_and_a_manifest_without_a_name_stop_none(image: Path) -> None:

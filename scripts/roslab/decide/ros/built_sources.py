@@ -28,6 +28,8 @@ class Sources:
 
     asked: frozenset[str] = frozenset()
     """The names, in one spelling, that the tree asks for: a clone of such a name is most likely that package alone."""
+    started: tuple[str, ...] = ()
+    """Packages that the launch file of the default command needs and the repository does not have."""
     within: frozenset[str] = frozenset()
     """Names of the submodules that lie in folders of packages: no tool of ROS looks for others there.
 

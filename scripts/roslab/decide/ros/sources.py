@@ -115,7 +115,9 @@ def decide_sources(
     choice = with_lists(chosen.choice(files), unknown, evidence, chosen.before, itself)
     choice = with_workspace(choice, unknown, evidence, chosen.before, itself)
     names = frozenset(plain(each.name) for each in needed)
-    answer = with_imported(replace(choice.answer, asked=names, within=inside_packages(evidence)), evidence)
+    started = tuple(each.name for each in launched)
+    answer = replace(choice.answer, asked=names, within=inside_packages(evidence), started=started)
+    answer = with_imported(answer, evidence)
     answer = with_tabled(answer, chosen.ros, ros_distro or "")
     return with_sought(
         replace(choice, answer=answer),

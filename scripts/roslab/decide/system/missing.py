@@ -98,6 +98,8 @@ class Missing:
     """Folders of projects of Python whose extension requires what nothing brings: pip stops there."""
     strays: tuple[str, ...] = ()
     """Folders of CMake projects without a package.xml that lack something, and that nothing of the tree needs."""
+    unsure: tuple[str, ...] = ()
+    """What CMake requires, no package.xml asks for, and one of the clones may bring."""
     undeclared: bool = False
     """A package requires another one of the repository, and its package.xml does not name it."""
 
@@ -220,6 +222,7 @@ def decide_missing(
             options=tuple(f"-D{name}=OFF" for name in (*off, *tests)),
             tests=tuple(tests),
             strays=tuple(sorted(aside)),
+            unsure=tuple(dict.fromkeys(asked.name for asked in unsure_of)),
             undeclared=bool(hidden),
             stopping=tuple(dict.fromkeys((*(file for file, _ in unfound if file), *(m.file for m, _ in beside)))),
         ),

@@ -1,18 +1,19 @@
 #!/bin/bash
-# usage: clone-unknown [--before DAY] MANIFESTS WORKSPACE KEY...
+# usage: clone-unknown [--before DAY] [--want PACKAGES] MANIFESTS WORKSPACE KEY...
 # Clones to the workspace the packages of these keys that the repository, whose package.xml files lie below MANIFESTS, and
 # the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos), by the name there, else
 # by what the listed repositories hold. What a clone asks for is then looked for with its owner, by the name of the package,
 # or of what it is a part of (X for X_msgs, X_Y for X_Y_Z); and what the repository asks for and a repository of lists alone
 # does not name, with the owner of that. Each key is tried once. Ends with 1 where nothing was found.
-#   --before DAY  the newest commit not after this day (YYYY-MM-DD), unless a list names a tag or commit; of today if empty
+#   --before DAY     the newest commit not after this day (YYYY-MM-DD), unless a list names a tag or commit; of today if empty
+#   --want PACKAGES  what the repository asks for beside its package.xml files, separated by spaces
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
-day=()
-if [ "$1" = --before ]; then
-  if [ -n "$2" ]; then day=(--before "$2"); fi
+day=() want=()
+while [[ "$1" = --* ]]; do
+  if [ "$1" = --want ]; then read -r -a want <<<"$2"; elif [ -n "$2" ]; then day=(--before "$2"); fi
   shift 2
-fi
+done
 manifests="$1" workspace="$2" tried=/tmp/clone-unknown
 shift 2
 beside=() # a repository that only lists clones has its manifests in the workspace alone
@@ -21,6 +22,7 @@ touch "${tried}" "${tried}.looked" "${tried}.held"
 export GIT_TERMINAL_PROMPT=0 # where a host has no such repository it asks for a password, which nobody is there to give
 
 mapfile -t own < <(find "${manifests}" -name package.xml -exec read-manifest depends {} +)
+own+=("${want[@]}")
 declare -A asked=() wanted=()
 for name in "${own[@]}"; do wanted["${name}"]=yes; done
 while IFS=$'\t' read -r _ manifest; do
@@ -31,22 +33,36 @@ done < <(workspace-packages needed "${workspace}" "${own[@]}")
 
 listed() { listed-repositories "${workspace}" 2 4; }
 
-# Prints NAME URL REF of what the listed repositories hold. Looks once into each, with no more of it than its manifests
-# where the host and git can
+# Clones to the folder `bare` no more of a repository than manifests ask for, where the host and git can: all commits
+# where a day is given. Where git filters nothing, as that of Ubuntu 16.04, that is only done for owners of clones
+look_into() { # URL REF
+  local url="$1" at=(--quiet --bare --single-branch)
+  if [ -n "$2" ]; then at+=(--branch "$2"); fi
+  if [ "${#day[@]}" -eq 0 ]; then at+=(--depth 1); fi
+  rm -rf "${bare}" # of a look that was interrupted: git clones into no folder that is there
+  if git clone "${at[@]}" --filter=blob:none "${url}" "${bare}" 2>/dev/null; then return; fi
+  if [ "${#day[@]}" -gt 0 ] && cat "${workspace}"/*/.git/config 2>/dev/null | grep --quiet --fixed-strings "url = ${url%/*}/" &&
+    git clone "${at[@]}" "${url}" "${bare}" 2>/dev/null; then return; fi
+  git clone --quiet --bare --depth 1 "${url}" "${bare}" 2>/dev/null # a commit is no branch
+}
+
+# Prints NAME URL REF of what the listed repositories hold, of a branch as of the day. Looks once into each
 held() {
-  local url ref name bare="${tried}.git" manifest="${tried}.xml" path package
+  local url ref name bare="${tried}.git" manifest="${tried}.xml" path package commit
   while read -r name url ref; do
     if grep --quiet --line-regexp --fixed-strings "${url} ${ref}" "${tried}.looked"; then continue; fi
     echo "${url} ${ref}" >>"${tried}.looked"
-    if [ -e "${workspace}/$(basename "${url}" .git)" ]; then continue; fi
-    rm -rf "${bare}" # of a look that was interrupted: git clones into no folder that is there
-    git clone --quiet --bare --depth 1 --filter=blob:none ${ref:+--branch "${ref}"} "${url}" "${bare}" 2>/dev/null ||
-      git clone --quiet --bare --depth 1 "${url}" "${bare}" 2>/dev/null || continue # a commit is no branch, old gits filter nothing
+    if [ -e "${workspace}/$(basename "${url}" .git)" ] || ! look_into "${url}" "${ref}"; then continue; fi
+    commit=''
+    if [ "${#day[@]}" -gt 0 ] && git -C "${bare}" symbolic-ref --quiet HEAD >/dev/null; then # a tag is no branch
+      commit="$(git -C "${bare}" rev-list --max-count=1 --first-parent --before="${day[1]}T23:59:59Z" HEAD)"
+    fi
+    commit="${commit:-HEAD}"
     while read -r path; do
-      git -C "${bare}" show "HEAD:${path}" >"${manifest}"
+      git -C "${bare}" show "${commit}:${path}" >"${manifest}"
       package="$(read-manifest name "${manifest}")"
       if [ -n "${package}" ]; then echo "${package} ${url} ${ref}" >>"${tried}.held"; fi
-    done < <(git -C "${bare}" -c core.quotePath=false ls-tree -r --name-only HEAD | grep --extended-regexp '(^|/)package\.xml$')
+    done < <(git -C "${bare}" -c core.quotePath=false ls-tree -r --name-only "${commit}" | grep --extended-regexp '(^|/)package\.xml$')
     rm -rf "${bare}" "${manifest}"
   done < <(listed)
   cat "${tried}.held"
@@ -83,6 +99,7 @@ for key in "$@"; do
   manifest="${asked["${key}"]:-}"
   if [ -z "${manifest}${wanted["${key}"]:-}" ] || grep --quiet --line-regexp --fixed-strings "${key}" "${tried}"; then continue; fi
   echo "${key}" >>"${tried}"
+  if [ -n "$(workspace-packages needed "${workspace}" "${key}")" ]; then continue; fi
   if [ -n "$(workspace-packages show "${workspace}" "${key}")" ]; then # a clone of before has it
     echo "roslab: no longer hidden: ${key}"
     new=yes

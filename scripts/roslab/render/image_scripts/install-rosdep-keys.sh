@@ -1,23 +1,25 @@
 #!/bin/bash
-# usage: install-rosdep-keys [--tables TAG] [--skip KEYS] [--complete] [--before DAY] [--required] FOLDER...
+# usage: install-rosdep-keys [--tables TAG] [--skip KEYS] [--complete] [--want PACKAGES] [--before DAY] [--required] FOLDER...
 # Installs what the package.xml files below the folders name. Keys that rosdep does not know, or whose packages apt does
 # not have, are named and left out.
-#   --tables TAG  use the tables of ros/rosdistro at this tag: newer ones forget a distro some years after its end;
-#                 where they do not answer, the base's own are used
-#   --skip KEYS   keys to install nothing for, separated by spaces
-#   --complete    what repositories that were cloned to the last folder ask for, and nothing has, is cloned there too
-#   --before DAY  as of this day (YYYY-MM-DD)
-#   --required    what CMake of what was cloned to the last folder requires is installed, too
+#   --tables TAG     use the tables of ros/rosdistro at this tag: newer ones forget a distro some years after its end;
+#                    where they do not answer, the base's own are used
+#   --skip KEYS      keys to install nothing for, separated by spaces
+#   --complete       what repositories that were cloned to the last folder ask for, and nothing has, is cloned there too
+#   --want PACKAGES  with --complete: so is what CMake or launch files need and no package.xml names, separated by spaces
+#   --before DAY     as of this day (YYYY-MM-DD)
+#   --required       what CMake of what was cloned to the last folder requires is installed, too
 set -euo pipefail
 
 left_out=/usr/local/share/roslab/left-out.txt
 sources=/etc/ros/rosdep/sources.list.d
-tag='' skip='' complete='' completed='' required='' day='' folders=()
+tag='' skip='' complete='' completed='' want='' required='' day='' folders=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --tables) tag="$2" && shift ;;
     --skip) skip="$2" && shift ;;
     --complete) complete=yes ;;
+    --want) want="$2" && shift ;;
     --before) day="$2" && shift ;;
     --required) required=yes ;;
     *) folders+=("$1") ;;
@@ -91,6 +93,11 @@ else
 fi
 if ! wait "${updating}"; then cat "${lists}" >&2 && exit 1; fi
 cat "${lists}" && rm "${lists}"
+clone_unknown() { clone-unknown --before "${day}" --want "${want}" "${folders[0]}" "${folders[-1]}" "$@"; }
+if [ -n "${want}" ]; then
+  read -r -a keys <<<"${want}"
+  if clone_unknown "${keys[@]}"; then completed=yes; fi
+fi
 # Nothing is installed where rosdep does not know a key, and that is the time to ask which: it tells of one a package at
 # a time, so until there is none that was not told before
 said=/tmp/rosdep-install
@@ -100,7 +107,7 @@ else
   before='' asked="${skip}"
   while unknown="$(unknown_keys)" && [ "${unknown}" != "${before}" ]; do
     mapfile -t keys <<<"${unknown}"
-    if [ -n "${complete}" ] && clone-unknown --before "${day}" "${folders[0]}" "${folders[-1]}" "${keys[@]}"; then
+    if [ -n "${complete}" ] && clone_unknown "${keys[@]}"; then
       completed=yes
       continue
     fi

@@ -81,7 +81,8 @@ def _complete(plan: Plan) -> str:
     if not completes(plan):
         return ""
     day = next((source.before for source in plan.workspace.sources if source.before), "")
-    return " --complete" + (f" --before {quote.shell(day)}" if day else "")
+    wanted = f" --want {quote.shell(' '.join(plan.workspace.wanted))}" if plan.workspace.wanted else ""
+    return f" --complete{wanted}" + (f" --before {quote.shell(day)}" if day else "")
 
 
 def completes(plan: Plan) -> bool:
