@@ -20,7 +20,7 @@ from roslab.decide.old_compiler import decide_compiler
 from roslab.decide.opened import decide_opened
 from roslab.decide.outside import decide_outside
 from roslab.decide.platforms import Platforms
-from roslab.decide.processor import compiles_for_here, problems
+from roslab.decide.processor import compiles_for_here, problems, stops_at_warnings
 from roslab.decide.proof import compiled, rostests, runs_ctest
 from roslab.decide.python.at_top import imported_by_command
 from roslab.decide.python.compiling import Compiling
@@ -208,9 +208,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         spare=without.alone,
         most_spare=most(without.alone),
         interfaces=() if without.whole else included_interfaces(evidence, of.packages, distro),
-        wanted=()
-        if of.own.answer or config.compatible
-        else wanted_beside(of.sources.answer, of.packages, of.missing.answer.unsure),
+        wanted=wanted_beside(of.sources.answer, of.packages, of.missing.answer.unsure),
         must_build=without.needed,
         large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,
@@ -262,6 +260,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         author_folders=() if of.own.answer else folders.answer,
         native=compiles_for_here(evidence) and not config.compatible,
         compiled_files=evidence.compiled_files,
+        strict=stops_at_warnings(evidence) and not config.compatible,
         compilers=own_compilers(evidence, config, folder_name) if of.build_tool.answer == "cmake" else (),
         dockerfile=of.dockerfile,
         context=of.own.answer.context if of.own.answer else None,

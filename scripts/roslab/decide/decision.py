@@ -208,6 +208,8 @@ class Decision:
     """CMake files compile for the processor of the machine that builds."""
     compiled_files: int = 0
     """Files of C and C++ and definitions of messages in the repository."""
+    strict: bool = False
+    """A build file has warnings of the compiler count as errors."""
     clones_day: str = ""
     """The day of what files of CMake clone without a commit."""
     without: tuple[str, ...] = ()

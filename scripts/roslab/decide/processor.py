@@ -65,6 +65,11 @@ def compiles_for_here(evidence: Evidence) -> bool:
     return told(evidence.problems)
 
 
+def stops_at_warnings(evidence: Evidence) -> bool:
+    """Tell whether a build file has warnings of the compiler count as errors."""
+    return any(mention.topic == "strict" for mention in evidence.mentions)
+
+
 def problems(
     evidence: Evidence, dockerfile: str | None, build_tool: BuildTool, projects: Collection[str]
 ) -> tuple[Warning_, ...]:

@@ -31,6 +31,7 @@ from roslab.evidence.native import (
     ros_paths,
     shared_objects,
     stops_without,
+    strict,
     x86,
 )
 from roslab.evidence.native import clones as native_clones
@@ -253,6 +254,7 @@ def gather(repository: Repository) -> Evidence:
             *commented.read(own, lists),
             *called_in_scripts.unpackaged(own, prose.mentions),
             *(commit_date.read(repository) if dates else ()),
+            *strict.read(repository),
         ),
         worked_on=worked_on.read(repository),
         old_code=extension_code.read(own, python_projects),

@@ -108,6 +108,8 @@ class Workspace:
     """The day of what files of CMake clone without a commit, ``""`` for today's."""
     compiler_cache: bool = False
     """What is compiled is kept from one build to the next, file by file."""
+    strict: bool = False
+    """What is compiled may have warnings count as errors: where one stops it, it is compiled with those that do not."""
     native: bool
     """What is compiled for the processor of the machine that builds is compiled for all processors of a platform."""
     without: tuple[str, ...]
@@ -158,7 +160,7 @@ def workspace(
         spare=decision.spare,
         most_spare=decision.most_spare,
         interfaces=decision.interfaces if sisters else (),
-        wanted=decision.wanted if sisters else (),
+        wanted=decision.wanted if sisters and not config.compatible else (),
         must_build=decision.must_build,
         large_files=decision.large_files and bool(sisters or decision.submodules),
         inside=decision.inside if decision.build_tool not in ("pip", "conda") else (),
@@ -181,6 +183,7 @@ def workspace(
         git_folder=decision.git_folder and not decision.dockerfile,
         clones_day=decision.clones_day,
         compiler_cache=_keeps(decision, sisters),
+        strict=(decision.strict or bool(sisters)) and not config.compatible,
         native=decision.native,
         without=decision.without,
         links=tuple(links),

@@ -499,7 +499,7 @@ def test_the_tests_of_sisters_are_not_compiled() -> None:
     text = dockerfile(plan(**with_sister))
     assert " && leave-out-tests src/sister \\\n" in text
     scripts = "/compile-jobs /reuse-build /leave-out-doubles /make-installed-folders /declare-needs /raise-standard"
-    scripts += " /leave-out-tests /leave-out-failed /build-needed"
+    scripts += " /leave-out-tests /leave-out-failed /build-needed /warnings-pass"
     scripts += " /read-manifest /required-by-cmake /workspace-packages"
     assert f"COPY --from=scripts {scripts} /usr/local/bin/" in text
     for stated_by in (

@@ -65,5 +65,7 @@ def test_the_image_calls_it_with_all_that_it_calls(tmp_path: Path) -> None:
     assert " && leave-out-lacking quad_x /home/${NB_USER}/ws/src/mpc/extra \\\n" in text
     assert " && raise-standard 14 'PCL pcl " in text
     assert " libpcl-all-dev' src --but src/mpc \\\n" in text
-    called = "/build-needed /plain-apart /headers-first /read-manifest /workspace-packages /required-by-cmake"
+    called = (
+        "/build-needed /plain-apart /warnings-pass /headers-first /read-manifest /workspace-packages /required-by-cmake"
+    )
     assert f"/leave-out-lacking /declare-needs /raise-standard /leave-out-failed {called} " in text

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
 MAX_FILES = 300
@@ -27,15 +27,20 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
 
     Makefiles count where neither CMake nor ROS builds the tree.
     """
+    for file in build_files(repository):
+        text = repository.read(file)
+        if "=native" in text and (match := _NATIVE.search(text)):
+            yield f"{match[1]}{_WHY}", file.path, text.count("\n", 0, match.start(1)) + 1
+
+
+def build_files(repository: Repository) -> list[File]:
+    """Return the files that give the compiler its options, those nearest to the root first."""
     files = [*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake")]
     if not repository.named("CMakeLists.txt", "package.xml"):
         files = [*repository.named(*MAKEFILES), *repository.suffixed(".mk")]
     kept = (f for f in files if f.size <= MAX_SIZE and not places.test(f.path) and not places.example(f.path))
     once = {file.path: file for file in kept}.values()
-    for file in sorted(once, key=lambda f: (places.vendored(f.path), f.path.count("/"), f.path))[:MAX_FILES]:
-        text = repository.read(file)
-        if "=native" in text and (match := _NATIVE.search(text)):
-            yield f"{match[1]}{_WHY}", file.path, text.count("\n", 0, match.start(1)) + 1
+    return sorted(once, key=lambda f: (places.vendored(f.path), f.path.count("/"), f.path))[:MAX_FILES]
 
 
 def told(problems: Iterable[tuple[str, str | None, int | None]]) -> bool:

@@ -26,13 +26,16 @@ def compile_program(plan: Plan) -> str:
     kept = secrets.Secrets(mounts=(workspace.tree_mount(plan),)) if launchers else secrets.NONE
     told = f"{workspace.WITH_CACHE} --told " if launchers else ""
     make, script = (KEEPS_GOING, shell.copy_script(KEEPS_GOING)) if program.keeps_going else ("make", "")
+    folder = quote.shell_with_user(f"{workspace.source_folder(plan)}")
+    passing = workspace.warnings_pass(plan, folder)
+    script += shell.copy_script(workspace.LENIENT) if passing else ""
     run = shell.run(
         *(f"source {setup}" for setup in workspace.setups(plan)),
         f"mkdir --parents {build}",
         f"cd {build}",
         *(_compiler(variable, name) for variable, name in program.compilers),
         f"cmake{workspace.words(program.cmake_options)}{launchers} {quote.shell_with_user(source)}",
-        f"{told}{make} --jobs={shell.JOBS}{workspace.words(program.arguments)}",
+        f"{passing}{told}{make} --jobs={shell.JOBS}{workspace.words(program.arguments)}",
         workspace.TIDY,
         secrets=kept,
         around=cloned_heads.of_day(plan),

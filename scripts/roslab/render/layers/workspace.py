@@ -25,6 +25,8 @@ HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 HEADERS_FIRST = "headers-first"
 """The script that compiles once more where a header was not generated in time."""
+LENIENT = "warnings-pass"
+"""The script that compiles once more without warnings that count as errors."""
 PLAIN_APART = "plain-apart"
 """The script that compiles packages one by one where a clone brings one that catkin_make refuses."""
 UNKNOWN = "clone-unknown"
@@ -201,7 +203,7 @@ def compile_workspace(plan: Plan) -> str:
 def _scripts(run: str) -> tuple[str, ...]:
     """Return the scripts that a step which compiles the workspace calls, and those that these call."""
     before = (WITHOUT_DOUBLES, WITHOUT_LACKING, prepared.MAKES_FOLDERS, DECLARED, RAISED, WITHOUT_TESTS)
-    names = (*before, *attempts.SCRIPTS, PLAIN_APART, HEADERS_FIRST)
+    names = (*before, *attempts.SCRIPTS, PLAIN_APART, LENIENT, HEADERS_FIRST)
     return with_called(name for name in names if name in run)
 
 
@@ -269,12 +271,13 @@ def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
     options, arguments = words(build.cmake_options) + launchers(plan), words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
     jobs = shell.jobs(build.jobs)
-    first = f"{again}{HEADERS_FIRST} "
+    passing = warnings_pass(plan, "src") if build.tool != "rosmake" else ""
+    first = f"{again}{passing}{HEADERS_FIRST} "
     match build.tool:
         case "catkin_make":
             cloned = plan.workspace.sources or plan.workspace.submodules
             apart = f"{PLAIN_APART} " if cloned and not plan.compatible else ""
-            return [f"{again}{apart}{HEADERS_FIRST} catkin_make -j{jobs}{options}{arguments}"]
+            return [f"{again}{apart}{passing}{HEADERS_FIRST} catkin_make -j{jobs}{options}{arguments}"]
         case "catkin_make_isolated":
             return [f"{first}catkin_make_isolated -j{jobs}{arguments}{cmake}"]
         case "catkin_tools":
@@ -283,10 +286,15 @@ def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
         case "rosmake":
             return [f"{ROSMAKE}{arguments}"]
         case "colcon":
-            colcon = f'{again}colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"'
+            colcon = f'{again}{passing}colcon build --event-handlers console_direct+ --parallel-workers "${{jobs}}"'
             chosen = f" \\\n      --packages-up-to{words(build.named)}" if build.named else ""
             build_all = f'MAKEFLAGS="-j${{jobs}} -l${{jobs}}" \\\n    {colcon}{chosen}{cmake}{arguments}'
             return [*_without_tests(plan, build), shell.SET_JOBS, build_all]
+
+
+def warnings_pass(plan: Plan, folder: str) -> str:
+    """Return what stands before a command that compiles what is in a folder, where a warning may count as an error."""
+    return f"{LENIENT} {folder} " if plan.workspace.strict else ""
 
 
 def _without_tests(plan: Plan, build: RosBuild) -> list[str]:
