@@ -81,6 +81,15 @@ def test_the_owners_repository_of_that_name_is_tried(tree: Tree) -> None:
     assert "the build looks for it in https://github.com/lab/acme_line" in message
 
 
+def test_a_library_that_is_exported_too_and_of_which_a_header_is_included_is_tried_and_told_once(tree: Tree) -> None:
+    files = {**ros1(LINK), **OWNER, "a.cpp": "#include <acme_line/line.h>\nint main() {}\n"}
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("catkin_package()", "catkin_package(DEPENDS acme_line)")
+    decision = tree(files)
+    assert [s.holding for s in decision.source] == [("acme_line",)]
+    (message,) = [w.message for w in decision.warnings if "acme_line" in w.message]
+    assert "the build looks for it in https://github.com/lab/acme_line, and where it is not there" in message
+
+
 def test_no_workspace_no_search(tree: Tree) -> None:
     decision = tree({**cpp(LINK), **OWNER})
     assert not decision.source

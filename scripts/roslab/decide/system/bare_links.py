@@ -60,7 +60,8 @@ def without_linked(
     headers = headers_by_name(evidence)
     for package, asked in bare_links(evidence, packages, built.kind):
         name = asked.name
-        known = built.target.knows(name) or may_hold(name) or _family(name, built.names) or shown_by(asked, headers)
+        known = built.target.knows(name) or may_hold(name) or _family(name, built.names)
+        known = known or (name not in tried and bool(shown_by(asked, headers)))
         if package in built.out or known:
             continue
         where = f"; the build looks for it in {tried[name]}, and where it is not there," if name in tried else ":"

@@ -200,7 +200,7 @@ def decide_missing(
     of_build = Built(target=target, names=names, build_tool=build_tool, kind=kind, out=found.packages)
     unfound = (
         *without_library(evidence, still, names, build_tool, unread=cloned or custom),
-        *not_found(evidence, packages, target, names, build_tool, built=made),
+        *not_found(evidence, packages, target, names, build_tool, built=made, tried=tried),
         *(() if custom else _lost(evidence, packages, of_build, may_hold, tried)),
     )
     warnings += [warning for _, warning in unfound]

@@ -33,11 +33,12 @@ def not_found(
     build_tool: BuildTool,
     *,
     built: Collection[str],
+    tried: Collection[str] = (),
 ) -> Iterator[tuple[str, Warning_]]:
     """Yield the file that asks for each such library, with a warning.
 
     ``names``: those of all that is installed, built or cloned. A clone that is not ``built`` has no library to link;
-    what CMake fetches by itself has one.
+    what CMake fetches by itself has one. Of a library that is looked for as a package, those ``tried``, others tell.
     """
     cloned = {plain(git.name) for git in evidence.sources if git.kind in {"clone", "inside"}}
     compiled = {name for name in names if name not in cloned or name in built}
@@ -47,7 +48,7 @@ def not_found(
     told: set[str] = set()
     headers = headers_by_name(evidence) if evidence.cmake else {}
     for asked in code_needs(evidence, packages):
-        if asked.name in told or asked.name in made or plain(asked.name) in fetched:
+        if asked.name in told or asked.name in made or asked.name in tried or plain(asked.name) in fetched:
             continue
         looked = asked.role == SEARCHED
         shown = shown_by(asked, headers) if not looked else ""

@@ -19,8 +19,11 @@ MAX_FILES = 400
 MAX_SIZE = 256 * 1024
 _PLAIN = pattern(r"[A-Za-z_]\w{2,}$")
 _END = pattern(r"[.-]")
-_LINKING = frozenset({"target_link_libraries", "link_libraries", "set", "list", "set_target_properties", "message"})
-"""Calls in which the name of a library makes, finds and orders none."""
+_LINKING = frozenset(
+    {"target_link_libraries", "link_libraries", "set", "list", "set_target_properties", "message"}
+    | {"catkin_package", "ament_export_libraries"}
+)
+"""Calls in which the name of a library makes, finds and orders none: the last two tell others what to link."""
 _GTEST = ("gtest", "gmock")
 
 
