@@ -1,4 +1,4 @@
-"""The script that takes the branch of a clone which holds the messages that the code includes."""
+"""The script that takes the branch of a clone which holds the messages and headers that the code includes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from roslab.render.dockerfile import dockerfile
 from trees import tree_of
 
 pytestmark = pytest.mark.usefixtures("scripts_on_path")
-XML = '<package format="2"><name>{}</name></package>\n'
+XML = '<package format="2"><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>\n'
+ROS2 = XML.replace("catkin", "ament_cmake")
 
 
 def _git(folder: Path, *words: str, day: str = "2019-05-20") -> None:
@@ -32,17 +33,24 @@ def workspace(tmp_path: Path) -> Path:
     for file in ("include/acme_msgs/Frames.h", "cfg/Gripper.cfg"):
         (remote / "acme_msgs" / file).parent.mkdir(parents=True)
         (remote / "acme_msgs" / file).write_text("\n")
-    (remote / "acme").mkdir()
+    (remote / "acme/include/acme").mkdir(parents=True)
+    (remote / "acme/include/acme/config.h.in").write_text("\n")
     (remote / "acme/package.xml").write_text(XML.format("acme"))
     _git(remote, "init", "--quiet")
     for branch, name, day in (
         ("main", "", "2019-05-20"),
         ("devel", "Grip", "2020-01-01"),
         ("newest", "Lift", "2022-01-01"),
+        ("ros2", "Twin", "2023-01-01"),
     ):
         if name:
             _git(remote, "checkout", "--quiet", "-b", branch, "main")
             (remote / f"acme_msgs/msg/{name}.msg").write_text("int8 a\n")
+            (remote / f"acme/include/acme/{name.lower()}.hpp").write_text("\n")
+        if branch == "newest":
+            (remote / "acme/include/acme/other.hpp").write_text("\n")
+        if branch == "ros2":
+            (remote / "acme/package.xml").write_text(ROS2.format("acme"))
         _git(remote, "add", ".", day=day)
         _git(remote, "commit", "--quiet", "--message", branch, day=day)
     _git(remote, "checkout", "--quiet", "main")
@@ -70,6 +78,12 @@ def _run(workspace: Path, *words: str) -> tuple[str, set[str]]:
         (("other_msgs/Lost",), {"Pose"}, ""),
         (("acme_msgs/Frames",), {"Pose"}, ""),  # a header of its own
         (("acme_msgs/GripperConfig",), {"Pose"}, ""),  # of dynamic_reconfigure
+        (("acme/grip.hpp",), {"Pose", "Grip"}, "includes grip.hpp of acme, which acme does not have: its branch devel"),
+        (("acme/grip.hpp", "acme/config.h"), {"Pose", "Grip"}, "its branch devel is taken"),
+        (("acme/grip.hpp", "acme/made.h"), {"Pose", "Grip"}, "its branch devel is taken"),  # CMake may make one
+        (("acme/config.h", "acme/made.h", "acme_msgs/Pose.h"), {"Pose"}, ""),
+        (("acme/twin.hpp",), {"Pose"}, ""),  # of the other ROS
+        (("acme/other.hpp",), {"Pose", "Lift"}, "its branch newest is taken"),
     ],
 )
 def test_the_branch_with_the_messages(workspace: Path, interfaces: tuple[str, ...], has: set[str], said: str) -> None:
@@ -93,6 +107,9 @@ def test_a_day_and_a_given_commit(workspace: Path) -> None:
         ("acme_msgs/msg/grip__struct.hpp", " acme_msgs/grip\n"),
         ("sensor_msgs/Imu.h", ""),
         ("other_msgs/Own.h", ""),
+        ("acme_msgs/detail/grip.hpp", " acme_msgs/grip.hpp\n"),
+        ("boost/grip.hpp", ""),
+        ("other_msgs/grip.hpp", ""),
     ],
 )
 def test_the_image_looks_for_what_the_code_includes(tmp_path: Path, include: str, called: str) -> None:

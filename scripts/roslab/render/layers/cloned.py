@@ -77,15 +77,15 @@ def _of_workspace(plan: Plan, source: Source) -> list[str]:
 
 
 def _of_interfaces(plan: Plan) -> list[str]:
-    """Return the instructions that take the branch of a clone which holds the messages that the code includes."""
+    """Return the instructions that take the branch of a clone which holds the headers that the code includes."""
     place = plan.workspace
     if not place.interfaces:
         return []
-    days = {source.before for source in place.sources}
-    before = f" --before {days.pop()}" if len(days) == 1 and "" not in days else ""
+    days = {source.before for source in place.sources if source.before}
+    before = f" --before {days.pop()}" if len(days) == 1 else ""
     kept = "".join(f" --keep {quote.shell(s.name)}" for s in place.sources if s.ref and not _is_branch(s))
     command = f"{INTERFACES}{before}{kept} {WS}/src{words(place.interfaces)}"
-    why = "# The code includes these messages: another branch of a clone may have what the usual one lacks"
+    why = "# The code includes these headers: another branch of a clone may have what the usual one lacks"
     return [why, shell.copy_script(INTERFACES).rstrip(), shell.run(command)]
 
 
