@@ -150,7 +150,7 @@ def _launched(evidence: Evidence, kind: Kind, calls: Mapping[str, tuple[str, ...
 def _nodes(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     """Yield the programs that the packages compile or install, for a repository without launch files to start."""
     start = ("rosrun",) if kind == "ros1" else ("ros2", "run")
-    packages = in_packages(evidence)
+    packages = in_packages(evidence, kind)
     for project in evidence.cmake:
         for name, line in project.executables:
             if (package := packages.get(name)) and not _TEST.search(name) and not places.aside(project.file):

@@ -11,7 +11,7 @@ from roslab.evidence.facts import Evidence
 
 def decide_outside(evidence: Evidence, config: Config, kind: Kind) -> Choice[None]:
     """Return a warning for the first such program: the workspace's own build leaves it out."""
-    outside = {program.name for program in outside_of_packages(evidence)} if kind in {"ros1", "ros2"} else set()
+    outside = {program.name for program in outside_of_packages(evidence, kind)} if kind in {"ros1", "ros2"} else set()
     said = (m for m in evidence.mentions if m.topic == "command" and m.source == "readme" and m.value.split())
     run = next((m for m in said if m.value.split()[0].rpartition("/")[2] in outside), None)
     if run is None or config.compatible:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TypeVar
 
+from roslab.config.model import Kind
 from roslab.decide.linking_projects import linking
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
@@ -26,6 +27,9 @@ MOST_BESIDE = 16
 """Most projects beside the first that are compiled."""
 _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 
+_ROS: Mapping[Kind | None, int] = {"ros1": 1, "ros2": 2}
+_OF_WORKSPACES = frozenset({"colcon", "catkin_make", "catkin_make_isolated", "catkin_tools"})
+_TURNED_ON = pattern(r"-D ?(\w+)(?::\w+)?=(?:ON|TRUE|YES|1)\b", re.IGNORECASE)
 _SHORT = 5
 """Names of so many letters, which differ by one of them, are different words."""
 _OF_TESTS = pattern(r"g(?:test|mock)|catch2?|doctest|(?:google)?benchmark|unit_?test|boost_unit_test", re.IGNORECASE)
@@ -172,12 +176,12 @@ def _whole(written: str, top: CMakeProject) -> str:
     return posixpath.normpath(f"{side}/{rest}")
 
 
-def in_packages(evidence: Evidence) -> dict[str, str]:
+def in_packages(evidence: Evidence, kind: Kind | None = None) -> dict[str, str]:
     """Return the programs that the CMakeLists.txt of each package compiles; of a name that two packages have, none.
 
-    Nor one that only a build outside of a workspace makes.
+    Nor one that only a build outside of a workspace makes, be it of the image's ROS by its ``kind``.
     """
-    outside = {(place.file, place.name) for place in outside_of_packages(evidence)}
+    outside = {(place.file, place.name) for place in outside_of_packages(evidence, kind)}
     folders = {manifest.file.rpartition("/")[0]: manifest.name for manifest in packages_of(evidence).built}
     found: dict[str, str] = {}
     twice: set[str] = set()
@@ -189,18 +193,31 @@ def in_packages(evidence: Evidence) -> dict[str, str]:
     return {name: package for name, package in found.items() if name not in twice}
 
 
-def outside_of_packages(evidence: Evidence) -> tuple[Compiled, ...]:
-    """Return the programs below packages that CMake makes only outside of a workspace of their ROS."""
+def outside_of_packages(evidence: Evidence, kind: Kind | None = None) -> tuple[Compiled, ...]:
+    """Return the programs below packages that CMake makes only outside of a workspace of their ROS, or of the image's.
+
+    Those, too, that it makes there only where an option is off with which a page at the root builds the workspace.
+    """
     macros = {project.file.rpartition("/")[0]: project.macros for project in evidence.cmake}
     made_for = {m.file.rpartition("/")[0]: m for m in packages_of(evidence).built}
     versions = {folder: ros_versions(m, macros.get(folder, ())) for folder, m in made_for.items()}
     found = []
+    on = turned_on(evidence) if any(project.without_options for project in evidence.cmake) else frozenset()
     for project in evidence.cmake:
-        ros = owner(project.file, versions) if project.outside else None
-        for name, line in project.executables if ros else ():
-            if all((name, each) in project.outside for each in ros or ()):
+        outside = {*project.outside, *((name, ros) for name, ros, option in project.without_options if option in on)}
+        made = owner(project.file, versions) if outside else None
+        made = made & {_ROS[kind]} if made and kind in _ROS else made
+        for name, line in project.executables if made else ():
+            if all((name, each) in outside for each in made or ()):
                 found.append(Compiled(name=name, folder=_place(project), file=project.file, line=line))
     return tuple(found)
+
+
+def turned_on(evidence: Evidence) -> frozenset[str]:
+    """Return the options of CMake that each call of a build tool of ROS turns on, on the pages at the root."""
+    tools = (m for m in evidence.mentions if m.topic == "build_tool" and m.value in _OF_WORKSPACES)
+    calls = [m.text for m in tools if m.source == "readme" and "/" not in m.file and "-D" in m.text]
+    return frozenset.intersection(*(frozenset(_TURNED_ON.findall(call)) for call in calls)) if calls else frozenset()
 
 
 def owner(path: str, folders: Mapping[str, Owner]) -> Owner | None:

@@ -86,7 +86,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         kind=kind,
         programs=tuple(script.file for script in evidence.programs),
         nodes=frozenset(script.file for script in evidence.programs if script.kind == "node" and not ros),
-        compiled=in_packages(evidence) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
+        compiled=in_packages(evidence, kind) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
         launched=names_of_launch_files(evidence),
         calls=launch_calls(evidence),
         by_path=found_by_path(evidence),

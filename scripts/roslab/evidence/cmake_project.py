@@ -87,3 +87,5 @@ class CMakeProject:
     """Variables among these that a file of CMake sets itself."""
     outside: tuple[tuple[str, int], ...] = ()
     """Programs that a workspace of ROS 1 or 2 does not make, by conditions of the build tool, each with that ROS."""
+    without_options: tuple[tuple[str, int, str], ...] = ()
+    """Programs that it makes there only where an option is off, each with that ROS and the option."""

@@ -57,6 +57,50 @@ def test_a_program_that_both_builds_make_stays(tree: Tree) -> None:
     assert tree(sdk(both)).command == ("rosrun", "arm_sdk", "demo_arm", "can0")
 
 
+BOTH = (
+    "<package format='3'><name>arm_sdk</name>"
+    "<buildtool_depend condition='$ROS_VERSION == 1'>catkin</buildtool_depend>"
+    "<buildtool_depend condition='$ROS_VERSION == 2'>ament_cmake</buildtool_depend>"
+    "<export><build_type condition='$ROS_VERSION == 1'>catkin</build_type>"
+    "<build_type condition='$ROS_VERSION == 2'>ament_cmake</build_type></export></package>"
+)
+WRAPPED = (
+    'project(arm_sdk)\noption(ROS_BUILD "with ROS" {})\nif(ROS_BUILD)\n  find_package(catkin QUIET)\n'
+    "  find_package(ament_cmake QUIET)\n  if(catkin_FOUND)\n    include(cmake/ros1.cmake)\n"
+    "  elseif(ament_cmake_FOUND)\n    include(cmake/ros2.cmake)\n  else()\n    include(cmake/native.cmake)\n  endif()\n"
+    "else()\n  include(cmake/native.cmake)\nendif()\n"
+)
+BUILD = "ROS 2 Humble\n```\ncolcon build{}\n```\nWithout ROS:\n```\ncmake .. && make\n./demo_arm can0\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("args", "default", "there"),
+    [
+        (" --cmake-args -DROS_BUILD=ON", "OFF", False),
+        (" --cmake-args -DROS_BUILD:BOOL=1", "OFF", False),
+        ("", "OFF", True),
+        (" --cmake-args -DROS_BUILD=OFF", "OFF", True),
+        (" --cmake-args -DOTHER=ON", "OFF", True),
+    ],
+)
+def test_a_program_that_waits_for_an_option_to_be_off(tree: Tree, args: str, default: str, there: bool) -> None:
+    files = {
+        "package.xml": BOTH,
+        "CMakeLists.txt": WRAPPED.format(default),
+        "cmake/ros1.cmake": "add_executable(arm_ros1 a.cpp)\n",
+        "cmake/ros2.cmake": "add_executable(arm_ros2 a.cpp)\ninstall(TARGETS arm_ros2 DESTINATION lib/arm_sdk)\n",
+        "cmake/native.cmake": "add_executable(demo_arm b.cpp)\n",
+        **dict.fromkeys(("a.cpp", "b.cpp"), "int main() {}\n"),
+        "README.md": BUILD.format(args),
+    }
+    decision = tree(files)
+    assert decision.kind == "ros2"
+    run = ("demo_arm", "can0") if there else ("arm_ros2",)
+    assert decision.command == ("ros2", "run", "arm_sdk", *run)
+    assert not any("arm_ros1" in words for words in decision.command_candidates)
+    assert any("demo_arm, which CMake compiles only outside" in w.message for w in decision.warnings) != there
+
+
 @pytest.mark.parametrize(
     ("condition", "held"),
     [

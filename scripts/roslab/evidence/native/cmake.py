@@ -224,6 +224,7 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
         lost=lost(reading.files, file.folder, text, repository) if above.always or file.folder not in added else (),
         guards=tuple((reading.written.file(name), package) for name, package in reading.guards),
         outside=tuple((reading.written.file(name), ros) for name, ros in reading.outside),
+        without_options=reading.without_options(),
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
         settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
         lacks=_lacks(repository, file.folder, reading),

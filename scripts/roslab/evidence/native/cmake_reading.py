@@ -28,6 +28,7 @@ class Reading:
     unset: tuple[str, ...] = ()
     """Those of variables that no file declares as options."""
     outside: dict[tuple[str, int], None] = field(default_factory=dict)
+    without: dict[tuple[str, int], frozenset[str]] = field(default_factory=dict)
     name: str | None = None
     minimum: Dependency | None = None
     languages: list[str] = field(default_factory=list)
@@ -81,7 +82,7 @@ class Reading:
         self.executables.setdefault(name, call.line)
         self.written.add(name)
         self.named.update(word for word in files if _CODE.match(word))
-        outside_of_workspaces(name, (*self.by_tool, *call.conditions), self.outside, again=before)
+        outside_of_workspaces(name, (*self.by_tool, *call.conditions), self.outside, self.without, again=before)
         switches = [condition.removeprefix("ON ") for condition in (*self.unset, *call.conditions)]
         waits = {(name, switch): None for switch in switches if _SWITCH.fullmatch(switch)}
         if before:  # the other branch of a condition makes it too
@@ -91,6 +92,11 @@ class Reading:
         for condition in call.conditions:
             found = _WHERE_FOUND.finditer(condition) if not condition.startswith("NOT (") else ()
             self.guards |= {(name, (match[1] or match[2]).lower()): None for match in found}
+
+    def without_options(self) -> tuple[tuple[str, int, str], ...]:
+        """Return the programs that a workspace makes only where an option is off, with its ROS and the option."""
+        told = ((self.written.file(name), ros, sorted(options)) for (name, ros), options in self.without.items())
+        return tuple((name, ros, option) for name, ros, options in told for option in options)
 
     def component(self, call: Call) -> None:
         """Note the program that starts a component of ROS 2, which the call makes of a library and installs.

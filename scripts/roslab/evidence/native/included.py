@@ -19,6 +19,7 @@ MAX_DEPTH = 3
 MAX_FILES = 40
 _FINDS = frozenset({"find_package", "find_dependency", "pkg_check_modules", "pkg_search_module", "include"})
 _MAKES = frozenset({"add_library", "add_executable", "target_link_libraries", "link_libraries"})
+_PROGRAMS = frozenset({"add_executable"})
 _ASKS = frozenset({"cmake_minimum_required"})
 _BY_FUNCTIONS = BRINGING | {"add_library"}
 _SOURCE = pattern(r"^\$\{(?:CMAKE(?:_CURRENT)?|PROJECT)_(?:SOURCE|LIST)_DIR\}/|^\./")
@@ -33,14 +34,19 @@ def needing(
     """Yield the calls that find, fetch, make or link something in a file that ``include`` names, with that file's path.
 
     A call has the conditions of the ``include`` too; of what a function does when it is called, only what it brings is
-    among them. Of files that include others each is read once: ``seen`` are those that were. The options that they
-    declare are added to ``options``.
+    among them. Of files that include others each is read once: ``seen`` are those that were; where one is included
+    under further conditions, its programs have these too. The options that they declare are added to ``options``.
     """
     module = _module(call, repository, file)
-    if module is None or module.path in seen or len(seen) >= MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
+    if module is None or len(seen) >= 2 * MAX_FILES or len(call.conditions) > MAX_DEPTH * 4:
         return
-    seen.add(module.path)
-    for inner in calls(repository.read(module), _FINDS | BRINGING | _MAKES | _ASKS | of_included(), options):
+    path = module.path
+    again, key = path in seen, f"{path} {' '.join(call.conditions)}"
+    if key in seen or (again and not call.conditions):
+        return
+    seen |= {path, key}
+    names = _PROGRAMS if again else _FINDS | BRINGING | _MAKES | _ASKS | of_included()
+    for inner in calls(repository.read(module), names, options):
         told = replace(inner, conditions=(*call.conditions, *inner.conditions))
         if inner.name == "include":
             yield from needing(told, repository, module, seen, options)
