@@ -26,6 +26,24 @@ def test_what_a_linked_library_needs_comes_before_it(tree: Tree) -> None:
     assert {"libtinyxml2-dev", "libyaml-cpp-dev"} <= {*decision.apt, *decision.apt_guessed}
 
 
+@pytest.mark.parametrize(
+    ("cmake", "built"),
+    [
+        ("find_package(Matplot++ REQUIRED)\n", ["matplotplusplus"]),
+        ("find_package(matplot REQUIRED)\n", []),  # the tree's own
+    ],
+)
+def test_matplotplusplus_draws_by_gnuplot(tree: Tree, cmake: str, built: list[str]) -> None:
+    module = "include(ExternalProject)\nExternalProject_Add(words GIT_REPOSITORY https://github.com/lab/words.git)\n"
+    code = "#include <matplot/matplot.h>\nint main() {}\n"
+    made = (
+        f"project(demo)\nlist(APPEND CMAKE_MODULE_PATH ${{CMAKE_SOURCE_DIR}}/cmake)\n{cmake}add_executable(a a.cpp)\n"
+    )
+    decision = tree({"CMakeLists.txt": made, "a.cpp": code, "cmake/Findmatplot.cmake": module})
+    assert [source.name for source in decision.source] == built
+    assert "gnuplot" in (*decision.apt, *decision.apt_guessed)
+
+
 def install(name: str) -> str:
     build = f"cd {name} && mkdir build && cd build && cmake .. && sudo make install"
     return f"```\ngit clone https://github.com/lab/{name}.git\n{build}\n```\n"
