@@ -54,6 +54,8 @@ class Dependency:
     """The titles of the page that a line of apt stands under."""
     target: str = ""
     """The imported target of CMake that is linked, where ``version`` is the first release that has it."""
+    below: tuple[str, ...] = ()
+    """The folders of a library's own in which CMake looks for it: ``PATH_SUFFIXES``."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -44,6 +44,22 @@ make install
 """
 
 
+SITE = """\
+```
+wget http://ceres-solver.org/ceres-solver-2.0.0.tar.gz
+tar zxf ceres-solver-2.0.0.tar.gz
+mkdir ceres-bin && cd ceres-bin
+cmake ../ceres-solver-2.0.0
+make -j3 && sudo make install
+```
+"""
+
+
+def test_an_archive_of_a_projects_site_is_the_tag(tree: Tree) -> None:
+    (source,) = tree(ros1("find_package(Ceres 2.0 REQUIRED)\n", SITE)).source
+    assert (source.name, source.ref, source.place and source.place.line) == ("ceres", "2.0.0", 3)
+
+
 @pytest.mark.parametrize(("page", "ref"), [("", "4.0.3"), (ARCHIVE, "4.1.1"), (CLONE, "4.0.2")])
 def test_a_library_is_built_as_the_page_builds_it(tree: Tree, page: str, ref: str) -> None:
     decision = tree(ros1("find_package(GTSAM REQUIRED)\n", page))

@@ -28,6 +28,7 @@ from roslab.decide.system.recipes import (
 )
 from roslab.decide.system.required import by_pip
 from roslab.decide.system.without_cuda import without_cuda
+from roslab.decide.system.wrapped import wrapped
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import packaged
@@ -71,7 +72,7 @@ def decide_libraries(
         tabled = tuple((with_packages(each, evidence, system), asked) for each, asked in tabled)
     submodules = (git.name for git in evidence.sources if git.kind == "submodule")
     elsewhere = {plain(name) for name in (*submodules, *(source.name for source, _ in tabled))}
-    taken = sources.names | packages.names | own | elsewhere
+    taken = sources.names | ((packages.names | own) - wrapped(evidence)) | elsewhere
     taken |= {plain(name) for name in by_own_source((git.name for git in evidence.sources), evidence)}
     guessed = (name for name in system.apt_guessed if name in packaged(target.ubuntu))  # a page's may not exist
     depends = tuple(name for name in (*system.apt, *system.brought, *guessed) if name.endswith("-dev"))

@@ -61,6 +61,7 @@ def not_found(
         word = re.split(r"[^a-z]", own, maxsplit=1)[0]
         there = names if looked else compiled
         alike = len(word) >= SHORTEST and not asked.name.lower().endswith(_BY_HAND) and similar(word, there)
+        alike = alike or any(plain(each.rpartition("/")[2]) in built for each in asked.below)
         if not (alike or similar(own, there) or resolve(asked, target).known):
             told.add(asked.name)
             why = "which find_library looks for and" if looked else f"of which the code includes {shown}, and which"

@@ -10,6 +10,8 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace
 
+_SCRIPTS = (".sh", ".bash")
+
 
 def with_offered(
     built: Iterable[tuple[Source, Dependency]], clones: Iterable[GitSource], evidence: Evidence, apt: Collection[str]
@@ -29,15 +31,15 @@ def with_offered(
 
 
 def _above(git: GitSource, evidence: Evidence) -> tuple[str, ...]:
-    """Return the packages of the lines above a clone, and of those below it in its own section."""
+    """Return the packages of the lines above a clone, and of those below it in its own section, or its own script."""
     said = (*evidence.prose, *(each for recipe in evidence.dockerfiles for each in recipe.dependencies))
     here = [each for each in said if each.namespace == "apt" and each.file == git.file]
     clones = (*evidence.sources, *(clone for recipe in evidence.dockerfiles for clone in recipe.clones))
     after = min((each.line for each in clones if each.file == git.file and each.line > git.line), default=None)
+    own = git.heading or git.file.endswith(_SCRIPTS)
     names = (
         each.name
         for each in here
-        if each.line < git.line
-        or (git.heading and each.heading == git.heading and (after is None or each.line < after))
+        if each.line < git.line or (own and each.heading == git.heading and (after is None or each.line < after))
     )
     return tuple(sorted({name for name in names if not name.startswith("ros-")}))

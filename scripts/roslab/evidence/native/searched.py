@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from itertools import takewhile
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -15,6 +16,7 @@ from roslab.evidence.lex.lines import lines_with
 from roslab.evidence.native.x86_searched import wanted
 from roslab.knowledge.libraries import header, library
 from roslab.repository.checkout import Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 SEARCHED = "searched"
@@ -29,6 +31,7 @@ _ENDING = pattern(r"\.(?:h|hh|hpp|hxx)$")
 _OF_SYSTEM = pattern(r"(?:sys|linux|net|netinet|arpa|asm|bits|c\+\+)/")
 """Headers that every compiler has: of the C library, and of the kernel."""
 _VARIABLE = pattern(r"\$\{(\w+)\}")
+_OPTION = pattern(r"[A-Z][A-Z_]+")
 _CONDITION = pattern(r"\s*(?:else)?if\s*\(")
 _STOPS = pattern(r"\s*if\s*\(\s*NOT\s+(\w+)\s*\)\s*message\s*\(\s*(?:FATAL|SEND)_ERROR\b", re.IGNORECASE)
 _FILE = pattern(r"^(?:lib)?([\w+.-]+?)\.(?:so(?:\.\d+)*|a)$")
@@ -77,7 +80,14 @@ def searched(text: str, path: str, repository: Repository) -> Iterator[Dependenc
             name = next((name for name in names if _known(name)), names[0])
             role = "test" if places.test(path) else SEARCHED
             stopped |= {waited[variable]} if stops else set()
-            yield Dependency(namespace="link", name=name, strength="used", file=path, line=looking[0].line, role=role)
+            asked = Dependency(namespace="link", name=name, strength="used", file=path, line=looking[0].line, role=role)
+            yield replace(asked, below=tuple(dict.fromkeys(each for call in looking for each in _suffixes(call))))
+
+
+def _suffixes(call: Call) -> Iterator[str]:
+    """Yield the folders below those of all libraries in which a search looks: ``PATH_SUFFIXES acme``."""
+    words = call.words[call.words.index("PATH_SUFFIXES") + 1 :] if "PATH_SUFFIXES" in call.words else ()
+    yield from takewhile(lambda word: not _OPTION.fullmatch(word), words)
 
 
 def _waited(call: Call) -> dict[str, str]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.shell import Command
+from roslab.knowledge.source_archives import source_archive
 from roslab.values.pattern import pattern
 
 _ARCHIVE = pattern(r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$")
@@ -18,14 +19,14 @@ _RELEASE = pattern(
 
 def is_release(url: str) -> bool:
     """Tell whether an address is that of a repository's archive."""
-    return bool(_ARCHIVE.match(url) or _RELEASE.match(url))
+    return bool(_ARCHIVE.match(url) or _RELEASE.match(url) or source_archive(url))
 
 
 def archives(command: Command, file: str) -> Iterator[GitSource]:
     """Yield the repositories and tags whose archives ``wget`` or ``curl`` fetches, each by the name of its folder."""
     for word in command.words:
         archive, release = _ARCHIVE.match(word), _RELEASE.match(word)
-        found = archive.group(1, 2, 3) if archive else release.group(1, 4, 2) if release else ()
+        found = archive.group(1, 2, 3) if archive else release.group(1, 4, 2) if release else source_archive(word)
         if found:
             url, name, ref = found
             yield GitSource(
