@@ -15,6 +15,7 @@ from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnSc
 from roslab.decide.foreign_interpreters import decide_interpreters
 from roslab.decide.goes_without import goes_without
 from roslab.decide.launch_needs import decide_launch_needs
+from roslab.decide.launched_simulators import brought_simulators
 from roslab.decide.nodes_without_ros import decide_nodes
 from roslab.decide.old_compiler import decide_compiler
 from roslab.decide.opened import decide_opened
@@ -115,7 +116,10 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     ros = of.kind.answer in {"ros1", "ros2"}
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     interpreters = decide_interpreters(evidence, config, ubuntu)
-    files: Choice[tuple[str, ...]] = Choice(answer=()) if of.own.answer else own_packages(evidence, config, ubuntu)
+    simulators = () if of.own.answer else brought_simulators(evidence, config, of.command.answer.command, distro)
+    files = (
+        own_packages(evidence, config, ubuntu, simulators) if not of.own.answer else Choice[tuple[str, ...]](answer=())
+    )
     folders = decide_author_folders(
         evidence, config, of.packages, of.layout.answer, of.build_tool.answer, image=of.base.answer.image
     )

@@ -104,7 +104,7 @@ def decide_launch_needs(
         told.append(
             warn(f"{why}: it needs a machine with one of NVIDIA; `gpu: false` in roslab.yaml gives it none", at)
         )
-    told += lacking_simulators(evidence, config, launch, given)
+    told += lacking_simulators(evidence, config, launch, given, ros_distro)
     told += lacking_vendors(evidence, config, launch, ros_distro)
     return Choice(answer=None, warnings=(*told, *others))
 

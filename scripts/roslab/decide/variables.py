@@ -8,6 +8,7 @@ from collections.abc import Set as AbstractSet
 from roslab.config.model import Config
 from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Download, Warning_
+from roslab.decide.launched_simulators import brought_simulators
 from roslab.decide.launched_windows import opened_by_nodes
 from roslab.decide.python.library_modules import variables_of
 from roslab.decide.reasons import because, warn
@@ -98,6 +99,15 @@ def decide_variables(
         *nested_headers(evidence, ros),
         *linked_folders(evidence, ros),
         *((name, value, why, None) for name, value, why in variables_of(libraries)),
+        *(
+            (
+                each.variables[-1],
+                each.folder,
+                f"the default command starts {each.program}, which is installed there",
+                used,
+            )
+            for used, each in brought_simulators(evidence, config, command.argv if command else (), ros)
+        ),
     ]
     for name, value, why, asks in (*(_drawing(asked, windows) if gui else _offscreen(asked)), *further):
         if name not in {*pairs, *given}:

@@ -20,6 +20,11 @@ class LaunchedSimulator:
     """Each may name the folder that it is in."""
     address: str
     """Where it is to be had."""
+    file: str
+    """The package of Debian of the release that the module of these ``distros`` looks for, for amd64 alone."""
+    folder: str
+    """Where that puts it."""
+    distros: tuple[str, ...]
 
 
 @cache

@@ -3,27 +3,38 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Iterable
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice
-from roslab.decide.reasons import warn
+from roslab.decide.reasons import because, warn
 from roslab.decide.ros.by_page import packages_of
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.own_packages import NAME
 from roslab.evidence.x86_only import X86Only
 from roslab.knowledge.distros import ubuntus
+from roslab.knowledge.launched_simulators import LaunchedSimulator
 from roslab.values.pattern import pattern
 
 _PLAIN = pattern(r"[\w./+~-]+|https?://(?![^/\s]*@)[\w./+~%:@-]+")
 """A path that a mount of a Dockerfile, whose options commas part, can name, or an address without a login."""
+STARTED = 50
+"""Weight of the reason; nothing competes with it."""
 _WORD = pattern(r"[A-Za-z]+")
 _NUMBER = pattern(r"ubuntu-?(\d\d)\.?(\d\d)(?!\d)")
 
 
-def own_packages(evidence: Evidence, config: Config, ubuntu: str | None) -> Choice[tuple[str, ...]]:
+def own_packages(
+    evidence: Evidence,
+    config: Config,
+    ubuntu: str | None,
+    simulators: Iterable[tuple[Dependency, LaunchedSimulator]] = (),
+) -> Choice[tuple[str, ...]]:
     """Return their paths or addresses in the order in which they are installed, of several with one name the first.
 
-    One whose name says another Ubuntu than the image's is told and left out.
+    One whose name says another Ubuntu than the image's is told and left out. After them the ``simulators`` that the
+    default command starts, each with the import that asks for it.
     """
     if config.compatible:
         return Choice(answer=())
@@ -39,7 +50,23 @@ def own_packages(evidence: Evidence, config: Config, ubuntu: str | None) -> Choi
         for name, meant in others.items()
     )
     paths = tuple(each.value for name, each in found.items() if name not in others)
-    return Choice(answer=paths, warnings=tuple(told))
+    more = tuple(simulators)
+    reasons = [
+        because(
+            "dependencies",
+            each.package,
+            f"the default command starts {each.program} by {used.name}",
+            used,
+            weight=STARTED,
+        )
+        for used, each in more
+    ]
+    alone = (
+        warn(f"not in the image for linux/arm64: {each.program}, which the default command starts", used)
+        for used, each in more
+    )
+    paths += tuple(each.file for _, each in more)
+    return Choice(answer=paths, reasons=tuple(reasons), warnings=(*told, *alone))
 
 
 def _ubuntu_of(file: str) -> str:

@@ -6,6 +6,7 @@ import posixpath
 import shlex
 
 from roslab.config.model import Source
+from roslab.knowledge.launched_simulators import launched_simulators
 from roslab.plan.packages import asked_files, own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
@@ -49,7 +50,13 @@ def own_packages(plan: Plan) -> str:
     files = own_files(plan.own_packages)
     mounts = (f"--mount=type=bind,source={quote.checked(path)},target={into}" for path, into in files)
     given, around = secrets.for_apt(plan), locks.apt(plan, "own")
-    said = (bool(files), "the repository holds"), (len(files) < len(plan.own_packages), "a page has its readers fetch")
+    started = sum(each.file in plan.own_packages for each in launched_simulators().values())
+    fetched = len(files) + started < len(plan.own_packages)
+    said = (
+        (bool(files), "the repository holds"),
+        (fetched, "a page has its readers fetch"),
+        (bool(started), "the default command starts"),
+    )
     holder = " or ".join(text for holds, text in said if holds)
     return shell.call(
         "install-own-packages",
