@@ -181,7 +181,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
                 decide_opened(evidence, config, of.command.answer.command, of.downloads.answer),
                 decide_outside(evidence, config, of.kind.answer),
                 _unknown_packages(of, evidence, config),
-                decide_nodes(evidence, config, of.kind.answer, of.base.answer.image, of.python.answer),
+                decide_nodes(evidence, config, of.kind.answer, of.base.answer, of.python.answer),
                 decide_python_in_scripts(evidence, config, of.kind.answer, of.base.answer.image, of.python.answer),
             )
         ),

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.config.model import Config, Kind
+from roslab.decide.base import BaseImage
 from roslab.decide.decision import Decision
 from roslab.decide.nodes_without_ros import decide_nodes
 from roslab.decide.python.image_python import Python
@@ -54,4 +55,4 @@ def test_nodes_without_ros(tree: Tree, more: dict[str, str], said: list[str]) ->
 def test_an_image_with_ros(kind: Kind, base: str, told: int) -> None:
     used = Dependency(namespace="import", name="rclpy", strength="used", file="a.py", line=1)
     evidence = Evidence(code=(used,), programs=(Program(file="a.py", line=9, kind="node"),))
-    assert len(decide_nodes(evidence, Config(), kind, base, NO_PYTHON).warnings) == told
+    assert len(decide_nodes(evidence, Config(), kind, BaseImage(image=base, ubuntu=None), NO_PYTHON).warnings) == told

@@ -30,6 +30,7 @@ from roslab.decide.system.needs import ON_CUDA, compiler_of_cuda, needs, of_anot
 from roslab.decide.system.one_qt import of_another_qt
 from roslab.decide.system.recipes import lies_elsewhere, linked
 from roslab.decide.system.requested import requested
+from roslab.decide.system.ubuntu_ros import ros_of_ubuntu
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -150,7 +151,8 @@ def decide_system(
     found.warnings += lies_elsewhere((*needed, *of_extensions), evidence, target.ubuntu)
     for dependency in compiler_of_cuda(evidence, packages, kind, target.ubuntu) if not target.cuda else ():
         _add(dependency, target, found, known, trusted=True, by_hand=by_hand)
-    for apt, asked in apt_for_wheels(python, installed, target.ubuntu, evidence):
+    of_ros = () if target.ros_distro else ros_of_ubuntu(evidence, python, target.ubuntu)
+    for apt, asked in (*apt_for_wheels(python, installed, target.ubuntu, evidence), *of_ros):
         found.guessed.setdefault(apt, asked)
     refused = never(cuda=target.cuda)
     other = of_another_qt(found.guessed, found.declared, (each for each, _ in needed))
