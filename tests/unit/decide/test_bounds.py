@@ -179,6 +179,15 @@ def test_what_was_compiled_against_numpy_1_keeps_numpy_2_out(tmp_path: Path) -> 
         ("import imageio\nimageio.plugins.ffmpeg.download()\n", "imageio<2.5"),
         ("ffmpeg.download()\n", None),
         ("from atari_py import get_game_path\n", "gym<0.20"),
+        ("from sklearn.cross_validation import train_test_split\n", "scikit-learn<0.20"),
+        ("from sklearn import svm, grid_search\n", "scikit-learn<0.20"),
+        ("from sklearn.model_selection import cross_validate, learning_curve\n", None),
+        ("from sklearn.utils.linear_assignment_ import linear_assignment\n", "scikit-learn<0.23"),
+        ("from scipy.integrate import quad, simps\n", "scipy<1.14"),
+        ("area = np.trapz(y, x)\n", None),
+        ("m = nx.to_numpy_matrix(g)\n", "networkx<3"),
+        ("env = wrappers.Monitor(env, 'videos')\n", "gym<0.23"),
+        ("class Monitor: pass\n", None),
     ],
 )
 def test_names_of_one_package_alone(tmp_path: Path, code: str, bound: str | None) -> None:
