@@ -59,6 +59,9 @@ FILES = {
     "scripted": {"scripted-1.0.tar.gz": OLD},
     "gone": {f"gone-{number}-{EVERY}.whl": OLD for number in ("2.1.3", "2.1.25", "2.1.30", "2.2.0")},
     "front": {f"front-{number}-{EVERY}.whl": day for number, day in (("1.0", OLD), ("2.1", NEW), ("3.0", NEW))},
+    "mended": {"mended-1.0.tar.gz": OLD, f"mended-2.0-{EVERY}.whl": NEW},
+    "lacking": {f"lacking-0.9-{EVERY}.whl": OLD, "lacking-1.0.tar.gz": OLD},
+    "calling": {f"calling-0.9-{EVERY}.whl": OLD, "calling-1.0.tar.gz": OLD},
     "later": {f"later-1.0-{EVERY}.whl": NEW, f"later-2.0-{EVERY}.whl": "2023-06-01"},
 }
 
@@ -126,7 +129,21 @@ def build_wheel(folder, config_settings=None, metadata_directory=None):
 
 build_editable = build_wheel
 """
+LACKING = """\
+def get_requires_for_build_wheel(config_settings=None):
+    open(PATH)
+    return []
+"""
+CALLING = """\
+import subprocess
+def get_requires_for_build_wheel(config_settings=None):
+    subprocess.run(["nowhere-there"])
+    return []
+"""
 BACKENDS = {
+    "mended": (LACKING.replace("PATH", "__file__ + '.RELEASE'"), ""),
+    "lacking": (LACKING.replace("PATH", "'requirements.txt'"), ""),
+    "calling": (CALLING, ""),
     "needs": (BACKEND, '"cython"'),
     "wrapped": (WRAPPED, ""),
     "scripted": (SCRIPTED, ""),
@@ -153,7 +170,7 @@ def source(file: str) -> bytes:
 @cache
 def content(file: str) -> bytes:
     """Return what the index has under a name."""
-    return source(file) if file.startswith(tuple(BACKENDS)) else wheel(file)
+    return source(file) if file.startswith(tuple(BACKENDS)) and file.endswith(".tar.gz") else wheel(file)
 
 
 class Index(BaseHTTPRequestHandler):
@@ -453,6 +470,28 @@ def test_what_another_installer_put_there_is_covered(
     assert (packages / "shared-1.0.dist-info").exists()
     assert (packages / "left-1.0.dist-info").exists()
     assert "pip cannot remove shared of another installer: it stays, and 1.0" in (tmp_path / "said").read_text()
+
+
+@pytest.mark.parametrize(
+    ("asked", "start", "got"),
+    [
+        ("mended", OF_DAY, "mended-2.0"),
+        ("mended==1.0", OF_DAY, ""),
+        ("lacking", OF_DAY, "lacking-0.9"),
+        ("lacking", TODAY, "lacking-0.9"),
+        ("calling", TODAY, ""),
+    ],
+)
+def test_a_release_whose_archive_lacks_what_builds_it_is_passed_by(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, asked: str, start: str, got: str
+) -> None:
+    target = tmp_path / "got"
+    target.mkdir()
+    install = f"python3 -m pip install --no-cache-dir --target {target} {asked} || echo failed"
+    output = ran(step, tmp_path, f"{index}/simple/", install, start=start)
+    assert ("failed" in output.split()) == (not got)
+    assert [each.name for each in target.glob("*.dist-info")] == ([f"{got}.dist-info"] if got else [])
+    assert ("lacks what builds it" in (tmp_path / "said").read_text()) == bool(got)
 
 
 @either

@@ -10,7 +10,8 @@
 # pip. An exact version that is gone from the index becomes the next one with the same first two numbers, if there is one. A
 # lower bound that no release reaches is left out; where a project asks for it, what it asks for is installed as a list. Where
 # index-as-of serves the index of a day (--or-today) and a lower bound is newer than it, that package's newer versions are
-# there the next time.
+# there the next time. So are those of a package whose archive lacks a file that its setup script reads: nobody can build
+# it; without a day, or where the newest lacks it too, the release before it is taken.
 # What a package prints while it is built is shown at the end: a pip that writes a log has it there alone.
 set -eo pipefail # as the steps that read it have
 notes="${INDEX_AS_OF:-$(mktemp -u /dev/shm/ask-pip-again.XXXXXX)}" # with what each is after this name
@@ -28,7 +29,7 @@ roslab_pip() {
 roslab_try() { # CALL...
   local log="${notes}.log" call=("$@")
   until rm -f "${log}" && PIP_LOG="${log}" command "${call[@]}"; do
-    if roslab_builder "$1"; then continue; fi
+    if roslab_builder "$1" || roslab_incomplete; then continue; fi
     roslab_show || return 1
   done
 }
@@ -47,6 +48,7 @@ roslab_call() {
       continue
     fi
     if roslab_builder "${call[0]}" || roslab_older_pip "${call[0]}" || roslab_covered "${call[0]}"; then continue; fi
+    if roslab_incomplete; then continue; fi
     name="$(sed -n 's/.*No matching distribution found for \([A-Za-z0-9._-]*\).*/\1/p' "${log}" 2>/dev/null | tail -n 1)"
     if [ -z "${name}" ]; then return 1; fi
     if [ -z "${INDEX_AS_OF:-}" ] || grep -q -x -F "${name}" "${INDEX_AS_OF}" 2>/dev/null; then
@@ -134,6 +136,37 @@ roslab_older_pip() { # PYTHON
   echo "${older}" >>"${notes}.pip"
   echo "roslab: a package ${said}: ${older} is taken" >&2
   command "$1" -m pip install --no-cache-dir "${older}" </dev/null
+}
+# Has another release taken than one whose archive lacks a file that its setup script reads, unless it is asked for by number
+roslab_incomplete() {
+  local lacked file name version
+  # The last line of a traceback that does not end in a program which is called and not there
+  lacked="$(awk '
+    /Traceback \(most recent call last\)/ { called = 0 }
+    /_execute_child/ { called = 1 }
+    match($0, /(FileNotFoundError|IOError): \[Errno 2\] No such file or directory: .[^\/]|(FileNotFoundError|IOError): .*\/pip-[a-z-]+-[a-z0-9_]+\//) {
+      if (!called) lacked = file
+    }
+    / Collecting / { lacked = "" }
+    match($0, /(Downloading|Using cached) [^ ]+[.](tar[.](gz|bz2)|zip)/) { file = substr($0, RSTART, RLENGTH) }
+    /did not run successfully|exited with 1|errored out with exit status/ { found = lacked }
+    END { print found }' "${log}" 2>/dev/null)"
+  file="${lacked##*[ /]}"
+  name="$(sed -n 's/-[0-9][^-]*$//p' <<<"${file}")"
+  if [ -z "${name}" ] || grep -q -i -E "(Collecting|Processing) ${name//[-_.]/[-_.]}(\[[^]]*\])?=" "${log}"; then return 1; fi
+  version="$(sed 's/[.]\(tar[.][a-z0-9]*\|zip\)$//' <<<"${file#"${name}-"}")"
+  if [ -n "${INDEX_AS_OF:-}" ] && ! grep -q -x -F "${name}" "${INDEX_AS_OF}" 2>/dev/null; then
+    echo "${name}" >>"${INDEX_AS_OF}"
+    echo "roslab: the archive of ${name} ${version} lacks what builds it: a newer release is taken" >&2
+    return
+  fi
+  if grep -q -x -F "${name}!=${version}" "${notes}.incomplete" 2>/dev/null; then return 1; fi
+  echo "${name}!=${version}" >>"${notes}.incomplete"
+  echo "roslab: the archive of ${name} ${version} lacks what builds it: the release before it is taken" >&2
+  case " ${PIP_CONSTRAINT:-} " in
+    *" ${notes}.incomplete "*) ;;
+    *) export PIP_CONSTRAINT="${PIP_CONSTRAINT:+${PIP_CONSTRAINT} }${notes}.incomplete" ;;
+  esac
 }
 # Installs before what apt installed the version of it that pip wants, each once: pip cannot remove apt's
 roslab_covered() { # PYTHON
