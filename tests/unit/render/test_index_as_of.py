@@ -483,7 +483,7 @@ def test_what_another_installer_put_there_is_covered(
     ],
 )
 def test_a_release_whose_archive_lacks_what_builds_it_is_passed_by(
-    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, asked: str, start: str, got: str
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, *, asked: str, start: str, got: str
 ) -> None:
     target = tmp_path / "got"
     target.mkdir()

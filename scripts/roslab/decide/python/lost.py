@@ -15,6 +15,7 @@ from roslab.decide.python.may_bring import (
     excuses,
     extras_of,
     names_there,
+    of_owners,
     parts_of,
 )
 from roslab.decide.python.on_index import on_index
@@ -169,7 +170,8 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     found = [used for used in _imported(evidence, kind, chosen) if canonicalize_name(used.name) not in not_on_index()]
     found = [used for used in found if used.name not in imports() and not on_index(evidence, used)]
     itself = {said.value for said in evidence.mentions if said.topic == "own_spelling"}
-    found = [used for used in found if used.name not in itself]
+    itself |= of_owners(chosen)
+    found = [used for used in found if used.name not in itself and canonicalize_name(used.name) not in itself]
     told = {bare_name(git.name) for git in _told(evidence)}
     found = [used for used in found if not _of_ros(used.name) or begins_like(used.name, told)]
     if found and (declares(chosen) or absent(evidence)):

@@ -13,6 +13,8 @@ from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
+_OWNED = pattern(r"//[\w.@:-]+/([\w.-]+)/([\w.-]+?)(?:\.git)?/?(?:[@#].*)?$")
+"""The owner and the name of a repository in an address."""
 _HUMP = pattern(r"(?<=[a-z0-9])(?=[A-Z])")
 SHORTEST = 4
 """Fewest letters of a beginning that two names have in common by more than chance."""
@@ -32,6 +34,12 @@ def names_there(evidence: Evidence, chosen: Chosen) -> set[str]:
     folders = (asked.url.partition("#subdirectory=")[2] for asked in chosen.guessed)
     found |= {canonicalize_name(part) for folder in folders for part in folder.split("/") if part}
     return found | parts_of(found - _own(evidence, chosen)) | {name.replace("-", "") for name in found}
+
+
+def of_owners(chosen: Chosen) -> set[str]:
+    """Return the repositories that pip installs, each with its owner: ``tensorflow_docs`` is of ``tensorflow/docs``."""
+    addresses = (_OWNED.search(asked.url) for asked in (*chosen.declared, *chosen.guessed) if asked.vcs)
+    return {canonicalize_name(f"{address[1]}-{address[2]}") for address in addresses if address}
 
 
 def _own(evidence: Evidence, chosen: Chosen) -> set[str]:

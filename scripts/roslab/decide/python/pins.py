@@ -11,6 +11,9 @@ from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.frameworks import conda_names, framework_on_cuda, imports, released_together, tabled, unstated
 from roslab.knowledge.guesses import same_module
+from roslab.knowledge.never_by_name import never_by_name
+from roslab.knowledge.released import ever_released
+from roslab.knowledge.standard_modules import standard_modules
 from roslab.values.conda import CondaPackage
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.name import canonicalize_name
@@ -104,10 +107,21 @@ def _of_prose(evidence: Evidence) -> Iterator[Pin]:
     said += [asked for asked in evidence.prose_pip if not DEVELOPMENT.search(asked.file)]
     by_conda = any(asked.role == "conda" for asked in said)
     known = {canonicalize_name(package) for package, _ in imports().values() if package} if by_conda else set()
+    known |= _imported(evidence) if by_conda else set()
     for asked in by_siblings(said):  # from "conda install" only packages that pip has too
         if not asked.role or (asked.role == "conda" and asked.key in known):
             yield Pin(asked, 1)
     yield from _of_lists(evidence, {asked.key for asked in said})
+
+
+def _imported(evidence: Evidence) -> set[str]:
+    """Return the modules of no table that the code imports: conda's package of that name is called so by pip, too."""
+    used = {each.name for each in evidence.code if each.namespace == "import" and each.strength == "used"}
+    return {
+        canonicalize_name(name)
+        for name in used - imports().keys()
+        if not (never_by_name(name) or ever_released(name) or name in standard_modules())
+    }
 
 
 def _images(evidence: Evidence) -> Iterator[AuthorDockerfile]:
