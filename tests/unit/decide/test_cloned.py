@@ -54,6 +54,35 @@ def test_a_clone_that_pip_installs(tree: Tree, page: str, urls: list[str]) -> No
     assert texts == urls, "pip refuses a package that has another name than its repository"
 
 
+COMMIT = "4049794d4135e41c691f18da38a9af7541b01553"
+VARIABLES = f"""\
+ARG SPEED_PATH="/src/speed"
+ARG SPEED_COMMIT="{COMMIT}"
+RUN if [[ "${{DEV,,}}" = true ]]; then \\
+    git clone https://github.com/lab/speed.git "${{SPEED_PATH}}" --branch main && \\
+    git -C "${{SPEED_PATH}}" reset --hard "${{SPEED_COMMIT}}" && \\
+    python3 -m pip install --editable "${{SPEED_PATH}}" ; \\
+    fi
+"""
+
+
+@pytest.mark.parametrize(
+    ("steps", "urls"),
+    [
+        (f"RUN {API.strip()} && pip install -e graspAPI\n", ["git+https://github.com/lab/graspAPI.git"]),
+        (VARIABLES, [f"git+https://github.com/lab/speed.git@{COMMIT}"]),
+        (VARIABLES.replace("python3 -m pip install", "ls"), []),
+        ("COPY . /src/demo\nRUN pip install -e /src/demo\n", []),
+    ],
+)
+@pytest.mark.parametrize("folder", ["", "docker/", "examples/one/"])
+def test_a_clone_that_pip_installs_in_a_dockerfile_that_is_not_built(
+    tree: Tree, folder: str, steps: str, urls: list[str]
+) -> None:
+    found = tree({**CODE, f"{folder}Dockerfile": f"FROM own_image:latest\n{steps}", "README.md": "# Demo\n"}).python
+    assert [each.url for each in found.pip_guessed] == ([] if folder.startswith("examples") else urls)
+
+
 @pytest.mark.parametrize(
     ("install", "editable"),
     [

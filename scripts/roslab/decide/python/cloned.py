@@ -1,12 +1,14 @@
-"""Libraries that a page clones and installs by pip from the folder of the clone: pip installs them from git."""
+"""Libraries that a page or a Dockerfile clones and pip installs from the clone's folder: pip installs them from git."""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.ros.source_names import address, folders, itself_in, moves
+from roslab.evidence import places
+from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import framework_sources
@@ -34,13 +36,25 @@ def with_cloned(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
 
 def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
     clones = [git for git in evidence.sources if git.kind == "clone" and git.strength == "prose"]
-    clones = [git for git in clones if not itself_in(git, itself)]
     named = {asked.key for asked in evidence.prose_pip if asked.name}
-    for asked in evidence.prose_pip:
+    yield from _of_text(evidence, clones, evidence.prose_pip, itself, named)
+    for authored in evidence.dockerfiles:
+        if authored.purpose == "project" and not places.example(authored.file):
+            found = tuple(_of_text(evidence, authored.clones, authored.requirements, itself, named))
+            yield from found
+            named |= {asked.key for asked in found}
+
+
+def _of_text(
+    evidence: Evidence, sources: Iterable[GitSource], lines: Iterable[Requirement], itself: set[str], named: set[str]
+) -> Iterator[Requirement]:
+    """Yield what lines of pip install from the folders of clones; ``named``: what is asked for by name."""
+    clones = [git for git in sources if not itself_in(git, itself)]
+    for asked in lines:
         if asked.role != "project" or asked.file.count("/") > 1:
             continue
         folder = f"/{posixpath.normpath(asked.written.partition('[')[0])}/"
-        before = [g for g in clones if g.file == asked.file and g.line < (asked.line or 0)]
+        before = [g for g in clones if g.file == asked.file and g.line <= (asked.line or 0)]
         at = {name: git for git in before for name in folders(git) if f"/{name}/" in folder}
         name = max(at, key=lambda name: folder.rindex(f"/{name}/"), default=None)
         if name is None and before and _of_clone(asked.written, evidence):  # the page has not gone into the clone

@@ -220,7 +220,7 @@ class Collector:
             self.sources_at = self.folder
 
     def _git(self, command: Command) -> None:
-        from roslab.evidence.prose.checkouts import called_in, checked_out, cloned  # noqa: PLC0415 - few pages clone
+        from roslab.evidence.prose.checkouts import COMMIT, called_in, checked_out, cloned  # noqa: PLC0415 - few pages clone
 
         words = command.words
         ref = checked_out(words)
@@ -229,7 +229,8 @@ class Collector:
             clone = self.cloned if clone is None else clone
             if clone is not None and clone in self.fresh:
                 self.fresh.remove(clone)
-                self.sources[clone] = replace(self.sources[clone], ref=self.sources[clone].ref or ref or None)
+                branch = None if COMMIT.fullmatch(ref) else self.sources[clone].ref
+                self.sources[clone] = replace(self.sources[clone], ref=branch or ref or None)
             return
         found = cloned(command, self.file, self.folder, self.heading, inside=self.inside)
         if found is None:

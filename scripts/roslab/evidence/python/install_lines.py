@@ -43,6 +43,8 @@ _CUDA = frozenset({"cudatoolkit", "pytorch-cuda", "cuda", "cuda-toolkit"})
 _PATH = pattern(r"^[./~]|^(?!.*://).*(?:\.whl|\.tar\.gz|/)$")
 _FOLDER = pattern(r"[\w.-]+(?:/[\w.-]+)+(?:\[[\w,-]+\])?")
 """A path in the tree; no name of a package has a slash."""
+_HERE = pattern(r"[A-Za-z][\w.-]*(?:\[[\w,-]+\])?")
+"""What is installed in place, and has no slash: a folder here, in any letters."""
 _CHANNEL = pattern(r"\w[\w./:-]*")
 _EXACT = pattern(r"\d+(?:\.\d+)*")
 _NAME = pattern(r"[a-z][a-z0-9._-]*")
@@ -93,7 +95,7 @@ def pip_asks(command: Command, file: str, here: Callable[[str], str]) -> Iterato
             index += target == following
             yield replace(_argument(here(target), "file", file, line), beside=beside)
         elif not word.startswith("-") and UNKNOWN not in word:  # the path after `-e` is handled like other words
-            if _PATH.search(word) or _FOLDER.fullmatch(word) or (word in editable and _NAME.fullmatch(word)):
+            if _PATH.search(word) or _FOLDER.fullmatch(word) or (word in editable and _HERE.fullmatch(word)):
                 asked = _argument(here(word), "project", file, line)
                 yield replace(asked, beside=beside, editable=word in editable)
             elif (name := _bare(word)).lower() in STOP:
