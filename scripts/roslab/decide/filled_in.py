@@ -31,6 +31,8 @@ _NAMED_VALUE = pattern(r"([\w-]+) \1[_-](?:name|id|path|dir|folder|file)", re.IG
 """An option and a value that only says what it is: ``--algo algo_name``."""
 _SAYS_WHAT = pattern(r"(?:^|=)[a-z]+(?:_[a-z]+)*_(?:path|dir|directory|folder|filename|file|name)$")
 """A value that only says what belongs there: ``log_file_path``, ``map:=map_name``."""
+_NUMBERED = pattern(r"(?:--?(?:\w+[_-])?)?(?:args?|arguments?|options?)[_-]?(?:\d|[nN])", re.IGNORECASE)
+"""An argument that only says that there are some: ``--train_arg_1``, ``arg1``, ``--option-N``."""
 _STANDS_FOR = pattern(
     r"(?:^|=)(?:CONFIG|FILE|INPUT|OUTPUT|IMAGE|VIDEO|MODEL|CHECKPOINT|DATASET)(?:_(?:FILE|NAME))?\.[a-z]\w{0,4}$"
 )
@@ -82,7 +84,8 @@ def filled(command: str, files: tuple[str, ...]) -> Filled:
         blank = bool(PLACEHOLDER.search(_PATHS.sub(r"\1", _NUMBERS.sub("", word)))) or word.endswith(":=")
         value = kept[-1:] != [ROS_ARGUMENTS] and bool(kept) and kept[-1][:1] == "-" != word[:1]
         blank = blank or (value and bool(_NAMED_VALUE.fullmatch(f"{kept[-1].lstrip('-')} {word}")))
-        unknown = word not in files and bool(_SAYS_WHAT.search(word) or _STANDS_FOR.search(word))
+        unknown = bool(_SAYS_WHAT.search(word) or _STANDS_FOR.search(word) or _NUMBERED.fullmatch(word))
+        unknown = unknown and word not in files
         blank = blank or (value and word in {"N", "X"}) or unknown
         keys = value and following[:1].isdigit()  # ``NUM_GPUS 8`` is a key of yacs with its value
         blank = blank or (word not in files and not keys and _names_option(kept[-1] if value else "", word))
