@@ -19,6 +19,7 @@ FOCAL = blame.Base(
     stand_in="Debian 12",
     lacking=frozenset({"nmea_msgs", "rviz", "velodyne_msgs"}),
 )
+NOBLE = replace(FOCAL, ubuntu="noble", python="3.12")
 REAL = replace(FOCAL, stand_in="", lacking=frozenset())
 BOOST = "/ws/src/a.cpp:8:30: error: '_1' was not declared in this scope"
 CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
@@ -41,7 +42,7 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
     [
         (BOOST, FOCAL, "stand-in"),
         (BOOST, REAL, "ours or the code's"),
-        (BOOST, replace(FOCAL, ubuntu="noble", python="3.12"), "ours or the code's"),
+        (BOOST, NOBLE, "ours or the code's"),
         ("/usr/include/pcl/pcl_config.h:7:4: error: #error PCL requires C++14 or above", FOCAL, "ours or the code's"),
         ("/usr/include/pcl/pcl_config.h:7:4: error: #error PCL requires C++14 or above",
          replace(FOCAL, ubuntu="bionic"), "stand-in"),
@@ -52,11 +53,13 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         ("a.cpp:1:10: fatal error: sensor_msgs/Imu.h: No such file or directory", FOCAL, "ours or the code's"),
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory", FOCAL, "stand-in"),
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory",
-         replace(FOCAL, ubuntu="noble", python="3.12"), "ours or the code's"),
+         NOBLE, "ours or the code's"),
         ("Package 'pluginlib', required by 'rosbag_storage', not found", replace(FOCAL, ubuntu="bionic"), "stand-in"),
         (CERES, replace(FOCAL, ubuntu="bionic"), "stand-in"),
         ("E: Package 'libav-tools' has no installation candidate", replace(FOCAL, ubuntu="xenial"), "stand-in"),
         ("E: Package 'libav-tools' has no installation candidate", FOCAL, "ours or the code's"),
+        ("a.cpp:42:3: error: 'av_register_all' was not declared in this scope", FOCAL, "stand-in"),
+        ("a.cpp:42:3: error: 'av_register_all' was not declared in this scope", NOBLE, "ours or the code's"),
         ("E: Package 'python-pip' has no installation candidate", replace(FOCAL, ubuntu="xenial"), "stand-in"),
         ("E: Package 'python-pip' has no installation candidate", FOCAL, "ours or the code's"),
         (CERES, replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),

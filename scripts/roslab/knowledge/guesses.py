@@ -12,13 +12,22 @@ from roslab.values.pattern import named_by
 
 
 @cache
-def tooling(asked_by: Literal["installers", "developers", "compilers", "backends", "ros"]) -> frozenset[str]:
-    """Return the tools that install packages, that check code or that compile C++ in conda, backends, or ROS's own.
+def tooling(
+    asked_by: Literal["installers", "checkers", "developers", "compilers", "backends", "ros"],
+) -> frozenset[str]:
+    """Return the tools of one sort, by who asks for them.
 
-    The backends are those that compile nothing unless a script or a plugin of the project does. ROS's own are what its
+    Installers; checkers, which also format; developers, whose are tests and documentation; those that compile C++ in
+    conda; backends, which compile nothing unless a script or a plugin of the project does; and ROS's own, which its
     core brings and ``pip freeze`` lists on a machine with it: pip's index has none.
     """
     return frozenset(row["pip"] for row in rows("python_tooling") if row["asked_by"] == asked_by)
+
+
+@cache
+def tools_of_developers() -> frozenset[str]:
+    """Return the tools of those who write a project: no program of it imports one."""
+    return tooling("checkers") | tooling("developers")
 
 
 @cache

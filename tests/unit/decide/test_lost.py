@@ -194,6 +194,19 @@ def test_what_a_page_requires_by_a_link(tree: Tree, said: str, told: bool) -> No
     assert all("or acme (https://github.com/lab/acme) brings it" in message for message in messages)
 
 
+@pytest.mark.parametrize(
+    "page",
+    [
+        "It depends on our [PyAcmeArm](https://github.com/lab/PyAcmeArm) module, which you will need to install.\n",
+        "```\ngit clone https://github.com/lab/PyAcmeArm\ncd PyAcmeArm\npip install .\n```\n",
+    ],
+)
+def test_a_package_that_parts_its_name_otherwise_brings_the_module(tree: Tree, page: str) -> None:
+    found = tree({"play.py": "import py_acme_arm\n", "requirements.txt": "numpy\n", "README.md": f"# Install\n{page}"})
+    assert [each.url for each in found.python.pip_guessed] == ["git+https://github.com/lab/PyAcmeArm"]
+    assert not any("py_acme_arm" in warning.message for warning in found.warnings)
+
+
 @pytest.mark.parametrize(("module", "told"), [("acme", False), ("acme_hand", True)])
 def test_the_folders_of_a_link_tell_what_it_brings(tree: Tree, module: str, told: bool) -> None:
     page = "```\npip install git+https://github.com/lab/fork.git#subdirectory=acme/acme/python\npython play.py\n```\n"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from roslab.knowledge.frameworks import framework, framework_on_cuda, never_released, tabled
-from roslab.knowledge.guesses import same_module, tooling
+from roslab.knowledge.guesses import same_module, tooling, tools_of_developers
 from roslab.knowledge.table import rows
 from roslab.knowledge.tools import for_old_packages, python2_installers, python_tools, tool_image, why_bounded
 
@@ -36,7 +36,8 @@ def test_packages_of_one_module(name: str, other: str, same: bool) -> None:
 def test_tools_are_of_two_kinds() -> None:
     assert "pip" in tooling("installers")
     assert "pytest" in tooling("developers")
-    assert not tooling("installers") & tooling("developers")
+    assert {"pre-commit", "pytest"} <= tools_of_developers()
+    assert not tooling("installers") & tools_of_developers()
 
 
 def test_packages_that_share_the_rows_of_a_framework() -> None:

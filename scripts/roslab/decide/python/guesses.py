@@ -23,7 +23,7 @@ from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python_project import PythonProject
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports, released_together, tabled
-from roslab.knowledge.guesses import ros_modules, same_module, tooling
+from roslab.knowledge.guesses import ros_modules, same_module, tooling, tools_of_developers
 from roslab.knowledge.windows import shown_with
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name, of_fork
@@ -62,7 +62,8 @@ def guesses(
             or pin.name == "pip"
             or (pin.requirement.role in {"listed", "bounded"} and pin.name in built)
             or (pin.name in tooling("installers") and not pin.release)
-            or (aside and pin.name in tooling("developers"))
+            or (aside and pin.name in tools_of_developers())
+            or (pin.name in tooling("checkers") and not pin.requirement.specifier)
         ):
             continue
         plain = pin.requirement.role in {"", "conda"}
@@ -73,7 +74,7 @@ def guesses(
     if first and not {"jupyter", "jupyterlab", "notebook"} & {*known, *found}:
         of_server = package_of_server(evidence)
         found[of_server] = stated(of_server, "prose", first.file, first.line)
-    tools = tooling("installers") | tooling("developers")
+    tools = tooling("installers") | tools_of_developers()
     heavy = bool(known & {"torch", "tensorflow", "jax"})
     offered, limits = linked_repositories(evidence), _limits(evidence)
     for dependency in _imported(evidence, manifests=manifests):

@@ -74,7 +74,8 @@ def lost(
     unknown = unknown_modules(evidence, kind, chosen) or [*_of_nodes(evidence, kind, chosen, ros_distro)]
     lacking = {m.value: m for m in evidence.mentions if m.topic == "lost_module" and not places.aside(m.file)}
     yield from (_not_committed(lacking[used.name], kind) for used in unknown if used.name in lacking)
-    unknown = [used for used in unknown if used.name not in lacking]
+    named = {bare_name(each.name) for each in (*chosen.declared, *chosen.guessed)}  # PyFactorGraph: py_factor_graph
+    unknown = [used for used in unknown if used.name not in lacking and bare_name(used.name) not in named]
     stops = {each.value: each for each in chosen.stopping}
     stopping = [used for used in unknown if used.name in stops]
     for at, found in ((stops, stopping), ({}, [used for used in unknown if used.name not in stops])):

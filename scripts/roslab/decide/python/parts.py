@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.guesses import tooling
+from roslab.knowledge.guesses import tooling, tools_of_developers
 
 FEWEST = 2
 """Fewest packages that a page installs by name where they are all that it needs."""
@@ -19,7 +19,7 @@ def of_parts(evidence: Evidence) -> frozenset[str]:
     """
     files = [*(each.file for each in evidence.conda), *(each.file for each in evidence.requirements)]
     rooted = any("/" not in file for file in files) or any(not project.folder for project in evidence.python)
-    tools = tooling("installers") | tooling("developers")
+    tools = tooling("installers") | tools_of_developers()
     asked = (each for each in evidence.prose_pip if "/" not in each.file)
     named = {each.key for each in asked if each.name and not each.role} - tools
     if rooted or len(named) < FEWEST:
