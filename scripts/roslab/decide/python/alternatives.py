@@ -6,8 +6,10 @@ from collections.abc import Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.cuda.local import cuda_of
+from roslab.decide.python.guesses import FRAMEWORKS
+from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import family_of, framework
+from roslab.knowledge.frameworks import family_of, framework, imports
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -38,8 +40,21 @@ class Way:
 
 
 def without_lists(evidence: Evidence, kind: Kind) -> Evidence:
-    """Return the evidence without what pages list, for packages of ROS: their manifests say what they need."""
-    return replace(evidence, listed=()) if evidence.manifests and kind in {"ros1", "ros2"} else evidence
+    """Return the evidence without what pages list, for packages of ROS: their manifests say what they need.
+
+    Frameworks that code imports stay: of most rosdep has no key, and where no node imports one nothing else does.
+    """
+    if not (evidence.manifests and kind in {"ros1", "ros2"}):
+        return evidence
+    names = {asked.key for asked in evidence.listed} & FRAMEWORKS
+    names &= _imported(evidence) if names else set()
+    return replace(evidence, listed=tuple(asked for asked in evidence.listed if asked.key in names))
+
+
+def _imported(evidence: Evidence) -> set[str | None]:
+    """Return the packages of the modules that the code itself always imports."""
+    used = {each.name for each in evidence.code if each.strength == "used" and not places.aside(each.file)}
+    return {imports()[name][0] for name in used if name in imports()}
 
 
 def named_by_wheels(evidence: Evidence) -> Evidence:
