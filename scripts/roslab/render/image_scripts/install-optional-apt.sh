@@ -4,17 +4,25 @@
 set -euo pipefail
 
 left_out=/usr/local/share/roslab/left-out.txt
+said=/tmp/install-optional-apt
 install=(apt-get install --yes --no-remove --no-install-recommends)
-known=()
+known=("$@")
+possible() { LC_ALL=C "${install[@]}" --simulate "$@" >/dev/null 2>"${said}"; }
 
 apt-get update
-for package in "$@"; do
-  if "${install[@]}" --simulate "${package}" >/dev/null 2>&1; then
-    known+=("${package}")
-  else
-    echo "apt ${package}" >>"${left_out}"
+# All at once first, for each call of apt reads all its lists anew: then without what it says that it does not have
+if ! possible "$@"; then
+  unknown="s/^E: (Unable to locate package|Package) '?([^ ']+)'?( has no installation candidate)?$/\2/p"
+  mapfile -t known < <(grep -vxFf <(sed --quiet --regexp-extended "${unknown}" "${said}") <(printf '%s\n' "$@"))
+  if [ "${#known[@]}" -gt 0 ] && ! possible "${known[@]}"; then
+    known=()
+    for package in "$@"; do if possible "${package}"; then known+=("${package}"); fi; done
   fi
-done
+  for package in "$@"; do
+    if [[ " ${known[*]-} " != *" ${package} "* ]]; then echo "apt ${package}" >>"${left_out}"; fi
+  done
+fi
+rm "${said}"
 if [ "${#known[@]}" -gt 0 ] && ! "${install[@]}" "${known[@]}"; then
   for package in "${known[@]}"; do
     "${install[@]}" "${package}" || echo "apt ${package}" >>"${left_out}"
