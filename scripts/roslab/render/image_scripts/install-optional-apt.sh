@@ -9,7 +9,7 @@ install=(apt-get install --yes --no-remove --no-install-recommends)
 known=("$@")
 possible() { LC_ALL=C "${install[@]}" --simulate "$@" >/dev/null 2>"${said}"; }
 
-apt-get update
+apt-get update --option pkgCacheFile::Generate=false # the next call makes what it needs
 # All at once first, for each call of apt reads all its lists anew: then without what it says that it does not have
 if ! possible "$@"; then
   unknown="s/^E: (Unable to locate package|Package) '?([^ ']+)'?( has no installation candidate)?$/\2/p"
