@@ -1,4 +1,4 @@
-"""Packages of authors' Dockerfiles that serve a person at a terminal, or only go with another source of packages."""
+"""Packages of authors' Dockerfiles and pages that serve a person, or only go with another source of packages."""
 
 from __future__ import annotations
 
@@ -10,6 +10,11 @@ from roslab.values.pattern import one_of
 
 
 @cache
-def authors_own(*, ros: bool) -> re.Pattern[str]:
-    """Return one pattern that matches the full name of each of them in apt; ``ros``: the image has packages of ROS."""
-    return one_of(row["pattern"] for row in rows("authors_own") if not (ros and row["of"] == "ros"))
+def authors_own(*, ros: bool, page: bool = False) -> re.Pattern[str]:
+    """Return one pattern that matches the full name of each of them in apt.
+
+    ``ros``: the image has packages of ROS. ``page``: a page or a script installs them, not a Dockerfile; of terminals
+    it may mean those in which a launch file starts nodes.
+    """
+    but = {*(["ros"] if ros else ()), *(["terminals"] if page else ())}
+    return one_of(row["pattern"] for row in rows("authors_own") if row["of"] not in but)

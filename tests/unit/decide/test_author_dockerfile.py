@@ -350,6 +350,22 @@ def test_what_serves_the_author_alone_is_left_out(tmp_path: Path, files: dict[st
     assert offered & {*own.split()} - {"ros-dev-tools"} == names
 
 
+@pytest.mark.parametrize("script", ["", "#!/bin/bash\ncode .\n"])
+def test_what_a_page_installs_for_a_person_alone_is_left_out(tmp_path: Path, script: str) -> None:
+    own = "code software-properties-common google-chrome-stable gedit xterm libgsl-dev"
+    made = {
+        "README.md": f"# Install\n```\nsudo apt install {own}\n```\n",
+        "CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
+        "run.sh": script,
+        **ROS,
+    }
+    for path, text in made.items():
+        (tmp_path / path).write_text(text)
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="a")
+    kept = {"libgsl-dev", "xterm"} | ({"code"} if script else set[str]())
+    assert {*found.apt, *found.apt_guessed} & {*own.split()} == kept
+
+
 def test_what_ubuntu_has_too_stays(tmp_path: Path) -> None:
     asked = "python3-rospkg python3-catkin-pkg python3-rosdistro python3-rospkg-modules"
     (tmp_path / "Dockerfile").write_text(f"FROM ubuntu:20.04\nRUN apt-get install -y {asked}\n")
