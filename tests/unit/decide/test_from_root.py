@@ -11,6 +11,7 @@ from roslab.decide.decision import Decision
 Tree = Callable[[dict[str, str]], Decision]
 PROGRAM = "{imports}\nif __name__ == '__main__':\n    main()\n"
 WALK = {"walk/__init__.py": "", "walk/net.py": "", "requirements.txt": "numpy\n"}
+START = {"README.md": "```\npython start.py\n```\n", "start.py": "if __name__ == '__main__':\n    main()\n"}
 
 
 def tools(imports: str) -> dict[str, str]:
@@ -22,9 +23,14 @@ def tools(imports: str) -> dict[str, str]:
     [
         ("from walk.net import Net", {}),
         ("import numpy\nimport walk", {}),
+        ("import numpy as np, walk", {}),
         ("from walk import (\n    net,\n)", {}),
         ("import shared", {"shared.py": ""}),
         ("from parts import arm", {"parts/arm.py": ""}),
+        ("import walk", START),
+        ("import walk", {"README.md": "```\npython -m tools.train\n```\n"}),  # its path is offered too
+        ("import walk", {**START, "numpy/arm.py": ""}),  # without __init__.py it hides no package
+        ("import walk", {**START, "tools/README.md": "```\npython train.py\n```\n"}),
         ("import walk", {"setup.py": "", "README.md": "```\npython tools/train.py --fast\n```\n"}),
     ],
 )
@@ -43,16 +49,8 @@ def test_the_root_is_on_the_path(tree: Tree, imports: str, more: dict[str, str])
         ("import walk", {"setup.py": "from setuptools import setup\nsetup(name='walk', packages=['walk'])\n"}),
         ("import code", {"code/__init__.py": ""}),
         ("import gym", {"gym/envs/arm.py": ""}),
-        ("import walk", {"README.md": "```\npython -m tools.train\n```\n"}),
-        ("import walk", {"README.md": "```\npython start.py\n```\n", "start.py": PROGRAM.format(imports="")}),
-        (
-            "import walk",
-            {
-                "README.md": "```\npython start.py\n```\n",
-                "start.py": PROGRAM.format(imports=""),
-                "tools/README.md": "```\npython train.py\n```\n",
-            },
-        ),
+        ("import walk", {**START, "queue.py": ""}),  # on the path it would hide Python's own
+        ("import walk", {**START, "numpy/__init__.py": ""}),
     ],
 )
 def test_where_python_finds_it_or_nobody_starts_the_program(tree: Tree, imports: str, more: dict[str, str]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Iterator, Sequence
 
 from roslab.config.model import Config, Kind
@@ -11,15 +12,17 @@ from roslab.decide.python.image_python import Python
 from roslab.decide.python.installed import installed
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.standard_modules import standard_modules
 
 
 def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, command: Command) -> tuple[str, ...]:
     """Return the folders that belong on PYTHONPATH, each once; ROS and roslab.yaml have their own.
 
     The root, or ``src``, is one where the default ``command``, or a program that a page nearest to the root runs,
-    imports what lies there and the image installs no project of the root. Behind these come the folders of which such
-    a program, or another one that is offered, imports a module by its bare name, or a package that lies above it; none
-    that has a module called like a package that the image installs. For Python 2, which looks beside the module that
+    imports what lies there and the image installs no project of the root; where only another one that is offered does,
+    it must hide none of Python's own modules. Behind these come the folders of which such a program, or one that is
+    offered, imports a module by its bare name, or a package that lies above it. None of what only an offered one needs
+    has a module called like a package that the image installs. For Python 2, which looks beside the module that
     imports, only those above.
     """
     if config.compatible or kind not in {"python", "cuda"} or "PYTHONPATH" in dict(config.env):
@@ -32,10 +35,13 @@ def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, 
     commands = [m.value.split() for m in pages if m.file.count("/") == nearest]
     commands += [list(command.page.argv)] if command.page else []
     run = _programs(commands)
-    needed = [m.inside or "." for m in evidence.mentions if m.topic == "from_root" and m.file in run]
     default = list(command.page.argv) if command.page else _words(command.command)
     offered = run | _programs([*map(list, command.candidates), default])
     packages = {each.key.replace("-", "_") for each in installed(evidence, python)}
+    from_root = [m for m in evidence.mentions if m.topic == "from_root" and m.file in offered]
+    needed = [m.inside or "." for m in from_root if m.file in run]
+    hides = packages | sys.stdlib_module_names | standard_modules()
+    needed += [m.inside or "." for m in from_root if hides.isdisjoint(m.files)]
     above = [m.inside for m in _above(evidence, offered, _programs([default])) if packages.isdisjoint(m.files)]
     needed += [folder for folder in above if not _in_project(folder, python)]
     if (python.version or "").startswith("2"):

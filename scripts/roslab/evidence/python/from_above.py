@@ -6,9 +6,9 @@ import posixpath
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
-from roslab.evidence.python.from_root import LAYOUTS, imported_from, places_at_root
+from roslab.evidence.python.from_root import LAYOUTS, imported_from, modules_in, places_at_root
 from roslab.evidence.python.modules import has_guard, modules, run_by_pages
-from roslab.evidence.python.sibling_folders import known_modules, modules_in
+from roslab.evidence.python.sibling_folders import known_modules
 from roslab.evidence.python.through_modules import names_inside, of_tree
 from roslab.repository.checkout import File, Repository
 

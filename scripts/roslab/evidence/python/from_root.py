@@ -27,6 +27,9 @@ _OWN_FOLDER = pattern(
 """A line that adds a program's own folder, which Python looks into anyway."""
 LAYOUTS = ("src", "python", "lib")
 """Folders for packages: https://packaging.python.org/en/latest/discussions/src-layout-vs-flat-layout/"""
+CODE = (".py", ".pyx", ".so")
+"""What Python imports."""
+_INIT = "__init__.py"
 _TABLES = ("[project]", "[build-system]", "[tool.poetry]")
 
 
@@ -35,7 +38,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
 
     Programs are what a page runs and what has a ``__main__`` guard. Python looks into a program's own folder, not where
     it is started (https://docs.python.org/3/library/sys.html#sys.path, read 2026-11-25), unless the program or a module
-    beside it adds to that path before. ``inside`` is the folder, ``""`` the root.
+    beside it adds to that path before. ``inside`` is the folder, ``""`` the root, ``files`` the modules in it.
     """
     if installs_itself(repository):
         return
@@ -54,6 +57,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
                 file=file.path,
                 line=line,
                 text=f"import {name}",
+                files=tuple(sorted(repository.once(modules_in)[place])),
                 inside=place,
             )
 
@@ -90,20 +94,24 @@ def imported_from(module: Module, repository: Repository, names: Mapping[str, st
     for number, line in enumerate(module.text.splitlines(), start=1):
         if _PATH in line and not _OWN_FOLDER.fullmatch(line):
             return found
-        match = _IMPORT.match(line) if line.startswith(("from ", "import ")) else None
-        if match is None:
-            continue
-        name, inner = match[1] or match[4], match[2] or match[3] or match[5]
-        if not found and repository.has(f"{start}{name}.py"):
-            if _PATH in repository.read(f"{start}{name}.py"):
-                return {}
-        elif (
-            name in names
-            and f"{start}{name}" not in repository.folders
-            and _there(name, inner, repository, names[name])
-        ):
-            found.setdefault(names[name], (name, number))
+        for name, inner in _names(line) if line.startswith(("from ", "import ")) else ():
+            if not found and repository.has(f"{start}{name}.py"):
+                if _PATH in repository.read(f"{start}{name}.py"):
+                    return {}
+            elif (
+                name in names
+                and f"{start}{name}" not in repository.folders
+                and _there(name, inner, repository, names[name])
+            ):
+                found.setdefault(names[name], (name, number))
     return found
+
+
+def _names(line: str) -> Iterator[tuple[str, str | None]]:
+    """Yield the first part of each name that a line imports, with what it names in that: ``import gym, net.model``."""
+    parts = [line] if line.startswith("from") else [f"import {part.strip()}" for part in line[6:].split(",")]
+    for match in filter(None, map(_IMPORT.match, parts)):
+        yield match[1] or match[4], match[2] or match[3] or match[5]
 
 
 def _there(name: str, inner: str | None, repository: Repository, place: str) -> bool:
@@ -112,3 +120,15 @@ def _there(name: str, inner: str | None, repository: Repository, place: str) -> 
     if repository.has(f"{path}.py") or repository.has(f"{path}/__init__.py"):
         return True
     return bool(inner) and (repository.has(f"{path}/{inner}.py") or f"{path}/{inner}" in repository.folders)
+
+
+def modules_in(repository: Repository) -> dict[str, set[str]]:
+    """Return the names that Python finds in each folder; one without ``__init__.py`` hides no installed package."""
+    found: dict[str, set[str]] = {"": set(), **{layout: set() for layout in LAYOUTS}}
+    for file in repository.suffixed(*CODE):
+        above, _, name = file.folder.rpartition("/")
+        if file.name == _INIT:
+            found.setdefault(above, set()).add(name)
+        else:
+            found.setdefault(file.folder, set()).add(file.name.partition(".")[0])
+    return found

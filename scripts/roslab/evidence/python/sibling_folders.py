@@ -11,7 +11,7 @@ from operator import or_
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.evidence.python.from_root import LAYOUTS, installs_itself
+from roslab.evidence.python.from_root import CODE, LAYOUTS, installs_itself, modules_in
 from roslab.evidence.python.import_graph import ImportGraph
 from roslab.evidence.python.modules import Module, has_guard, modules, run_by_pages
 from roslab.evidence.python.through_modules import names_inside, of_tree
@@ -21,7 +21,6 @@ from roslab.repository.checkout import Repository
 
 _INIT = "__init__.py"
 _PATH = "sys.path"
-_CODE = (".py", ".pyx", ".so")
 DEEPEST = 1
 """Folders above a program that may be offered as a command."""
 
@@ -133,7 +132,7 @@ class _Tree:
 def _only_folders(repository: Repository, texts: Mapping[str, str]) -> dict[str, str]:
     """Return the modules that one folder alone has, with it: no other, no folder and no compiled file is called so."""
     found: dict[str, set[str]] = {}
-    for file in repository.suffixed(*_CODE):
+    for file in repository.suffixed(*CODE):
         found.setdefault(file.name.partition(".")[0], set()).add(file.folder)
     named = {part for folder in repository.folders for part in folder.split("/")}
     known = known_modules()
@@ -159,15 +158,3 @@ def _only_folders(repository: Repository, texts: Mapping[str, str]) -> dict[str,
 def known_modules() -> frozenset[str]:
     """Return the names of the standard library's modules and of known packages, which none of the tree may hide."""
     return frozenset({*sys.stdlib_module_names, *standard_modules(), *known_imports()})
-
-
-def modules_in(repository: Repository) -> dict[str, set[str]]:
-    """Return the names that Python finds in each folder; one without ``__init__.py`` hides no installed package."""
-    found: dict[str, set[str]] = {}
-    for file in repository.suffixed(*_CODE):
-        above, _, name = file.folder.rpartition("/")
-        if file.name == _INIT:
-            found.setdefault(above, set()).add(name)
-        else:
-            found.setdefault(file.folder, set()).add(file.name.partition(".")[0])
-    return found
