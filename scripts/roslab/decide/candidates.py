@@ -20,6 +20,7 @@ from roslab.decide.reasons import page_of
 from roslab.decide.ros.without_manifest import by_cmake
 from roslab.decide.ros.workspace import packages_of, types
 from roslab.decide.sessions import in_sessions
+from roslab.decide.shown_folders import in_shown_folder
 from roslab.decide.startable_launches import unstartable
 from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.switches import given
@@ -68,13 +69,13 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         vain |= unmade if any(each.file not in vain | unmade for each in launched) else frozenset()
         yield from (replace(each, cut=True) if each.file in vain else with_demands(each, files) for each in launched)
         yield from nodes if all(each.file in vain for each in launched) else ()
+        yield from () if launched or nodes else in_shown_folder(evidence, kind)
     elif compiled:
         yield from (_below(each, evidence) for each in _compiled(evidence))
         yield from _made(evidence)
-    elif not evidence.programs:
-        yield from of_notebooks(evidence)
     else:
-        yield from _installed(evidence, examples=not said)
+        yield from _installed(evidence, examples=not said) if evidence.programs else of_notebooks(evidence)
+        yield from in_shown_folder(evidence, kind)
 
 
 def once(found: Iterable[Candidate]) -> Iterator[Candidate]:

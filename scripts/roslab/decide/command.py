@@ -22,7 +22,7 @@ from roslab.decide.author_command import (
 from roslab.decide.brought_launches import brought
 from roslab.decide.by_name import by_name, in_bin
 from roslab.decide.by_name import told as said_by_name
-from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of, there
+from roslab.decide.candidate import Candidate, is_python, program_of, there
 from roslab.decide.candidates import candidates_of, once
 from roslab.decide.contained import only_contained
 from roslab.decide.container_scripts import known_folders, of_image, shown
@@ -30,13 +30,14 @@ from roslab.decide.decision import Choice, Reason
 from roslab.decide.demanded_arguments import told as lacking_arguments
 from roslab.decide.demanded_arguments import without_lacking
 from roslab.decide.entry_scripts import stops
-from roslab.decide.first_command import first_of, helps, serves
+from roslab.decide.first_command import first_of, serves
 from roslab.decide.gone_programs import gone_programs
 from roslab.decide.helpers_first import behind_helpers
 from roslab.decide.included import included
 from roslab.decide.launched import launched
 from roslab.decide.launches_without import without_unconfigurable
 from roslab.decide.left_to_reader import left_to_reader
+from roslab.decide.lone import alone, behind_others
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, started_below, whole_of
 from roslab.decide.outward import ports_of_page, volumes_of
 from roslab.decide.own_commands import own
@@ -47,8 +48,8 @@ from roslab.decide.ros.as_sources import as_mounted
 from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
-from roslab.decide.sections import about_running
 from roslab.decide.sessions import of_sessions
+from roslab.decide.shown_folders import first_shown
 from roslab.decide.skipped_commands import without_skipped
 from roslab.decide.unbuilt_packages import starts_one, unbuilt
 from roslab.decide.upkeep import upkeep
@@ -236,7 +237,8 @@ def _obvious(
     obvious = [c for c in ours if c.strong and not _ARGUMENT.search(" ".join(c.argv[2:]))]
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)
     clear = len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0]))
-    if only := _behind_others(found, every) or (obvious[0] if clear else _alone(found, every)):
+    only = behind_others(found, every) or (obvious[0] if clear else alone(found, every))
+    if only := only or (None if dockerfile else first_shown(found, evidence)):
         why = among(only, [], found)
         argv = given(only, authored) if dockerfile and authored else only.argv
         return argv, because("command", shlex.join(argv), why, only, weight=Weight.ONLY_ONE)
@@ -246,27 +248,6 @@ def _obvious(
         why = "what pages run lacks arguments that its launch file demands"
     said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said
-
-
-def _alone(found: list[Candidate], ours: list[Candidate]) -> Candidate | None:
-    """Return the only program that there is, if a page runs it whole: named like a test, it comes after no other.
-
-    What converts or downloads is not meant, unless it is a node; nor is what a section about tests runs.
-    """
-    if len({program_of(c.argv) for c in found}) != 1:
-        return None
-    whole = (c for c in ours if c.strong and not c.cut and about_running(c.heading) >= 0)
-    return next((c for c in whole if c.argv[0] in LAUNCHERS or not helps(c)), None)
-
-
-def _behind_others(found: list[Candidate], ours: list[Candidate]) -> Candidate | None:
-    """Return the only program of the tree that pages run, where others' are started before it: drivers, a planner."""
-    own = [c for c in ours if c.strong]
-    only = _alone(own, own)
-    if only is None or only.argv[0] not in LAUNCHERS or helps(only):
-        return None
-    others = (c for c in found if c.strong and c not in own)
-    return only if any(c.file == only.file and c.line < only.line for c in others) else None
 
 
 def _found(candidate: Candidate) -> Reason:

@@ -155,6 +155,7 @@ class Mention:
         "lost_header", "needs_extension", "unbounded", "optional_ros", "typestore", "cuda_path", "lost_module",
         "screen", "mounted", "argument_count", "copied", "session_loaded", "system_library", "edited", "left_beside",
         "strict",
+        "shown",
     ]  # fmt: skip
     value: str
     source: Literal[
@@ -169,7 +170,8 @@ class Mention:
 
     Of a command: its arguments that are files or folders of the tree; they are relative to its root in ``value``.
     Of what is fetched: where to, ``value`` being the URL; of what is unpacked: the archive and the folder, ``value``
-    being the build file that names what it holds. Of an archive for the home: the folder there, and how many folders
+    being the build file that names what it holds. Of what is shown: itself, if it can be started as it is. Of an
+    archive for the home: the folder there, and how many folders
     of its paths are left out."""
     heading: str = ""
     """The titles of the sections that it stands in, the outermost first (``Usage / Simulation``); of a page only."""

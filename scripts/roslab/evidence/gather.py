@@ -67,6 +67,7 @@ from roslab.evidence.prose import (
     script_parameters,
     session_scripts,
     sessions,
+    shown_folders,
     tried,
     worked_on,
 )
@@ -151,6 +152,7 @@ def gather(repository: Repository) -> Evidence:
         own = repository  # of what is compiled, the submodules are a part
     prose = submodules.with_launches(own_packages.found(merge(reader(own) for reader in PROSE), own), repository)
     said = pointed.read(own)
+    shown = shown_folders.read(own)
     python_projects = project.read(repository)
     stopped = stopped_setup.chosen(python_projects, prose.requirements)
     by_pip = [each for each in python_projects if not places.vendored(each.file)]
@@ -226,12 +228,13 @@ def gather(repository: Repository) -> Evidence:
             *linked.read(own, prose.mentions, ros=bool(manifests)),
             *by_name,
             *said,
+            *shown,
             *(mention for reader in OF_DOCKERFILES for mention in reader(own, dockerfiles)),
             *sessions.read(own),
             *((*included.read(own), *gazebo.read(own), *compared.read(own), *ros_paths.read(own)) if manifests else ()),
             *(of_ros(own, whole) if manifests else ()),
             *(mention for reader in (only_in_manifest, lost_folders) for mention in reader.read(own, manifests)),
-            *(mention for reader in BESIDE_PROSE for mention in reader(own, prose.mentions)),
+            *(mention for reader in BESIDE_PROSE for mention in reader(own, (*prose.mentions, *shown))),
             *at_top.read(own, prose.mentions, launched, python_projects),
             *(() if manifests else reached.read(own, imported, started, prose.mentions)),
             *(() if manifests else start_imports.read(own, imported, started, prose.mentions)),

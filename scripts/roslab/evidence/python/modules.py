@@ -62,8 +62,9 @@ def modules(repository: Repository) -> tuple[Module, ...]:
 
 
 def run_by_pages(mentions: Iterable[Mention]) -> set[str]:
-    """Return the files of Python that the commands of pages start."""
-    return {file for said in mentions if said.topic == "command" for file in said.files if file.endswith(".py")}
+    """Return the files of Python that the commands of pages start, and the examples in a folder that one names."""
+    run = (file for said in mentions if said.topic in {"command", "shown"} for file in said.files)
+    return {file for file in run if file.endswith(".py")}
 
 
 def has_guard(module: Module) -> bool:

@@ -20,6 +20,8 @@ _CALL = pattern(r"(?:add_argument|click\.option)\(\s*((?:[\"']-{1,2}[\w-]+[\"']\
 _POSITIONAL = pattern(r"add_argument\(\s*[\"']([A-Za-z]\w*)[\"']")
 _LEFT_OUT = pattern(r"\bnargs\s?=\s?(?:[\"'][?*]|argparse\.REMAINDER)")
 """An argument without a dash that may be left out."""
+_ARGUMENT = "@click.argument("
+"""Required but by a default: https://click.palletsprojects.com/en/stable/arguments/, read 2026-11-28."""
 _HYDRA = "@hydra.main"
 _KEY = pattern(r"[a-z_][\w-]*(?:[./][\w-]+)+")
 """A key of a configuration: ``trainer.devices``."""
@@ -76,6 +78,11 @@ def of_programs(repository: Repository, programs: Iterable[Program], mentions: I
             yield replace(at, topic="positional", value=name, text=name)
         for name in _required(text):
             yield replace(at, value=name, text=name)
+
+
+def demands(text: str) -> bool:
+    """Tell whether a program stops without an argument, by its calls of argparse or click."""
+    return bool(_positional(text) or _required(text)) or _ARGUMENT in text
 
 
 def _positional(text: str) -> tuple[str, ...]:
