@@ -16,7 +16,7 @@ from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
-LISTS = ("apt", "pip", "skip_keys", "build_args")
+LISTS = ("apt", "pip", "skip_keys", "skip_packages", "build_args")
 """Keys with lists of texts, to which values are added."""
 WORDS = ("cmake_options",)
 """Keys with one text, to whose end values are added."""

@@ -227,6 +227,8 @@ class Config:
     cmake_options: str = ""
     skip_keys: tuple[str, ...] = ()
     """rosdep keys that are not to be installed."""
+    skip_packages: tuple[str, ...] = ()
+    """Packages of the workspace that are not built."""
     custom: Custom | None = None
     env: tuple[tuple[str, str], ...] = ()
     command: tuple[str, ...] | str | None = None

@@ -116,6 +116,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         build_args=running.arguments(reading, root, "build_args"),
         cmake_options=reading.value(root, "cmake_options", "cmake_options") or "",
         skip_keys=reading.values(root, "skip_keys", "skip_keys") or (),
+        skip_packages=reading.values(root, "skip_packages", "skip_packages") or (),
         custom=running.custom(reading, root, generation),
         env=running.environment(reading, root),
         command=running.command(reading, root, "command"),

@@ -35,6 +35,7 @@ def written(config: Config) -> str:
         "build_args": list(config.build_args),
         "cmake_options": config.cmake_options,
         "skip_keys": list(config.skip_keys),
+        "skip_packages": list(config.skip_packages),
         "custom": custom(config.custom) if config.custom else None,
         "env": dict(config.env),
         "command": list(config.command) if isinstance(config.command, tuple) else config.command,

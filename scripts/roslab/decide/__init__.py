@@ -220,7 +220,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         may_hold=sources.answer.may_hold,
         tried=tried(sources.answer.sought),
         linked=linked(sources.answer.sought),
-        custom=config.custom is not None,
+        config=config,
     )
     left_out = () if own.answer else missing.answer.packages
     sources, system = as_tried(sources, system, packages, left_out, missing.answer.stops, none=own.answer is not None)

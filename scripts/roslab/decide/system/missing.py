@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
-from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Kind
+from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind
 from roslab.decide.decision import Choice, Warning_
 from roslab.decide.downloads import names_at_home
 from roslab.decide.reasons import because, warn
@@ -14,6 +14,7 @@ from roslab.decide.ros.nothing_to_build import nothing_to_build
 from roslab.decide.ros.nowhere import without_own
 from roslab.decide.ros.outside import outside
 from roslab.decide.ros.rosbuild import ended_in
+from roslab.decide.ros.skip_packages import skip_packages
 from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.without_code import without_code
@@ -120,7 +121,7 @@ def decide_missing(
     may_hold: Callable[[str], bool] = lambda _: False,
     tried: Mapping[str, str] | None = None,
     linked: Collection[str] = (),
-    custom: bool = False,
+    config: Config,
 ) -> Choice[Missing]:
     """Return the packages to leave out of the build because of what they lack, with those that need these.
 
@@ -131,12 +132,15 @@ def decide_missing(
     ``cloned``: the image clones packages whose names are not known here; ``may_hold``: whether one of them may be of a
     name. What cannot be left out is told, for there the build stops. ``tried``: where the build looks for packages
     that nothing brings; ``linked``: those of them for which a page names a repository. What needs these is left out
-    only in the image, where none holds them. ``custom``: roslab.yaml has commands, which may bring anything.
+    only in the image, where none holds them. Commands of ``config`` may bring anything.
     """
+    custom, started = config.custom is not None, line_of(command).split()
+    by_hand, said_by_hand = skip_packages(config, packages, build_tool, started)
     if kind not in {"ros1", "ros2", "cpp"}:
         lost = tuple(lost_extensions(evidence, packages, target, provided, unread=custom or cloned))
         return Choice(
-            answer=Missing(extensions=may_stop(lost, evidence, command)), warnings=told(lost, evidence, command)
+            answer=Missing(extensions=may_stop(lost, evidence, command)),
+            warnings=(*said_by_hand, *told(lost, evidence, command)),
         )
     evidence = required_by_tool(evidence, kind)
     known = released(target.ros_distro or "") | rosdep_keys()
@@ -171,19 +175,18 @@ def decide_missing(
         if asked.name not in keyed and not resolve(asked, target).known
         if not similar(plain(asked.name), names)
     ]
-    started = line_of(command).split()
     left, codeless = without_code(
         evidence,
         packages,
         build_tool,
         started=started,
-        left=skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {},
+        left={**(skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {}), **by_hand},
     )
     alike, tried = other_letters(evidence, packages), with_modules(tried or {}, unmet, build_tool)
     found = leave_out(
         lacking, packages, build_tool, started=started, left=left, tried=tried, linked=linked, alike=alike
     )
-    warnings = [*codeless, *told_configs(found.warnings, unmet, kind)]
+    warnings = [*said_by_hand, *codeless, *told_configs(found.warnings, unmet, kind)]
     first = {asked.name: asked for asked in reversed(unsure_of)}
     warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
     warnings += [warn(_OFF.format(asked.name, option), asked) for option, asked in off.items()]
