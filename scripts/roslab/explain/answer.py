@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import IO
 
 from roslab.explain import matter, names, signatures, stages, steps
+from roslab.explain.failed_packages import failed_packages
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
 from roslab.knowledge.repairs import complete, repairs
@@ -28,6 +29,8 @@ class Explanation:
     file: str | None = None
     """The Dockerfile; it and its ``line`` are set if the builder names them."""
     line: int | None = None
+    packages: tuple[str, ...] = ()
+    """The packages in which a build tool of ROS stopped: their names, with catkin_make their folders in its ``src``."""
     error: str = ""
     """The first line that says what went wrong; ``error_line`` is its number in the log."""
     error_line: int = 0
@@ -89,6 +92,7 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
     where = names.Image(ubuntu=image.ubuntu, ros=image.ros, instruction=step.command)
     found = signatures.match(log, step, where)
     file, line = step.place or (None, None)
+    packages = failed_packages((one.text for one in step.lines), step.command)
     if found is None:
         said = matter.lines(step)
         first = matter.first_error(said)
@@ -97,6 +101,7 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
             platform=step.platform,
             file=file,
             line=line,
+            packages=packages,
             error=_short(first),
             error_line=first.number if first else 0,
             lines=tuple(_short(one) for one in matter.telling(said)),
@@ -110,6 +115,7 @@ def _step(log: Log, step: Step, image: names.Image) -> Explanation:
         platform=step.platform,
         file=file,
         line=line,
+        packages=packages,
         error=_short(Line(0, found.said)),
         error_line=found.line.number,
         id=found.failure.id,

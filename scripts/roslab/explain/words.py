@@ -28,6 +28,8 @@ def _one(found: Explanation, *, lines: bool) -> str:
         place = f" ({found.file}:{found.line})" if found.file else ""
         platform = f" on {found.platform}" if found.platform else ""
         out.append(f"step{platform}: {_flat(found.step, 200)}{place}")
+    if found.packages:
+        out.append(f"package: {', '.join(found.packages)}")
     if found.id is not None:
         number = f" (line {found.error_line} of the log)" if found.error_line else ""
         out.append(f"error: {found.error}{number}")
@@ -42,7 +44,7 @@ def _one(found: Explanation, *, lines: bool) -> str:
     return "\n".join(out) + "\n"
 
 
-LISTS = ("apt", "pip", "skip_keys", "build_args")
+LISTS = ("apt", "pip", "skip_keys", "skip_packages", "build_args")
 """The keys of roslab.yaml that hold lists; the others have one value each."""
 
 
@@ -69,13 +71,16 @@ def problems(answer: Answer, *, lines: bool = True) -> tuple[Problem, ...]:
 
 def _problem(found: Explanation, *, lines: bool) -> Problem:
     platform = f" on {found.platform}" if found.platform else ""
+    packages = ", ".join(found.packages)
     if found.id is not None:
+        package = f" (package {packages})" if packages else ""
         hint = f"{found.fix}{_lines(found)}" if lines else found.fix
         said = found.error.replace("`", "'")
-        return Problem(message=f"{found.cause.rstrip('.')}{platform}: `{said}`", hint=hint)
+        return Problem(message=f"{found.cause.rstrip('.')}{package}{platform}: `{said}`", hint=hint)
     step = f" in `{_flat(found.step, 120)}`" if found.step else ""
+    package = f" in the package {packages}" if packages else ""
     return Problem(
-        message=f"the build failed{platform}{step}: {found.error or 'its log does not say why'}",
+        message=f"the build failed{package}{platform}{step}: {found.error or 'its log does not say why'}",
         hint="no known cause: the lines before it in the log say more",
     )
 

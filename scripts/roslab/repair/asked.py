@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -99,18 +99,32 @@ def in_log(found: Explanation, given: Given) -> Place | None:
     """Return the last place of the repository that the failed lines name; paths in the image are longer than here."""
     names: Mapping[str, str] = dict(found.names)
     end = found.log[-6000:]
+    inside = tuple(f"{folder}/" for folder in package_folders(found, given))
     said = [*_FRAME.finditer(found.error), *_AT.finditer(found.error)]
     for places in (said, [*_CMAKE.finditer(end)], [*_FRAME.finditer(end)] if "Traceback" in end else []):
         for match in reversed(places):
-            if file := _here(match["file"], given.files):
+            if file := here(match["file"], given.files, inside):
                 return Place(file=file, line=int(match["line"]))
-    file = _here(names.get("file", ""), given.files)
+    file = here(names.get("file", ""), given.files, inside)
     return Place(file=file) if file else None
 
 
-def _here(path: str, files: frozenset[str]) -> str:
-    """Return the repository's file that a path of the image means, ``""`` if none: the longest end that exists."""
+def package_folders(found: Explanation, given: Given) -> tuple[str, ...]:
+    """Return the folders of the repository's packages in which a build tool stopped, by their names."""
+    names = {*found.packages}
+    folders = (each.file.rpartition("/")[0] for each in given.evidence.manifests if names and each.name in names)
+    return tuple(folder for folder in folders if folder)
+
+
+def here(path: str, files: frozenset[str], inside: Iterable[str] = ()) -> str:
+    """Return the repository's file that a path of the image means, ``""`` if none: the longest end that exists.
+
+    ``inside``: folders, with a slash behind each, to which a short path may be relative.
+    """
     parts = [part for part in path.split("/") if part not in ("", ".")]
+    plain = "/".join(parts)
+    if not path.startswith("/") and (one := next((f"{each}{plain}" for each in inside if each + plain in files), "")):
+        return one
     for start in range(len(parts)):
         if "/".join(parts[start:]) in files:
             return "/".join(parts[start:])
