@@ -168,6 +168,19 @@ MENDED = {
         lines='base:\n  python: "3.8"  # for the package robot\n',
     ),
 }
+OF_TWO = PACKAGE.replace("<name>robot<", "<name>{name}<").replace("{}", "")
+BUILT = f"{CMAKE}find_package(ament_cmake REQUIRED)\nadd_executable(node main.cpp)\n"
+BUILT += "install(TARGETS node DESTINATION lib/${PROJECT_NAME})\nament_package()\n"
+TWO = {
+    "README.md": "# Robot\n\n```\nros2 run robot_demo node\n```\n",
+    "robot_demo/package.xml": OF_TWO.replace("{name}", "robot_demo"),
+    "robot_demo/CMakeLists.txt": BUILT.replace("robot", "robot_demo"),
+    "robot_demo/main.cpp": MAIN,
+    "robot_extra/package.xml": OF_TWO.replace("{name}", "robot_extra"),
+    "robot_extra/CMakeLists.txt": BUILT.replace("robot", "robot_extra"),
+    "robot_extra/main.cpp": "int main() { return grip(); }\n",
+}
+LEFT_OUT = "robot_extra, which does not compile: 'grip' was not declared in this scope at robot_extra/main.cpp:1; "
 LEFT = {
     "a mistake in the code": Broken(
         config=NATIVE,
@@ -219,6 +232,7 @@ def bases(lab: Laboratory) -> Iterator[None]:
 def repository(folder: Path, broken: Broken) -> Path:
     folder.mkdir()
     for name, text in {**broken.files, "roslab.yaml": broken.config}.items():
+        (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text(text)
     return folder
 
@@ -243,6 +257,27 @@ def test_it_builds_with_what_was_missing(lab: Laboratory, tmp_path: Path, name: 
     assert (folder / "roslab.yaml.old").read_text() == broken.config
     assert f"roslab: repair {broken.rounds} adds" in answer.stderr
     assert f"roslab: repair {broken.rounds + 1} adds" not in answer.stderr
+    subprocess.run(["docker", "image", "rm", answer.stdout.strip()], env=dict(lab.environment), check=False)
+
+
+@pytest.mark.usefixtures("bases")
+@pytest.mark.parametrize("needed", [False, True])
+def test_a_package_that_does_not_compile_is_left_out_unless_the_command_needs_it(
+    lab: Laboratory, tmp_path: Path, needed: bool
+) -> None:
+    other = {"README.md": TWO["README.md"].replace("_demo", "_extra")} if needed else {}
+    folder = repository(tmp_path / "repair-two", Broken(config=ROS, files={**TWO, **other}))
+    answer = build(lab, folder, "--write", "--no-proof")
+    if needed:
+        assert answer.returncode == 5, answer.stderr[-4000:]
+        assert "(package robot_extra)" in answer.stderr
+        assert "not repaired: robot_extra does not compile, and the command needs robot_extra" in answer.stderr
+        assert (folder / "roslab.yaml").read_text() == ROS
+        return
+    assert answer.returncode == 0, answer.stderr[-8000:]
+    assert f"roslab: repair 1 leaves out {LEFT_OUT}the command does not need it" in answer.stderr
+    line = LEFT_OUT.replace(", which", "  #")
+    assert (folder / "roslab.yaml").read_text() == f"{ROS}skip_packages:\n  - {line}the command does not need it\n"
     subprocess.run(["docker", "image", "rm", answer.stdout.strip()], env=dict(lab.environment), check=False)
 
 

@@ -19,7 +19,7 @@ from roslab.explain.answer import Answer, explain
 from roslab.files import write_configuration
 from roslab.pipeline import Planned
 from roslab.render.dockerfile import holders as question_of_files
-from roslab.repair import dockerfile, holders, words
+from roslab.repair import dockerfile, holders, leaving, words
 from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
 from roslab.repository import fetching
@@ -33,7 +33,17 @@ def given(planned: Planned) -> Given:
         evidence=planned.evidence,
         config=planned.config,
         files=frozenset(file.path for file in planned.repository.files),
+        read=planned.repository.read,
     )
+
+
+def _reasons(found: Repair, answer: Answer, kept: str, *, again: bool) -> list[str]:
+    """Return why a failure is not repaired; ``kept``: why the build does not go on without the package it is in."""
+    if again:
+        return ["the same cause is back, so what was added does not repair it", *filter(None, [kept])]
+    said = {one.fix for one in answer.explanations}  # the build's own error says it
+    maybe = [f"it may need {change}, for {change.asked}" for change in found.changes]
+    return [*(maybe or (why for failure, why in found.refused if failure and why not in said)), *filter(None, [kept])]
 
 
 def configuration(planned: Planned, options: argparse.Namespace) -> tuple[str, str | None]:
@@ -64,22 +74,21 @@ class Repairing:
         causes = {(one.id or "", one.names) for one in answer.explanations}
         if self.rounds >= self.options.repair:
             self._stop(error, f"{self.rounds} rounds are used up: --repair=N takes more")
-        if causes & self.seen:
-            self._stop(error, "the same cause is back, so what was added does not repair it")
-        if author := self.planned.plan.author_dockerfile:
+        again = bool(causes & self.seen)
+        if (author := self.planned.plan.author_dockerfile) and not again:
             self._stop(error, self._own(answer, author.dockerfile))
-        found = holders.completed(found, answer, given(self.planned), self._ask)
-        if not found.certain.changes:
-            maybe = [f"it may need {change}, for {change.asked}" for change in found.changes]
-            said = {one.fix for one in answer.explanations}  # the build's own error says it
-            refused = [why for failure, why in found.refused if failure and why not in said]
-            self._stop(error, "; ".join(maybe or refused))
+        found = Repair() if again else holders.completed(found, answer, given(self.planned), self._ask)
+        changes = found.certain.changes
+        if not changes:
+            left = leaving.left_out(answer, given(self.planned))
+            changes = left.changes or self._stop(error, "; ".join(_reasons(found, answer, left.why, again=again)))
         self.seen |= causes
         self.rounds += 1
-        self.planned = self._with(found.certain.changes, error)
-        self.changes += found.certain.changes
-        for change in found.certain.changes:
-            say(f"roslab: repair {self.rounds} adds {change}, for {change.asked}")
+        self.changes = leaving.without_useless(self.changes, answer, given(self.planned)) if again else self.changes
+        self.planned = self._with(changes, error)
+        self.changes += changes
+        for line in leaving.told(changes):
+            say(f"roslab: repair {self.rounds} {line}")
 
     def _with(self, changes: Sequence[Change], error: FailedBuild) -> Planned:
         """Return the plan with more changes. Raises ``FailedBuild`` if roslab.yaml, of an old format, takes none."""

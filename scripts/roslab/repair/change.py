@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from roslab.config.addition import LISTS, Entry
 from roslab.config.model import Config
 from roslab.evidence.facts import Evidence
@@ -19,6 +21,8 @@ class Given:
     config: Config
     files: frozenset[str]
     """Paths of the repository's files."""
+    read: Callable[[str], str] | None = None
+    """Returns the text of one of them, ``""`` of what is no text."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -45,12 +49,14 @@ class Change:
     """Id of the known failure that it repairs."""
     certain: bool
     asked: Asked
+    why: str = ""
+    """What is said in place of who asked."""
 
     @property
     def entry(self) -> Entry:
         """The change as it is written; a line of its own says who asked."""
         why = f"for {self.asked}" if self.certain else f"likely, for {self.asked}"
-        note = f"in place of {self.instead}" if self.instead else why
+        note = self.why or (f"in place of {self.instead}" if self.instead else why)
         return Entry(key=self.key, value=self.value, instead=self.instead, note=note)
 
     def __str__(self) -> str:

@@ -66,6 +66,58 @@ def test_a_failure_says_once_how_it_is_corrected(repairing: Repairing) -> None:
     assert raised.value.problems == error.problems
 
 
+NODE = "project({0})\nfind_package(catkin REQUIRED)\ncatkin_package()\nadd_executable({0}_node main.cpp)\n"
+XML = (
+    '<package format="2"><name>{0}</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend></package>'
+)
+
+
+@pytest.fixture
+def workspace(repairing: Repairing, tmp_path: Path) -> Repairing:
+    """Return the same for a workspace of four packages, of which the page starts one."""
+    robot = tmp_path / "robot"
+    (robot / "roslab.yaml").write_text("format: 3\nbase: {ros: noetic}\n")
+    (robot / "CMakeLists.txt").unlink()
+    (robot / "README.md").write_text("```\nrosrun arm_demo arm_demo_node\n```\n")
+    for name in ("arm_demo", "arm_one", "arm_two", "arm_three"):
+        (robot / name).mkdir()
+        (robot / name / "CMakeLists.txt").write_text(NODE.format(name))
+        (robot / name / "package.xml").write_text(XML.format(name))
+        (robot / name / "main.cpp").write_text("int main() {}\n")
+    repairing.planned = planned_of(repairing.options)
+    return repairing
+
+
+def stopped(package: str, line: str) -> FailedBuild:
+    said = 'process "/bin/sh -c catkin_make" did not complete: exit code: 1'
+    where = f"/home/jovyan/ws/src/robot/{package}/main.cpp:1:2"
+    made = f"make[2]: *** [robot/{package}/CMakeFiles/x.dir/build.make:7: x.o] Error 1"
+    log = f"#6 [3/4] RUN catkin_make\n#6 1.2 {where}: {line}\n#6 1.2 {made}\n#6 ERROR: {said}\n"
+    return FailedBuild(*why(log), log=log)
+
+
+def test_each_round_leaves_out_what_failed_in_it(workspace: Repairing, capsys: pytest.CaptureFixture[str]) -> None:
+    for package in ("arm_one", "arm_two"):
+        workspace.repair(stopped(package, "error: expected ';' before '}' token"))
+    assert workspace.planned.decision.left_out == ("arm_one", "arm_two")
+    said = capsys.readouterr().err
+    assert "roslab: repair 1 leaves out arm_one, which does not compile: expected ';' before '}' token at" in said
+    assert "roslab: repair 2 leaves out arm_two, which " in said
+    with pytest.raises(FailedBuild) as raised:
+        workspace.repair(stopped("arm_demo", "error: expected ';' before '}' token"))
+    assert "not repaired: the same cause is back" in str(raised.value.problems[1])
+    assert "arm_demo does not compile, and the command needs arm_demo" in str(raised.value.problems[1])
+
+
+def test_what_did_not_help_is_taken_back(workspace: Repairing) -> None:
+    missing = "fatal error: glog/logging.h: No such file or directory"
+    workspace.repair(stopped("arm_one", missing))
+    assert [str(change) for change in workspace.changes] == ["apt: [libgoogle-glog-dev]"]
+    workspace.repair(stopped("arm_one", missing))
+    assert [str(change) for change in workspace.changes] == ["skip_packages: [arm_one]"]
+    assert "libgoogle-glog-dev" not in workspace.planned.plan.apt
+
+
 def test_a_configuration_of_an_old_format_is_no_error_of_its_own(repairing: Repairing, tmp_path: Path) -> None:
     (tmp_path / "robot" / "roslab.yaml").write_text("base: {ubuntu: focal}\napt: [git]\n")
     repairing.planned = planned_of(repairing.options)
