@@ -12,6 +12,7 @@ from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.ros_sources import ros_sources
 from roslab.repair.change import Given
+from roslab.repair.releases import nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
@@ -76,6 +77,12 @@ def numpy(found: Explanation, _: Given) -> Worked:
     """Keep NumPy below the release that removed what is used."""
     symbol = dict(found.names).get("symbol", "")
     return Worked(values=("numpy<1.24" if symbol in _ALIASES else "numpy<2",))
+
+
+def release(found: Explanation, given: Given) -> Worked:
+    """Take the release nearest to a pinned one that the index has not."""
+    line, instead, why = nearest(found, given)
+    return Worked(values=(line,), instead=instead) if line else Worked(why=why)
 
 
 def jobs(_: Explanation, given: Given) -> Worked:
@@ -209,6 +216,7 @@ WAYS: Mapping[str, Way] = {
     "numpy": numpy,
     "other-ros": other_ros,
     "python": python,
+    "release": release,
     "released": ros,
     "renamed": renamed,
     "standard": standard,

@@ -10,7 +10,6 @@ from roslab.decide.decision import Choice
 from roslab.decide.python import conda_channels as channels
 from roslab.decide.python.agreeing import agreeing
 from roslab.decide.python.bare import bare_apart
-from roslab.decide.python.beside_nodes import Loose, beside_nodes
 from roslab.decide.python.bounds import decide_bounds
 from roslab.decide.python.by_own_name import with_unknown_modules
 from roslab.decide.python.chosen_reasons import reasons_of
@@ -26,6 +25,7 @@ from roslab.decide.python.extras import beside_lists
 from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first_and_guesses, isolated
 from roslab.decide.python.framework_pins import framework_pins, one_build
+from roslab.decide.python.given_releases import Loose, gives_way
 from roslab.decide.python.gone_lists import gone_lists
 from roslab.decide.python.gpu_projects import asking, left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
@@ -94,7 +94,7 @@ def decide_python(
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
     interpreter = _interpreter(runs := number or python_of_ubuntu().get(ubuntu or ""))
     lists, conda = pip_lists(config, ubuntu, number), chosen.conda if manager == "conda" else None
-    loose = beside_nodes(evidence, kind, ubuntu, chosen.files) if manager == "system" else {}
+    loose = gives_way(evidence, kind, ubuntu, chosen.files, lists.requirements, nodes=manager == "system")
     repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
     manifests = [*loosened(of_manifests(evidence, chosen), runs, loose)]
     pixi = channels.by_specs(evidence, chosen.conda)

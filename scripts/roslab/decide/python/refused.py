@@ -229,16 +229,17 @@ def repair(
         taken = [asked for asked in found if from_page(asked, pages)]
         missing = [asked for asked in found if refused(asked) and not from_page(asked, pages)]
         missing = [asked for asked in missing if asked.key not in names]
-        newer = [each for each in found if unmet(each, python) or in_python(each, python)]
+        newer = [each for each in found if each in loose or unmet(each, python) or in_python(each, python)]
         short = [asked for asked in found if in_full(asked) is not asked]
         wrong = mistaken(found)
         pinned = [asked for asked in found if asked.url and bare(asked)]
         # A role: pip would look for it in the wrong place
         if any((taken, missing, short, newer, wrong, pinned, any(asked.role for asked in found))):
             alone.append(project.folder or ".")
-            kept += _kept(loosened((asked for asked in found if asked not in wrong), python), names, pages)
+            kept += _kept(loosened((asked for asked in found if asked not in wrong), python, loose), names, pages)
             warnings += [*wrong.values(), *map(without_list, pinned)]
-            warnings += [*map(unfit, missing), *map(_in_full, short), *(told(asked, python) for asked in newer)]
+            warnings += [*map(unfit, missing), *map(_in_full, short)]
+            warnings += (loose.get(asked) or told(asked, python) for asked in newer)
     return Repaired(
         requirements=tuple(_once(kept)),
         tried=tuple(dict.fromkeys(tried)),

@@ -1,0 +1,73 @@
+"""The release that the index has nearest to a pinned one that it has not."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from roslab.explain.answer import Explanation
+from roslab.repair.change import Given
+from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import requirement
+from roslab.values.version import Version, version_of
+
+_PIN = pattern(r"==\s*(?P<release>\d[\w.!+]{0,60})$")
+_CUT = "…"
+"""What stands in place of the middle of a long line."""
+_LISTED = pattern(r"\(from versions: (?P<versions>[^)\n]{1,20000})\)")
+
+
+def nearest(found: Explanation, given: Given) -> tuple[str, str, str]:
+    """Return the line of pip to write, what it stands in place of in roslab.yaml, and why there is none.
+
+    The next release after the pinned one with the same first number, else the last one before it: what pip's own
+    message lists runs on this Python. Nothing where all listed ones are newer, for then this Python is most likely too
+    new for the pinned one; nor where another package pins it, which roslab.yaml cannot change.
+    """
+    names: Mapping[str, str] = dict(found.names)
+    name, pin = names.get("name", ""), _PIN.search(names.get("version", ""))
+    wanted = version_of(pin["release"]) if pin else None
+    if pin is None or wanted is None:
+        return "", "", found.fix
+    asked = next((each for each in _asked(given) if each.key == canonicalize_name(name) and _is(each, wanted)), None)
+    if asked is None:
+        return "", "", f"another package asks for {name}=={pin['release']}: pin one that does not"
+    listed = _listed(found.log, name, pin["release"], wanted)
+    if not listed or listed[0] > wanted:
+        return "", "", found.fix
+    same = [each for each in listed if each.release[0] == wanted.release[0]]
+    later = [each for each in same if each > wanted]
+    if not same:
+        return "", "", f"the index has no release of {name} that begins with {wanted.release[0]}: {found.fix}"
+    extras = f"[{','.join(asked.extras)}]" if asked.extras else ""
+    own = asked.written if asked.origin == "configuration" else ""
+    return f"{asked.name}{extras}=={(later or same[-1:])[0]}", own, ""
+
+
+def _is(asked: Requirement, wanted: Version) -> bool:
+    return bool(asked.release) and version_of(asked.release or "") == wanted
+
+
+def _asked(given: Given) -> Iterator[Requirement]:
+    """Yield what roslab.yaml, the lists and the projects of the repository ask for."""
+    yield from (each for line in given.config.pip if (each := requirement(line, "configuration")) is not None)
+    for file in given.evidence.requirements:
+        yield from file.requirements
+    for project in given.evidence.python:
+        yield from project.requirements
+
+
+def _listed(log: str, name: str, release: str, wanted: Version) -> list[Version]:
+    """Return the releases that pip lists, in order; none where it listed more than was kept, and the pin is there."""
+    said = rf"requirement {re.escape(name)}(?:\[[^\]\n]{{1,80}}\])?=={re.escape(release)}[ ;(]"
+    line = next((line for line in log.splitlines() if "from versions: " in line and re.search(said, line)), "")
+    match = _LISTED.search(line)
+    first, cut, second = match["versions"].partition(_CUT) if match else ("", "", "")
+    below, above = first.split(","), second.split(",")
+    parts = (below[:-1], above[1:]) if cut else (below, above)  # what lies beside the cut is half a number
+    low, high = (sorted(filter(None, map(version_of, map(str.strip, part)))) for part in parts)
+    if cut and (not low or not high or low[-1] < wanted < high[0]):
+        return []
+    return [each for each in (*low, *high) if not each.is_prerelease or wanted.is_prerelease]

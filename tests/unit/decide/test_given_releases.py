@@ -1,0 +1,50 @@
+"""Releases that roslab.yaml names under ``pip`` win over what lists and projects pin."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+from trees import tree_of
+
+SETUP = """\
+from setuptools import setup
+
+setup(name="robot", py_modules=["robot"], install_requires=["six==1.99", "attrs"])
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "listed", "gives_way"),
+    [
+        ("six==1.17.0", "six==1.99", True),
+        ("six<1.17", "six==1.17.0", True),
+        ("six==1.10.0", "six>=1.12", True),
+        ("six==1.17.0", "six>=1.12", False),
+        ("six<2", "six", False),
+        ("six==1.17.0", "six==1.17.0", False),
+        ("six<1.17", "six>=1.12", False),
+        ("six", "six==1.99", False),
+        ("attrs<20", "six==1.99", False),
+    ],
+)
+def test_a_list_gives_way_where_both_cannot_be(tmp_path: Path, given: str, listed: str, gives_way: bool) -> None:
+    config = f'format: 3\nkind: python\npip: ["{given}"]\n'
+    tree_of(tmp_path, {"requirements.txt": f"attrs\n{listed}\n", "main.py": "import six\n", "roslab.yaml": config})
+    plan = plan_repository(tmp_path).plan
+    assert plan.python.requirements == (() if gives_way else ("requirements.txt",))
+    assert plan.python.pip == ((given, "attrs", "six") if gives_way else (given,))
+    told = [f"{each.file}:{each.line}" for each in plan.warnings if " gives way to " in each.message]
+    assert told == (["requirements.txt:2"] if gives_way else [])
+
+
+def test_so_does_a_project(tmp_path: Path) -> None:
+    config = "format: 3\nkind: python\npip: [six==1.17.0]\n"
+    tree_of(tmp_path, {"setup.py": SETUP, "robot.py": "import six\n", "roslab.yaml": config})
+    plan = plan_repository(tmp_path).plan
+    assert plan.python.pip == ("six==1.17.0", "six", "attrs")
+    assert plan.python.alone == (".",)
+    told = "six==1.99 gives way to six==1.17.0, which `pip` in roslab.yaml names"
+    assert told in [each.message for each in plan.warnings]

@@ -1,0 +1,86 @@
+"""A pinned release that the index has not: the nearest one that it has."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from roslab.cli.repairing import given
+from roslab.config.addition import added
+from roslab.explain.answer import explain
+from roslab.pipeline import plan_repository
+from roslab.repair.change import Repair
+from roslab.repair.repair import repair
+from trees import tree_of
+
+CODE = {"main.py": "import six\n"}
+PYTHON = "format: 3\nkind: python\n"
+
+
+def log(pinned: str, listed: str, by: str = "") -> str:
+    return (
+        "#6 [3/4] RUN pip install -r requirements.txt\n"
+        f"#6 1.2 ERROR: Could not find a version that satisfies the requirement {pinned}{by} "
+        f"(from versions: {listed})\n"
+        f"#6 1.3 ERROR: No matching distribution found for {pinned}\n"
+        '#6 ERROR: process "/bin/sh -c pip install -r requirements.txt" did not complete: exit code: 1\n'
+    )
+
+
+def repaired(folder: Path, files: dict[str, str], text: str) -> Repair:
+    tree_of(folder, {**CODE, "roslab.yaml": PYTHON, **files})
+    return repair(explain(io.BytesIO(text.encode())), given(plan_repository(folder)))
+
+
+@pytest.mark.parametrize(
+    ("pinned", "listed", "taken"),
+    [
+        ("six==1.99", "1.9.0, 1.16.0, 1.17.0", "six==1.17.0"),
+        ("six==1.12.5", "1.9.0, 1.13.0, 1.17.0", "six==1.13.0"),
+        ("six==1.12.5", "1.9.0, 1.13.0rc1, 2.0.0", "six==1.9.0"),
+        ("six==1.12.5rc1", "1.9.0, 1.13.0rc1, 2.0.0", "six==1.13.0rc1"),
+        ("six[all]==1.99", "1.9.0, 1.17.0", "six[all]==1.17.0"),
+        ("six==3.0", "1.9.0, 2.0.0", ""),
+        ("six==1.2", "1.9.0, 1.17.0", ""),  # all are newer: this Python is too new for it
+        ("six==1.99", "none", ""),
+        ("six>=1.99", "1.9.0, 1.17.0", ""),
+    ],
+)
+def test_the_nearest_release_with_the_same_first_number_is_taken(
+    tmp_path: Path, pinned: str, listed: str, taken: str
+) -> None:
+    found = repaired(tmp_path, {"requirements.txt": f"attrs\n{pinned}\n"}, log(pinned, listed))
+    assert [(change.value, change.certain, str(change.asked.place)) for change in found.changes] == (
+        [(taken, True, "requirements.txt:2")] if taken else []
+    )
+
+
+def test_with_it_the_image_can_be_planned(tmp_path: Path) -> None:
+    found = repaired(tmp_path, {"requirements.txt": "attrs\nsix==1.99\n"}, log("six==1.99", "1.16.0, 1.17.0"))
+    text = added(PYTHON, found.entries)
+    assert text == f"{PYTHON}pip:\n  - \"six==1.17.0\"  # for the package six (requirements.txt:2)\n"
+    tree_of(tmp_path, {"roslab.yaml": text})
+    plan = plan_repository(tmp_path).plan
+    assert (plan.python.pip, plan.python.requirements) == (("six==1.17.0", "attrs", "six"), ())
+
+
+def test_roslab_yaml_s_own_pin_is_replaced(tmp_path: Path) -> None:
+    config = f"{PYTHON}pip: [attrs, six==1.99]\n"
+    found = repaired(tmp_path, {"roslab.yaml": config}, log("six==1.99", "1.16.0, 1.17.0"))
+    assert added(config, found.entries) == f"{PYTHON}pip: [attrs, six==1.17.0]\n"
+
+
+def test_what_another_package_pins_is_left(tmp_path: Path) -> None:
+    found = repaired(tmp_path, {"requirements.txt": "robot\n"}, log("six==1.99", "1.17.0", by=" (from robot)"))
+    assert found.changes == ()
+    assert found.refused == (("pip-no-version", "another package asks for six==1.99: pin one that does not"),)
+
+
+def test_of_a_list_that_is_cut_only_what_is_whole_counts(tmp_path: Path) -> None:
+    versions = ", ".join(f"1.{minor}.{patch}" for minor in range(60) for patch in range(10))
+    files = {"requirements.txt": "six==1.2.77\n"}
+    assert repaired(tmp_path, files, log("six==1.2.77", versions)).changes[0].value == "six==1.3.0"
+    files = {"requirements.txt": "six==1.30.77\n"}
+    assert repaired(tmp_path, files, log("six==1.30.77", versions)).changes == ()
