@@ -11,6 +11,7 @@ from pathlib import Path
 
 from roslab.cli.planning import planned_of, warnings_of
 from roslab.cli.repairing import Repairing
+from roslab.cli.rounds import Check, Made, better, first
 from roslab.engine import docker as engine
 from roslab.engine import gpu
 from roslab.engine.bases import Mended, mend
@@ -18,7 +19,7 @@ from roslab.engine.secrets import of_environment
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.pipeline import Planned, bases_of, preflight, write_bases, write_dockerfile, write_policy
 from roslab.plan import record
-from roslab.plan.ladder import LOWER, Ladder, below, lines
+from roslab.plan.ladder import LOWER, Ladder, below, lines, missed
 from roslab.plan.plan import SLIM
 from roslab.repository import git as commits
 from roslab.values.dataclass import replace
@@ -40,32 +41,34 @@ def build(options: argparse.Namespace) -> int:
         _twice(options, planned, arguments)
         return 0
     if not options.repair:
-        _once(options, planned, arguments)
+        _print(_once(options, planned, arguments))
         return 0
+
+    def once(planned: Planned, check: Check) -> Made:
+        return _once(options, planned, arguments, again=repairing.rounds > 0, check=check)
+
     repairing = Repairing(options=options, planned=planned, arguments=arguments)
-    while error := _failure(options, repairing, arguments):
-        repairing.repair(error)
+    made = better(once, repairing, first(once, repairing))
     repairing.finish()
+    _print(made)
     return 0
 
 
-def _failure(
-    options: argparse.Namespace, repairing: Repairing, arguments: tuple[tuple[str, str], ...]
-) -> engine.FailedBuild | None:
-    """Return how one round failed, ``None`` if it did not."""
-    try:
-        _once(options, repairing.planned, arguments, again=repairing.rounds > 0)
-    except engine.FailedBuild as error:
-        return error
-    return None
+def _print(made: Made) -> None:
+    sys.stdout.write("".join(f"{name}\n" for name, _ in made.images))
 
 
 def _once(
-    options: argparse.Namespace, planned: Planned, arguments: tuple[tuple[str, str], ...], *, again: bool = False
-) -> None:
+    options: argparse.Namespace,
+    planned: Planned,
+    arguments: tuple[tuple[str, str], ...],
+    *,
+    again: bool = False,
+    check: Check = lambda _: None,
+) -> Made:
     """Build, prove and name once; ``again`` takes every layer that an earlier round built from the cache.
 
-    Raises ``FailedBuild`` if the build or a proof fails.
+    ``check`` raises where what was made is not to be named. Raises ``FailedBuild`` if the build or a proof fails.
     """
     secrets = of_environment(planned.plan.secrets, os.environ)
     screenshots = _screenshots(options, planned)
@@ -84,6 +87,8 @@ def _once(
     candidates: list[tuple[str, str]] = []
     helpers: list[str] = []
     labels: dict[str, str] = {}
+    ladders: dict[str, Ladder] = {}
+    dead: engine.FailedBuild | None = None
     try:
         with tempfile.TemporaryDirectory(prefix="roslab-") as folder:
             dockerfile, context = write_dockerfile(planned, Path(folder))
@@ -110,13 +115,17 @@ def _once(
                     candidates.append((made, name + ending + suffix))
                     engine.build(each, environment=write_policy(planned.plan, Path(folder)))
                     if not options.no_proof:
-                        ladder = prove(planned, made, platform, f"{name}{ending} was not named", screenshots)
+                        ladder, died = proved(planned, made, platform, f"{name}{ending} was not named", screenshots)
+                        dead = dead or (None if ending else died)
+                        ladders[made] = ladder
                         labels[made] = record.to_json(record.record(planned.plan, {platform: ladder}))
                 if planned.plan.lock:
                     compared(planned, candidate, platform)
+        whole = Made(images=tuple((final, ladders.get(made)) for made, final in candidates), missed=dead)
+        check(whole)
         for made, final in candidates:
             engine.name_image(made, final, (record.KEY, labels[made]) if labels else None)
-            sys.stdout.write(f"{final}\n")
+        return whole
     finally:
         for image in (*(made for made, _ in candidates), *helpers):
             engine.remove_image(image)
@@ -208,6 +217,13 @@ def prove(planned: Planned, candidate: str, platform: str, otherwise: str, scree
 
     Raises ``FailedBuild`` or ``BuildError``, whose message begins with ``otherwise``.
     """
+    return proved(planned, candidate, platform, otherwise, screenshots)[0]
+
+
+def proved(
+    planned: Planned, candidate: str, platform: str, otherwise: str, screenshots: Path
+) -> tuple[Ladder, engine.FailedBuild | None]:
+    """Prove an image as ``prove`` does; return its ladder, and how its command died where no proof depends on that."""
     from roslab.prove import containers  # noqa: PLC0415
     from roslab.prove.ladder import climb  # noqa: PLC0415
 
@@ -228,9 +244,13 @@ def prove(planned: Planned, candidate: str, platform: str, otherwise: str, scree
             raise engine.FailedBuild(Problem(message=message, hint=hint), log=outcome.output)
     ladder = climb(plan.proofs, outcomes, plan.proof_goals, gpu=plan.run.gpu)
     engine.say("".join(f"[{platform}] {line}\n" for line in lines(ladder)).rstrip())
+    dead = next((outcome.output for outcome in outcomes if outcome.proof.rung == 1 and missed(ladder, 1)), None)
     if short := below(ladder, plan.proof_goals.rung):
-        raise BuildError(Problem(message=f"{otherwise}: on {platform}, {short}", hint=LOWER))
-    return ladder
+        problem = Problem(message=f"{otherwise}: on {platform}, {short}", hint=LOWER)
+        raise BuildError(problem) if dead is None else engine.FailedBuild(problem, log=dead)
+    if dead is None:
+        return ladder, None
+    return ladder, engine.FailedBuild(Problem(message=f"on {platform}, the default command does not start"), log=dead)
 
 
 def _argument(text: str) -> tuple[str, str]:

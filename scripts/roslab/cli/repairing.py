@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import io
 import os
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NoReturn
 
 from roslab.cli.planning import named, planned_of
@@ -14,16 +14,21 @@ from roslab.config.addition import Entry, added
 from roslab.engine.asking import ask
 from roslab.engine.docker import FailedBuild, native_platform, say
 from roslab.engine.secrets import of_environment
-from roslab.errors import ConfigurationError, Problem
+from roslab.errors import ConfigurationError, Problem, RoslabError
+from roslab.explain import words as words_of_log
 from roslab.explain.answer import Answer, explain
 from roslab.files import write_configuration
 from roslab.pipeline import Planned
+from roslab.plan.plan import Plan
 from roslab.render.dockerfile import holders as question_of_files
 from roslab.repair import dockerfile, holders, leaving, words
 from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
 from roslab.repository import fetching
 from roslab.values.dataclass import dataclass, field, replace
+
+STARTING = ("apt", "pip", "gui", "submodules")
+"""Keys that give a program what it lacks at its start; the others change how the image is compiled."""
 
 
 def given(planned: Planned) -> Given:
@@ -52,6 +57,19 @@ def configuration(planned: Planned, options: argparse.Namespace) -> tuple[str, s
     return (file, locate.text(planned.repository, file)) if file else (locate.NAMES[0], None)
 
 
+def _explained(error: FailedBuild) -> Answer:
+    return explain(io.BytesIO(error.log.encode("utf-8", errors="replace")))
+
+
+def _causes(answer: Answer) -> set[tuple[str, tuple[tuple[str, str], ...]]]:
+    return {(one.id, one.names) for one in answer.explanations if one.id}
+
+
+def _image(planned: Planned) -> Plan:
+    """Return what a plan says of the image, without the reasons."""
+    return replace(planned.plan, reasons=(), warnings=())
+
+
 @dataclass(kw_only=True, slots=True)
 class Repairing:
     """The rounds of one repaired build; roslab.yaml is changed in memory alone until ``finish``."""
@@ -63,15 +81,18 @@ class Repairing:
     rounds: int = 0
     changes: list[Change] = field(default_factory=list)
     seen: set[tuple[str, tuple[tuple[str, str], ...]]] = field(default_factory=set)
+    kept: tuple[Change, ...] | None = None
+    """The changes of the image that has its name, ``None`` before there is one."""
 
-    def repair(self, error: FailedBuild) -> None:
-        """Plan the next round from what the failed one says.
+    def repair(self, error: FailedBuild, keys: Collection[str] = ()) -> None:
+        """Plan the next round from what the failed one says; ``keys`` are those of roslab.yaml that may be changed.
 
         Raises ``FailedBuild`` if the rounds are used up, the same cause is back, or nothing certain can be added.
         """
-        answer = explain(io.BytesIO(error.log.encode("utf-8", errors="replace")))
+        answer = _explained(error)
         found = repair(answer, given(self.planned))
-        causes = {(one.id or "", one.names) for one in answer.explanations}
+        found = replace(found, changes=tuple(each for each in found.changes if not keys or each.key in keys))
+        causes = _causes(answer)
         if self.rounds >= self.options.repair:
             self._stop(error, f"{self.rounds} rounds are used up: --repair=N takes more")
         again = bool(causes & self.seen)
@@ -90,6 +111,39 @@ class Repairing:
         for line in leaving.told(changes):
             say(f"roslab: repair {self.rounds} {line}")
 
+    def start(self, dead: FailedBuild) -> bool:
+        """Plan a round with which the command of the named image starts; say why there is none, and return ``False``.
+
+        ``dead`` is how the command died.
+        """
+        self.kept = tuple(self.changes)
+        answer = _explained(dead)
+        if not any(one.id for one in answer.explanations):
+            return False
+        why = words_of_log.problems(answer, lines=False)
+        plan = self.planned.plan
+        if not (plan.author_dockerfile or plan.lock):
+            try:
+                self.repair(dead, STARTING)
+            except FailedBuild as refused:
+                why += refused.problems[1:]
+            else:
+                return True
+        for problem in why:
+            say(f"roslab: {problem}")
+        return False
+
+    def is_back(self, dead: FailedBuild) -> bool:
+        """Tell whether a command dies for a cause that was repaired."""
+        return bool(_causes(_explained(dead)) & self.seen)
+
+    def back(self, error: RoslabError, name: str) -> None:
+        """Take back the rounds after the last image that was named: one of them failed, or made none that is better."""
+        kept = self.kept or ()
+        tried = ", ".join(str(change) for change in self.changes[len(kept) :])
+        self.changes = list(kept)
+        say(f"roslab: {name} stays as it was before {tried}: {error.problems[0].message}")
+
     def _with(self, changes: Sequence[Change], error: FailedBuild) -> Planned:
         """Return the plan with more changes. Raises ``FailedBuild`` if roslab.yaml, of an old format, takes none."""
         if any(change.key == "submodules" for change in changes):
@@ -97,10 +151,13 @@ class Repairing:
         file, old = configuration(self.planned, self.options)
         entries = [*self._entries(), *(change.entry for change in changes)]
         try:
-            return planned_of(self.options, config_text=added(old, entries, file=file))
+            planned = planned_of(self.options, config_text=added(old, entries, file=file))
         except ConfigurationError as refused:
             needed = "; ".join(f"{change}, for {change.asked}" for change in changes)
             self._stop(error, f"it needs {needed}, which cannot be added: {refused.problems[0]}")
+        if _image(planned) == _image(self.planned) and not any(change.key == "submodules" for change in changes):
+            self._stop(error, f"the image has {', '.join(map(str, changes))} already, and that did not help")
+        return planned
 
     def _ask(self, paths: Sequence[str]) -> str:
         say("roslab: asking apt which package holds what is missing")
@@ -130,7 +187,7 @@ class Repairing:
 
     def _stop(self, error: FailedBuild, why: str) -> NoReturn:
         """Raise the build's own error with the reason why it is not repaired further, if the log names a cause."""
-        if self.changes:
+        if self.changes and self.kept is None:
             self._tell("tried, and not enough; nothing is written")
         reason = (Problem(message=f"not repaired: {why}"),) if why else ()
         raise FailedBuild(*error.problems, *reason, log=error.log) from None

@@ -84,6 +84,17 @@ def lines(ladder: Ladder) -> tuple[str, ...]:
     return (*told, f"reached: {ladder}") if ladder.rungs else ()
 
 
+def missed(ladder: Ladder, number: int) -> bool:
+    """Tell whether a rung was looked at and does not hold."""
+    return any(rung.number == number and rung.state == "missed" for rung in ladder.rungs)
+
+
+def lost(before: Ladder, now: Ladder) -> Rung | None:
+    """Return the first rung of ``now`` that does not hold, and held before."""
+    held = {rung.number for rung in before.rungs if rung.state == "held"}
+    return next((rung for rung in now.rungs if rung.number in held and rung.state == "missed"), None)
+
+
 def below(ladder: Ladder, wanted: int | None) -> str:
     """Return why a ladder is not as high as wanted, ``""`` if it is.
 

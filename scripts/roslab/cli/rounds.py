@@ -1,0 +1,81 @@
+"""The rounds of one build: until an image is good enough, and then for as long as its command can be made to start."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+
+from roslab.cli.repairing import Repairing
+from roslab.engine.docker import FailedBuild, name_image, remove_image
+from roslab.errors import BuildError, Problem, RoslabError
+from roslab.pipeline import Planned
+from roslab.plan.ladder import Ladder, lost
+from roslab.values.dataclass import dataclass
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Made:
+    """What one round made and named."""
+
+    images: tuple[tuple[str, Ladder | None], ...]
+    """The name of each image, and how far it got; ``None`` where nothing was proved."""
+    missed: FailedBuild | None = None
+    """How the default command died, though the image is good enough without it."""
+
+
+Check = Callable[[Made], None]
+"""Raises ``BuildError`` where what was made is not to be named."""
+Once = Callable[[Planned, Check], Made]
+"""Builds, proves and names once. Raises ``FailedBuild`` if the build or a proof fails."""
+
+
+def first(once: Once, repairing: Repairing, check: Check = lambda _: None) -> Made:
+    """Build until an image is good enough. Raises ``FailedBuild`` if no certain repair is left."""
+    while True:
+        try:
+            return once(repairing.planned, check)
+        except FailedBuild as error:  # noqa: PERF203 - a round takes minutes
+            repairing.repair(error)
+
+
+def better(once: Once, repairing: Repairing, made: Made) -> Made:
+    """Repair and build again for as long as the command of what was made does not start, and that has a certain repair.
+
+    What was made is named already. It keeps its name if what follows it fails, or is no better.
+    """
+    while made.missed and repairing.start(made.missed):
+        after = _after(once, repairing, made)
+        if after is None:
+            break
+        made = after
+    return made
+
+
+def _after(once: Once, repairing: Repairing, before: Made) -> Made | None:
+    """Return what the next rounds make, ``None`` if that is no better than what was made before them."""
+    # An image that loses its name to a better one would stay without any
+    asides = [
+        (name, f"{name.rpartition(':')[0]}:roslab-before-{os.getpid()}-{number}")
+        for number, (name, _) in enumerate(before.images)
+    ]
+    try:
+        for name, aside in asides:
+            name_image(name, aside)
+        return first(once, repairing, lambda now: _compare(before, now, repairing))
+    except RoslabError as error:
+        repairing.back(error, before.images[0][0])
+        return None
+    finally:
+        for _, aside in asides:
+            remove_image(aside)
+
+
+def _compare(before: Made, now: Made, repairing: Repairing) -> None:
+    """Raise ``BuildError`` if an image is no better than the one before the repair."""
+    if now.missed and repairing.is_back(now.missed):
+        raise BuildError(Problem(message="its command does not start for the same cause"))
+    had = dict(before.images)
+    for name, ladder in now.images:
+        old = had.get(name)
+        if ladder and old and (rung := lost(old, ladder)):
+            raise BuildError(Problem(message=f"{name} loses rung {rung.number}, {rung.name}: {rung.said}"))
