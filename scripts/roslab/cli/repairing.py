@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import io
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from typing import NoReturn
 
 from roslab.cli.planning import named, planned_of
@@ -26,9 +26,6 @@ from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
 from roslab.repository import fetching
 from roslab.values.dataclass import dataclass, field, replace
-
-STARTING = ("apt", "pip", "gui", "submodules")
-"""Keys that give a program what it lacks at its start; the others change how the image is compiled."""
 
 
 def given(planned: Planned) -> Given:
@@ -84,14 +81,14 @@ class Repairing:
     kept: tuple[Change, ...] | None = None
     """The changes of the image that has its name, ``None`` before there is one."""
 
-    def repair(self, error: FailedBuild, keys: Collection[str] = ()) -> None:
-        """Plan the next round from what the failed one says; ``keys`` are those of roslab.yaml that may be changed.
+    def repair(self, error: FailedBuild, *, start: bool = False) -> None:
+        """Plan the next round from what the failed one says; ``start``: the image is good, its command does not start.
 
         Raises ``FailedBuild`` if the rounds are used up, the same cause is back, or nothing certain can be added.
         """
         answer = _explained(error)
         found = repair(answer, given(self.planned))
-        found = replace(found, changes=tuple(each for each in found.changes if not keys or each.key in keys))
+        found = found.starting if start else found
         causes = _causes(answer)
         if self.rounds >= self.options.repair:
             self._stop(error, f"{self.rounds} rounds are used up: --repair=N takes more")
@@ -124,7 +121,7 @@ class Repairing:
         plan = self.planned.plan
         if not (plan.author_dockerfile or plan.lock):
             try:
-                self.repair(dead, STARTING)
+                self.repair(dead, start=True)
             except FailedBuild as refused:
                 why += refused.problems[1:]
             else:

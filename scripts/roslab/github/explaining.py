@@ -71,6 +71,22 @@ def explain_proof(folder: Folder, failure: Problem, output: str, environment: Ma
     return replace(first, message=f"{failure.message}: {first.message}")
 
 
+def explain_start(folder: Folder, platform: str, output: str, environment: Mapping[str, str]) -> None:
+    """Warn of what lets the default command of a good image die, and keep the lines with which it starts.
+
+    Nothing is said where the cause is not known.
+    """
+    answer = _answer(output)
+    if not answer.explanations or answer.explanations[0].id is None:
+        return
+    run = folder.run
+    mending = mend(answer, run, _root(run, environment), _asking(folder, environment), start=True)
+    for problem in mending.problems:
+        workflow.warn(replace(problem, message=f"the default command does not start on {platform}: {problem.message}"))
+    if mending.repairs:
+        kept.mend(folder.artifact, [replace(each, start=True) for each in mending.repairs])
+
+
 def _answer(log: str) -> Answer:
     return explained(io.BytesIO(log.encode("utf-8", errors="replace")))
 
@@ -98,10 +114,18 @@ def _hand_over(folder: Folder, mending: Mending, environment: Mapping[str, str])
         suggestion.suggest(what, mending.problems, mending.repairs, mending.hunk, environment)
 
 
-def mend(answer: Answer, run: Run, root: Path, asking: Callable[[Sequence[str]], str] | None = None) -> Mending:
+def mend(
+    answer: Answer,
+    run: Run,
+    root: Path,
+    asking: Callable[[Sequence[str]], str] | None = None,
+    *,
+    start: bool = False,
+) -> Mending:
     """Return what an explained log says about the checkout it was built from.
 
-    ``asking`` asks apt's index of files, see ``repair.holders``; ``None`` asks nothing.
+    ``asking`` asks apt's index of files, see ``repair.holders``; ``None`` asks nothing. ``start``: the log is that of
+    the default command.
     """
     try:
         repository = Repository.open(root)
@@ -110,6 +134,7 @@ def mend(answer: Answer, run: Run, root: Path, asking: Callable[[Sequence[str]],
         files = frozenset(file.path for file in repository.files)
         given = Given(plan=run.plan, evidence=gather(repository), config=config, files=files)
         found = repair(answer, given)
+        found = found.starting if start else found
         found = holders.completed(found, answer, given, asking) if asking else found
         problems = tuple(_problems(answer, found, run))
         if run.plan.author_dockerfile:

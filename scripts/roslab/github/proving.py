@@ -14,7 +14,7 @@ from roslab.github import disk, explaining, locking, screen, secrets, tree, tria
 from roslab.github import run as runs
 from roslab.github.run import Folder, Run
 from roslab.pipeline import POLICY
-from roslab.plan.ladder import LOWER, Ladder, below
+from roslab.plan.ladder import LOWER, Ladder, below, missed
 from roslab.plan.proof import describe
 from roslab.prove import containers
 from roslab.prove.ladder import climb
@@ -87,6 +87,12 @@ class Attempt:
         """The proof that failed."""
         return next((outcome for outcome in self.outcomes if not outcome.passed), None)
 
+    @property
+    def dead(self) -> containers.Outcome | None:
+        """The proof of the default command, where that died."""
+        starts = (outcome for outcome in self.outcomes if outcome.proof.rung == 1)
+        return next(starts, None) if missed(self.ladder, 1) else None
+
     def failure(self, run: Run) -> Problem | None:
         """Return why the image is not given a tag: the proof that failed, or the rung that it did not reach."""
         if failed := self.failed:
@@ -151,6 +157,7 @@ def _prove_pushed(  # noqa: PLR0917 - what one platform's image is proved with
         if run.lock and not shown.failed:
             locking.keep(folder, run, reference, image.platform, environment.get("ROSLAB_METADATA", ""))
         engine.remove_image(reference)
+    _tell_start(folder, run, shown, environment)
     for problem in disk.large_layers(run.image, [(layer.size, layer.created_by) for layer in image.layers]):
         workflow.warn(problem)
     layers = tuple(LayerSize(size=x.size, text=x.created_by, base=x.digest in base) for x in image.layers)
@@ -191,6 +198,7 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
         platforms = build["platforms"].split(",")
         archive, remark = trial.keep(folder, run, platform, platforms, environment) if failure is None else (None, "")
         engine.remove_image(candidate)
+    _tell_start(folder, run, shown, environment)
     folder.write_report(
         PlatformReport(
             platform=platform,
@@ -210,6 +218,13 @@ def _prove_loaded(  # noqa: PLR0917 - what one platform's build is made of
 def _failure(folder: Folder, run: Run, shown: Attempt, environment: Mapping[str, str]) -> Problem | None:
     """Return why the image is not given a tag, with what its proof's output tells of the cause."""
     failure = shown.failure(run)
-    if failure and shown.failed:
-        return explaining.explain_proof(folder, failure, shown.failed.output, environment)
+    told = shown.failed or shown.dead
+    if failure and told:
+        return explaining.explain_proof(folder, failure, told.output, environment)
     return failure
+
+
+def _tell_start(folder: Folder, run: Run, shown: Attempt, environment: Mapping[str, str]) -> None:
+    """Tell why the default command of an image died that is good enough without it."""
+    if shown.dead and shown.failure(run) is None:
+        explaining.explain_start(folder, shown.dead.platform, shown.dead.output, environment)

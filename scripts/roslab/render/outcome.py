@@ -109,6 +109,8 @@ class Repair:
     """They are a unified diff."""
     new: bool = False
     """The file does not exist yet."""
+    start: bool = False
+    """The build did not fail: with them the default command starts."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

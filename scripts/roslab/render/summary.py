@@ -88,6 +88,7 @@ def _signature(report: Report) -> str:
 def pasted(repair: Repair) -> str:
     """Return the lines of a repair as Markdown, with the file that they belong to."""
     what = "This diff repairs" if repair.diff else "Lines for the new file" if repair.new else "Lines to add to"
+    what = f"So that the default command starts: {what[:1].lower()}{what[1:]}" if repair.start else what
     return f"{what} {code(repair.file)}:\n\n{block(repair.text, 'diff' if repair.diff else 'yaml')}"
 
 

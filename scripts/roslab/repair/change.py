@@ -11,6 +11,9 @@ from roslab.plan.plan import Plan
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
+STARTING = ("apt", "pip", "gui", "submodules")
+"""Keys that give a program what it lacks at its start; the others change how the image is compiled."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Given:
@@ -78,6 +81,11 @@ class Repair:
     def certain(self) -> Repair:
         """The same repair, with its certain changes alone."""
         return replace(self, changes=tuple(change for change in self.changes if change.certain))
+
+    @property
+    def starting(self) -> Repair:
+        """The same repair, with the changes alone that can help a command which does not start."""
+        return replace(self, changes=tuple(change for change in self.changes if change.key in STARTING))
 
     @property
     def entries(self) -> tuple[Entry, ...]:

@@ -11,7 +11,7 @@ import pytest
 from roslab.errors import Problem, RoslabError
 from roslab.explain.answer import explain
 from roslab.github import kept, workflow
-from roslab.github.explaining import explain_proof, mend
+from roslab.github.explaining import explain_proof, explain_start, mend
 from roslab.github.run import Folder, Run, to_line
 from roslab.pipeline import plan_repository
 from roslab.render.outcome import Report
@@ -150,3 +150,27 @@ def test_a_failed_proof_says_why(checkout: Path, tmp_path: Path, output: str, ca
     (job,) = kept.gather(folder.artifact)
     assert [lines in repair.text for repair in job.repairs] == ([True] if lines else [])
     assert explain_proof(folder, failure, "the robot says no\n", names) is failure
+
+
+@pytest.mark.parametrize("case", PROOFS, ids=["import", "library", "display", "device"])
+def test_a_command_that_dies_is_told_though_the_image_is_good(
+    checkout: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], case: tuple[str, str, str]
+) -> None:
+    output, cause, lines = case
+    folder = Folder(path=tmp_path / "run-folder")
+    folder.path.mkdir()
+    folder.write("run", to_line(run_of(checkout)))
+    kept.begin(folder.artifact, platform="", attempt=1)
+    names = {"GITHUB_WORKSPACE": str(checkout), "GITHUB_EVENT_NAME": "push", "GITHUB_REPOSITORY": "o/robot"}
+    explain_start(folder, "linux/amd64", output, names)
+    said = capsys.readouterr().err
+    assert said.startswith("::warning")
+    assert "::the default command does not start on linux/amd64: " in said
+    assert cause in said
+    (job,) = kept.gather(folder.artifact)
+    assert [lines in repair.text for repair in job.repairs] == ([True] if lines else [])
+    told = Report(plan=folder.run.plan, image="ghcr.io/o/robot", published=True, reason="", repairs=job.repairs)
+    shown = "So that the default command starts: lines for the new file `roslab.yaml`:"
+    assert (shown in summary(told)) == bool(lines)
+    explain_start(folder, "linux/amd64", "the robot says no\n", names)
+    assert capsys.readouterr().err == ""
