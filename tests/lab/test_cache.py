@@ -18,7 +18,7 @@ from roslab.github import cache
 from roslab.github.event import Event, publication
 from roslab.github.tree import Carrier, keep, take
 from roslab.pipeline import plan_repository
-from roslab.render.layers.workspace import tree_mount
+from roslab.render.layers.compiler_cache import tree_mount
 
 RECIPE = """\
 FROM ubuntu:24.04 AS library

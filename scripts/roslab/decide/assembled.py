@@ -102,11 +102,6 @@ def _by_apt(of: Choices) -> tuple[str, ...]:
     return (*of.system.answer.apt, *of.system.answer.apt_guessed)
 
 
-def _unknown_packages(of: Choices, evidence: Evidence, config: Config) -> Choice[None]:
-    there = (*_by_apt(of), *config.apt)
-    return decide_unknown_packages(evidence, config, of.kind.answer, sources=of.sources.answer, there=there)
-
-
 def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     """Return the decision, with the reasons and the warnings of every choice.
 
@@ -180,7 +175,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             else (
                 decide_opened(evidence, config, of.command.answer.command, of.downloads.answer),
                 decide_outside(evidence, config, of.kind.answer),
-                _unknown_packages(of, evidence, config),
+                decide_unknown_packages(
+                    evidence, config, of.kind.answer, of.sources.answer, (*_by_apt(of), *config.apt)
+                ),
                 decide_nodes(evidence, config, of.kind.answer, of.base.answer, of.python.answer),
                 decide_python_in_scripts(evidence, config, of.kind.answer, of.base.answer.image, of.python.answer),
             )

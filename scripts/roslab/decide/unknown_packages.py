@@ -23,7 +23,7 @@ MOST = 5
 
 
 def decide_unknown_packages(
-    evidence: Evidence, config: Config, kind: Kind, *, sources: Sources, there: Iterable[str]
+    evidence: Evidence, config: Config, kind: Kind, sources: Sources, there: Iterable[str]
 ) -> Choice[None]:
     """Return a warning that names those which no package of the tree, no distribution and no clone is called like.
 

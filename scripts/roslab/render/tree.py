@@ -11,7 +11,7 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import scripts, shell
-from roslab.render.layers.workspace import tree_mount
+from roslab.render.layers.compiler_cache import tree_mount
 
 FILE = "Dockerfile.tree"
 BEFORE = "before"

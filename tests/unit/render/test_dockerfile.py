@@ -81,7 +81,8 @@ def test_layers_go_from_rarely_to_often_changing() -> None:
         "COPY talker/package.xml /tmp/manifests/talker/",
         " && install-rosdep-keys",
         "numpy==1.17",
-        "FROM dependencies AS compiled\nCOPY --from=scripts ",
+        "FROM dependencies AS compiled\n",
+        " install-ccache\n",
         "USER ${NB_USER}\nWORKDIR /home/${NB_USER}/ws/src/paper\nWORKDIR /home/${NB_USER}/ws\n",
         "COPY --from=source --chown=${NB_UID}:${NB_UID} / /home/${NB_USER}/ws/src/paper/\nRUN ",
         "catkin_make -j",
@@ -498,8 +499,8 @@ def test_the_tests_of_sisters_are_not_compiled() -> None:
     with_sister: dict[str, Any] = {"source": (sister,), "ros_distro": "jazzy", "build_tool": "colcon"}
     text = dockerfile(plan(**with_sister))
     assert " && leave-out-tests src/sister \\\n" in text
-    scripts = "/compile-jobs /reuse-build /leave-out-doubles /make-installed-folders /declare-needs /raise-standard"
-    scripts += " /leave-out-tests /leave-out-failed /build-needed /warnings-pass"
+    scripts = "/compile-jobs /reuse-build /with-ccache /leave-out-doubles /make-installed-folders /declare-needs"
+    scripts += " /raise-standard /leave-out-tests /leave-out-failed /build-needed /warnings-pass"
     scripts += " /read-manifest /required-by-cmake /workspace-packages"
     assert f"COPY --from=scripts {scripts} /usr/local/bin/" in text
     for stated_by in (

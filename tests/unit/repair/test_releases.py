@@ -60,7 +60,7 @@ def test_the_nearest_release_with_the_same_first_number_is_taken(
 def test_with_it_the_image_can_be_planned(tmp_path: Path) -> None:
     found = repaired(tmp_path, {"requirements.txt": "attrs\nsix==1.99\n"}, log("six==1.99", "1.16.0, 1.17.0"))
     text = added(PYTHON, found.entries)
-    assert text == f"{PYTHON}pip:\n  - \"six==1.17.0\"  # for the package six (requirements.txt:2)\n"
+    assert text == f'{PYTHON}pip:\n  - "six==1.17.0"  # for the package six (requirements.txt:2)\n'
     tree_of(tmp_path, {"roslab.yaml": text})
     plan = plan_repository(tmp_path).plan
     assert (plan.python.pip, plan.python.requirements) == (("six==1.17.0", "attrs", "six"), ())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind
-from roslab.decide.decision import Choice, Warning_
+from roslab.decide.decision import Choice
 from roslab.decide.downloads import names_at_home
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
@@ -19,14 +19,13 @@ from roslab.decide.ros.skipped import skipped
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.without_code import without_code
 from roslab.decide.ros.workspace import Packages
-from roslab.decide.system.bare_links import without_linked
 from roslab.decide.system.built import Built
 from roslab.decide.system.by_hand import of_majors
 from roslab.decide.system.guards import required_by_tool
 from roslab.decide.system.left_out import SKIP, folders_of, leave_out, with_modules
 from roslab.decide.system.library_headers import without_library
 from roslab.decide.system.lost_extensions import lost_extensions, may_stop, told
-from roslab.decide.system.lost_libraries import lost_libraries
+from roslab.decide.system.lost_parts import lost_parts
 from roslab.decide.system.names import Target, resolve, written_for
 from roslab.decide.system.no_config import told_configs, without_config
 from roslab.decide.system.not_found import not_found
@@ -46,8 +45,6 @@ from roslab.decide.system.switches import given, switch_of
 from roslab.decide.system.tests_left_out import of_package_tests, of_tests
 from roslab.decide.system.too_old import too_old
 from roslab.decide.system.tried_headers import without_tried
-from roslab.decide.system.without_modules import without_modules
-from roslab.decide.system.without_programs import without_programs
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.released import released, rosdep_keys
@@ -204,7 +201,7 @@ def decide_missing(
     unfound = (
         *without_library(evidence, still, names, build_tool, unread=cloned or custom),
         *not_found(evidence, packages, target, names, build_tool, built=made, tried=tried),
-        *(() if custom else _lost(evidence, packages, of_build, may_hold, tried)),
+        *(() if custom else lost_parts(evidence, packages, of_build, may_hold, tried)),
     )
     warnings += [warning for _, warning in unfound]
     hidden = {
@@ -236,20 +233,6 @@ def decide_missing(
             *(because("workspace", m.name or "", _BESIDE, said, weight=ENDED) for m, said in beside),
         ),
     )
-
-
-def _lost(
-    evidence: Evidence,
-    packages: Packages,
-    of_build: Built,
-    may_hold: Callable[[str], bool],
-    tried: Mapping[str, str],
-) -> Iterator[tuple[str, Warning_]]:
-    """Yield the libraries and programs that CMake looks for or links and nothing brings, each with its file."""
-    yield from lost_libraries(evidence, packages, of_build.build_tool)
-    yield from without_programs(evidence, packages, of_build)
-    yield from without_modules(evidence, packages, of_build, may_hold)
-    yield from without_linked(evidence, packages, of_build, may_hold, tried)
 
 
 def provided(

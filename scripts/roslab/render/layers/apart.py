@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.plan.ros_build import WORKSPACE
 from roslab.render import quote
-from roslab.render.layers import program, workspace
+from roslab.render.layers import compiler_cache, program, workspace
 from roslab.render.layers.workspace import HOME, WS
 
 SOURCE = "source"
@@ -32,7 +32,7 @@ def compiled(plan: Plan) -> str:
     target = quote.docker_path(workspace.source_folder(plan))
     copy = f"COPY --from={SOURCE} --chown=${{NB_UID}}:${{NB_UID}} / {target}/"
     parts = (
-        workspace.compiler_cache(plan),
+        compiler_cache.install(plan),
         before,
         copy,
         workspace.any_processor(plan),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import cloned_heads, secrets, shell, workspace
+from roslab.render.layers import cloned_heads, compiler_cache, secrets, shell, workspace
 
 INSTALL = "install-program"
 KEEPS_GOING = "make-what-compiles"
@@ -22,9 +22,9 @@ def compile_program(plan: Plan) -> str:
         return ""
     source = f"{workspace.source_folder(plan)}/{program.folder}".rstrip("/")
     build = quote.shell_with_user(f"{workspace.HOME}/{program.build}")
-    launchers = workspace.launchers(plan)
-    kept = secrets.Secrets(mounts=(workspace.tree_mount(plan),)) if launchers else secrets.NONE
-    told = f"{workspace.WITH_CACHE} --told " if launchers else ""
+    launchers = compiler_cache.launchers(plan)
+    kept = secrets.Secrets(mounts=(compiler_cache.tree_mount(plan),)) if launchers else secrets.NONE
+    told = f"{compiler_cache.WITH_CACHE} --told " if launchers else ""
     make, script = (KEEPS_GOING, shell.copy_script(KEEPS_GOING)) if program.keeps_going else ("make", "")
     folder = quote.shell_with_user(f"{workspace.source_folder(plan)}")
     passing = workspace.warnings_pass(plan, folder)
@@ -40,7 +40,7 @@ def compile_program(plan: Plan) -> str:
         secrets=kept,
         around=cloned_heads.of_day(plan),
     )
-    script += shell.copy_script(workspace.WITH_CACHE) if launchers else ""
+    script += shell.copy_script(compiler_cache.WITH_CACHE) if launchers else ""
     return f"# The program\nUSER ${{NB_USER}}\n{script}{run}"
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from roslab.plan.plan import Plan
 from roslab.plan.ros_build import WORKSPACE, RosBuild
 from roslab.render import quote
-from roslab.render.layers import attempts, cloned_heads, locks, manifests, prepared, secrets, shell
+from roslab.render.layers import attempts, cloned_heads, compiler_cache, locks, manifests, prepared, secrets, shell
 from roslab.render.layers.called import with_called
 from roslab.render.layers.prepared import RAISED, WITHOUT_LACKING
 
@@ -16,7 +16,6 @@ HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
 ROSMAKE = "rosmake-workspace"
 """The script that compiles packages of rosbuild."""
-BUILD_CACHE = "/var/cache/roslab-build"
 WITHOUT_TESTS = "leave-out-tests"
 WITHOUT_DOUBLES = "leave-out-doubles"
 DECLARED = "declare-needs"
@@ -31,9 +30,6 @@ PLAIN_APART = "plain-apart"
 """The script that compiles packages one by one where a clone brings one that catkin_make refuses."""
 UNKNOWN = "clone-unknown"
 """The script that clones what cloned repositories need in turn."""
-WITH_CACHE = "with-ccache"
-"""The script that compiles one file, or takes what an earlier build made of it."""
-_LAUNCHERS = " ".join(f"-DCMAKE_{language}_COMPILER_LAUNCHER={WITH_CACHE}" for language in ("C", "CXX"))
 _LOGS = "-path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml"
 """CMake's logs, which name random targets, others at each build."""
 TIDY = rf"find . \( -name '*.o' -o {_LOGS} \) -delete"
@@ -221,36 +217,17 @@ def compile_again(plan: Plan) -> tuple[str, str]:
     build = plan.workspace.ros
     if build is None:
         return enter_source(plan), ""
-    kept = secrets.Secrets(mounts=(tree_mount(plan),))
+    kept = secrets.Secrets(mounts=(compiler_cache.tree_mount(plan),))
     run = shell.run(
         f". {setups(plan)[0]}",
         *_commands(plan, build, again=f"{attempts.tried(plan)}reuse-build "),
         secrets=kept,
         around=cloned_heads.of_day(plan),
     )
-    launcher = (WITH_CACHE,) if plan.workspace.compiler_cache else ()
+    launcher = (compiler_cache.WITH_CACHE,) if compiler_cache.launchers(plan) else ()
     scripts = ("compile-jobs", "reuse-build", *launcher, *_scripts(run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     return f"{script}{enter_source(plan)}\nWORKDIR {WS}", run.replace(shell.copy_script("compile-jobs"), "")
-
-
-def tree_mount(plan: Plan) -> str:
-    """Return the mount in which the build tree outlives a build; BuildKit knows it by all of these words."""
-    cache = f"--mount=type=cache,id=build-{plan.name}-${{TARGETARCH}},target={BUILD_CACHE}"
-    return f"{cache},uid=${{NB_UID}},sharing=locked"
-
-
-def launchers(plan: Plan) -> str:
-    """Return CMake's options by which what is compiled in a stage of its own is kept, on a line of their own."""
-    return f" \\\n      {_LAUNCHERS}" if plan.compiled_apart and plan.workspace.compiler_cache else ""
-
-
-def compiler_cache(plan: Plan) -> str:
-    """Install what keeps compiled files, in the stage that compiles."""
-    if not launchers(plan):
-        return ""
-    comment = "Files that are the same as in an earlier build are not compiled again"
-    return f"USER root\n{shell.call('install-ccache', comment=comment, secrets=secrets.for_apt(plan))}"
 
 
 def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
@@ -268,7 +245,7 @@ def without_doubles(build: RosBuild) -> str:
 
 
 def _building(plan: Plan, build: RosBuild, again: str) -> list[str]:
-    options, arguments = words(build.cmake_options) + launchers(plan), words(build.arguments)
+    options, arguments = words(build.cmake_options) + compiler_cache.launchers(plan), words(build.arguments)
     cmake = f" \\\n      --cmake-args{options}" if options else ""
     jobs = shell.jobs(build.jobs)
     passing = warnings_pass(plan, "src") if build.tool != "rosmake" else ""
