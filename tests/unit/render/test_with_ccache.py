@@ -11,7 +11,7 @@ import pytest
 
 SCRIPT = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts/with-ccache.sh"
 COMPILER = '#!/bin/bash\necho "compiler $*" >>"${SAID}"\nexec c++ "$@"\n'
-STAND_IN = '#!/bin/bash\necho "ccache $* in ${CCACHE_DIR}" >>"${SAID}"\nexec "$@"\n'
+STAND_IN = '#!/bin/bash\necho "ccache $* in ${CCACHE_DIR} depend=${CCACHE_DEPEND}" >>"${SAID}"\nexec "$@"\n'
 
 pytestmark = pytest.mark.skipif(shutil.which("c++") is None, reason="there is no compiler")
 
@@ -78,17 +78,20 @@ def test_a_command_is_run_as_it_is_and_its_exit_code_is_kept(compiling: Compilin
 
 
 @pytest.mark.parametrize(
-    ("words", "added"),
+    ("words", "added", "depend"),
     [
-        (["-O2", "-c", "a.cpp", "-o", "b.o"], " -MD -MF b.o.d"),
-        (["-MD", "-MT", "b.o", "-MF", "own.d", "-c", "a.cpp", "-o", "b.o"], ""),
-        (["-shared", "a.cpp", "-o", "b.so"], ""),
+        (["-O2", "-c", "a.cpp", "-o", "b.o"], " -MD -MF b.o.d", "1"),
+        (["-MD", "-MT", "b.o", "-MF", "own.d", "-c", "a.cpp", "-o", "b.o"], "", "1"),
+        (["-MMD", "-c", "a.cpp", "-o", "b.o"], "", ""),
+        (["-shared", "a.cpp", "-o", "b.so"], "", "1"),
     ],
 )
 def test_the_compiler_tells_of_headers_where_cmake_does_not_ask(
-    compiling: Compiling, words: list[str], added: str
+    compiling: Compiling, words: list[str], added: str, depend: str
 ) -> None:
     compiling.program("ccache", STAND_IN)
     compiling.cache.mkdir()
     said = compiling.compile(*words)
-    assert said.splitlines()[0] == f"ccache compiler {' '.join(words)}{added} in {compiling.cache}/ccache"
+    assert (
+        said.splitlines()[0] == f"ccache compiler {' '.join(words)}{added} in {compiling.cache}/ccache depend={depend}"
+    )

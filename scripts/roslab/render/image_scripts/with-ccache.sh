@@ -25,6 +25,10 @@ compiles='' told='' object='' before=''
 for word in "$@"; do
   case "${word}" in
     -c) compiles=yes ;;
+    -MMD | -MM) # the compiler does not tell of the system's headers then, which another build may have in another release
+      told=yes
+      unset CCACHE_DEPEND
+      ;;
     -M*) told=yes ;;
   esac
   if [ "${before}" = -o ]; then object="${word}"; fi
