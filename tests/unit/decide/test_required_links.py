@@ -53,6 +53,26 @@ def test_messages_that_a_script_imports_are_of_a_package_that_a_page_lists(
 
 
 @pytest.mark.parametrize(
+    ("link", "ref"),
+    [
+        ("tree/main/quad_x_msgs", "default"),
+        ("tree/humble-devel/ros/quad_x_msgs", "humble-devel"),
+        ("tree/master/quad_x_msgs/", "default"),
+        ("-/tree/v2/quad_x_msgs", "v2"),
+        ("tree/main/quad_x_msgs/README.md", None),
+        ("blob/main/quad_x_msgs", None),
+        ("tree/main/quad_x_msgs?tab=readme", "default"),
+    ],
+)
+def test_a_listed_folder_of_a_repository_is_of_that_repository(tree: Tree, link: str, ref: str | None) -> None:
+    page = f"{TITLE}- quad_x: {THIRD}/quad_x/{link}\n"
+    cloned = _cloned(tree(_files(page, "from quad_x_msgs.srv import Attach")))
+    assert cloned == ({f"{THIRD}/quad_x": None if ref == "default" else ref} if ref else {})
+    page = f"ROS 2 Humble. It is like {THIRD}/quad_x/{link}\n"
+    assert _cloned(tree(_files(page, "from quad_x_msgs.srv import Attach"))) == {}
+
+
+@pytest.mark.parametrize(
     "code",
     ["def run():\n    from quad_x.srv import Attach", "from quad_x import srv", "from std_msgs.msg import String"],
 )

@@ -623,3 +623,22 @@ def test_the_branch_that_a_link_names_is_taken(tree: Tree, link: str, ref: str |
     page = {"README.md": f"ROS Noetic.\nUsed with {link}\n"}
     decision = tree(_git(f"{LAB}/mpc") | _package("mpc", "quad_x") | page)
     assert [each.ref for each in decision.source if each.name == "control"] == [ref]
+
+
+@pytest.mark.parametrize(
+    ("title", "needed", "looked"),
+    [
+        ("## Dependencies", "voice_menu", True),
+        ("## Dependencies", "stack_menu", False),  # a clone is called like it
+        ("## Related work", "voice_menu", False),
+    ],
+)
+def test_what_a_clone_may_hold_is_looked_for_in_what_a_page_lists_as_needed(
+    tree: Tree, title: str, needed: str, looked: bool
+) -> None:
+    listed = f"{title}\n\n- talking: https://github.com/other/talking\n"
+    clone = "    cd ~/catkin_ws/src\n    git clone https://github.com/other/stack\n    catkin_make\n"
+    page = f"ROS Noetic.\n\n{listed}\n## Build\n\n{clone}"
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", needed) | {"README.md": page})
+    assert "stack" in {source.name for source in decision.source if not source.holding}
+    assert _sought(decision) == ({"https://github.com/other/talking": (needed,)} if looked else {})

@@ -18,7 +18,7 @@ from roslab.decide.ros.credited import credited
 from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought_addresses import addresses_of, called_by
-from roslab.decide.ros.sought_links import of_ubuntu
+from roslab.decide.ros.sought_links import listed_by_pages, of_ubuntu
 from roslab.decide.ros.source_names import address, akin, day_of_clone, fixed, plain, stands_already
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
@@ -57,9 +57,9 @@ def with_sought(
     ``needed``: names that the build uses or the code may name, ``known``: what the repository, rosdep and the
     distribution have, ``cloned``: what pages clone, ``refs``: the branch of a clone by its address; ``before``: the day
     of what has none. None for the old formats, whose images never had them; where a source whose packages are not known
-    may hold them, only what pages clone, and the owner's repository of exactly a package's name where that source is
-    most likely another package alone. Nor what a submodule that is not checked out most likely has, or what is one slip
-    away from a known name that the repository has elsewhere.
+    may hold them, only what pages clone or, where none is called alike, list as needed, and the owner's repository of
+    exactly a package's name where that source is most likely another package alone. Nor what a submodule that is not
+    checked out most likely has, or what is one slip away from a known name that the repository has elsewhere.
     """
     sources = choice.answer
     build = workspace_tool(build_tool)
@@ -87,6 +87,11 @@ def with_sought(
     for url, names in addresses_of(alike, evidence, known):
         if called := tuple(name for name in names if url.endswith(f"/{name}")):
             addresses.setdefault(url, called)
+    names_of_clones = [source.name for source in sources.everything]
+    perhaps = (name for name in lacking if name not in nowhere)  # in a clone, whatever that is called
+    unsure = tuple(name for name in perhaps if not any(akin(name, other) for other in names_of_clones))
+    for git in listed_by_pages(evidence, address(evidence.origin or ""), known, unsure) if unsure else ():
+        addresses.setdefault(https(git.url).removesuffix(".git"), unsure)
     for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:MOST]:
         name, asked = folder_for(url, [*sources.sources, *found]), lacking[names[0]]
         place = Place(file=asked.file, line=asked.line)

@@ -28,24 +28,41 @@ def linked_by_pages(
     Not one with the name of what is known, as of one of the repository's own packages, which is what it was made from;
     nor one with the repository's own name, which is itself under another owner.
     """
-    owner, _, itself = here.rpartition("/")
+    first = listed_by_pages(evidence, here, known, names)
+    yield from first
+    owner = here.rpartition("/")[0]
+    others = _others(evidence, here, known)
+    near = [git for url, git in others.items() if len(others) == 1 or (owner and url.rpartition("/")[0] == owner)]
+    near = [git for git in near if git not in first]
+    yield from near
+    of_ros = _of_ros(others.values(), evidence, names)
+    beside = [git for git in of_ros if git.of_packages and not git.private and git not in (*first, *near)]
+    yield from sorted(beside, key=lambda git: not any(akin(name, git.name) for name in names))[:_MOST_BESIDE]
+
+
+def listed_by_pages(evidence: Evidence, here: str, known: AbstractSet[str], names: Collection[str]) -> list[GitSource]:
+    """Return the first repositories that pages at the root say to hold the dependencies, or list among them."""
+    listed = _of_ros(_others(evidence, here, known).values(), evidence, names)
+    return [git for git in listed if git.holds][:_MOST_LISTED]
+
+
+def _others(evidence: Evidence, here: str, known: AbstractSet[str]) -> dict[str, GitSource]:
+    """Return what pages at the root link to, by its address, without what is known or the repository itself."""
+    itself = here.rpartition("/")[2]
     links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
-    others = {
+    return {
         address(git.url): git
         for git in links
         if known.isdisjoint((git.name, plain(git.name))) and address(git.url) != here
         if not itself or plain(git.name) != plain(itself)
     }
+
+
+def _of_ros(links: Iterable[GitSource], evidence: Evidence, names: Collection[str]) -> list[GitSource]:
+    """Return the repositories that may hold packages of ROS: no project of Python, nor what Ubuntu has."""
     of_python = {bare_name(name) for name in _of_python(evidence)}
-    of_ros = [git for git in others.values() if bare_name(git.name) not in of_python]
-    of_ros = [git for git in of_ros if not of_ubuntu(git) and not _of_import(git, names)]
-    first = [git for git in of_ros if git.holds][:_MOST_LISTED]
-    yield from first
-    near = [git for url, git in others.items() if len(others) == 1 or (owner and url.rpartition("/")[0] == owner)]
-    near = [git for git in near if git not in first]
-    yield from near
-    beside = [git for git in of_ros if git.of_packages and not git.private and git not in (*first, *near)]
-    yield from sorted(beside, key=lambda git: not any(akin(name, git.name) for name in names))[:_MOST_BESIDE]
+    of_ros = (git for git in links if bare_name(git.name) not in of_python)
+    return [git for git in of_ros if not of_ubuntu(git) and not _of_import(git, names)]
 
 
 def _of_python(evidence: Evidence) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.prose.headings import lines_of
@@ -20,6 +20,10 @@ _LINK = pattern(
     r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/tree/([\w.-]*\w))?(?:/(?![\w.?#/-]))?(?!\.?[\w/-])"
 )
 """A page of a repository itself or of its branch, not of a file in it."""
+_FOLDER = pattern(
+    r"(https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w))(?:/-)?/tree/([\w.-]*\w)/(?:[\w.-]+/){0,3}[a-z]\w*/?(?![\w./-])"
+)
+"""A folder in a repository, as a package lies in one."""
 _DEFAULT = frozenset({"master", "main", "HEAD"})
 _PINNED = pattern(r"(?:\.git)?\)?[ \t]{0,3}(?:@|\(?(?:at )?commit)[ \t]{0,3}`?\[?`?([0-9a-f]{7,40})(?![\w.])")
 """The commit behind a link: ``[odd](https://…/odd) @ 84bfc56``."""
@@ -117,7 +121,22 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
         if line in beside:
             found[url] = replace(found[url], of_packages=True)
         found[url] = _judged(found[url], _before(text, match.start()), text, match.end())
+    for git in _folders(text, file, listed - thanked):
+        found.setdefault(git.url, git)
     return list(found.values())[:MAX_LINKS]
+
+
+def _folders(text: str, file: File, listed: Collection[int]) -> Iterator[GitSource]:
+    """Yield the repositories of which a list of what is needed names a folder: ``…/talk/tree/main/talk_msgs``."""
+    for match in _FOLDER.finditer(text) if listed else ():
+        line = text.count("\n", 0, match.start()) + 1
+        if line in listed:
+            ref = None if match[3] in _DEFAULT else match[3]
+            name, url = match[2].removesuffix(".git"), match[1].removesuffix(".git")
+            git = GitSource(
+                name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link", holds=True
+            )
+            yield _judged(git, _before(text, match.start()), text, match.end())
 
 
 def _judged(git: GitSource, before: str, text: str, end: int) -> GitSource:
@@ -158,7 +177,7 @@ def _end(text: str, end: int) -> int:
 
 def _listed(text: str) -> frozenset[int]:
     """Return the numbers of the lines that list what is needed, of a page with such a list and a link."""
-    if not LISTS.search(text) or not _LINK.search(text):
+    if not LISTS.search(text) or not (_LINK.search(text) or _FOLDER.search(text)):
         return frozenset()
     return frozenset(line.number for line in needed_items(text))
 
