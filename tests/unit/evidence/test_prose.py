@@ -7,7 +7,7 @@ from types import ModuleType
 
 import pytest
 
-from roslab.evidence.prose import ci, readme
+from roslab.evidence.prose import ci, mentions, readme
 from roslab.evidence.prose import install_scripts as scripts
 from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.preformatted import as_markdown
@@ -123,6 +123,24 @@ def test_words_that_only_look_like_distros(tmp_path: Path, line: str) -> None:
 def test_a_ci_file_with_the_other_ending(tmp_path: Path, name: str, found: set[str]) -> None:
     prose = read(ci, tmp_path, {name: "env:\n  global:\n    - ROS_DISTRO=kinetic\n"})
     assert {m.value for m in prose.mentions if m.topic == "distro"} == found
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("Recommended for Ubuntu 24", ["24.04"]),
+        ("Ubuntu 22, ROS 2", ["22.04"]),
+        ("On Ubuntu 20 and later", ["20.04"]),
+        ("Tested on Ubuntu 18.", ["18.04"]),
+        ("Ubuntu 22.10", []),
+        ("Ubuntu 18.04.5", ["18.04"]),
+        ("Ubuntu 16 GB, 20 cores", []),
+        ("Ubuntu 24th", []),
+        ("Ubuntu 21", []),
+    ],
+)
+def test_an_ubuntu_may_be_named_by_its_year(line: str, said: list[str]) -> None:
+    assert [m.value for m in mentions.read(line, "README.md", "readme") if m.topic == "ubuntu"] == said
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.generated import package_of
 from roslab.knowledge.libraries import header
-from roslab.knowledge.released import released
+from roslab.knowledge.released import released, rosdep_keys
 
 _MOST = 60
 
@@ -34,7 +34,7 @@ def included_interfaces(evidence: Evidence, packages: Packages, ros_distro: str 
 def _files(evidence: Evidence, packages: Packages) -> Iterator[str]:
     """Yield the other headers of packages that those of the workspace ask for; what a table knows is of a library."""
     asked = {d.name for m in packages.built for d in m.dependencies if d.namespace in {"rosdep", "ros"}}
-    asked.difference_update(packages.names)
+    asked -= packages.names | rosdep_keys()
     folders = tuple(manifest.file.rpartition("/")[0] for manifest in packages.built)
     for each in evidence.code:
         name, slash, _ = each.name.partition("/")

@@ -42,6 +42,8 @@ def _word(source: str) -> re.Pattern[str]:
     return pattern(rf"(?<![A-Za-z])(?:{source})", re.IGNORECASE)
 
 
+_NO_MORE = r"(?!\.?\d)(?!\s{0,2}(?:[GMTK]i?B|bit|cores?|threads?|CPU)\b)(?!(?:st|nd|rd|th)\b)"
+"""What does not follow the year alone of a release: another number, or what it counts."""
 Topic = Literal["distro", "ubuntu", "cuda", "cudnn", "python", "no_python", "vcs_file"]
 
 
@@ -52,6 +54,7 @@ def _patterns() -> tuple[tuple[Topic, tuple[str, ...], re.Pattern[str]], ...]:
     Where the pattern is a ``_word``, its matches begin with one of the texts.
     """
     numbers = "|".join(map(re.escape, ubuntus()))
+    numbers += "|" + "|".join(version.removesuffix(".04") + _NO_MORE for version in ubuntus())
     codenames = "|".join(name + _NO_UBUNTU.get(name, "") for name in ubuntus().values())
     return (
         ("distro", tuple(sorted(ever())), _word(rf"({'|'.join(sorted(ever()))})s?(?![A-Za-z])")),  # ROS KINETICS
@@ -108,6 +111,7 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
             end = text.find("\n", match.end(), match.end() + 90)
             context = text[max(0, start) : end if end >= 0 else match.end() + 90].strip()
             value = next(group for group in match.groups() if group).lower()
+            value = f"{value}.04" if topic == "ubuntu" and value.isdecimal() else value  # ``Ubuntu 24``
             if topic == "distro" and value in english_words() and not _means_ros(match, context, source):
                 continue
             if topic == "ubuntu" and source == "readme" and not _a_release(value, context, match):
