@@ -14,6 +14,7 @@ from roslab.decide.last_signs import OTHER_BUILDER, last_signs
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, page_of, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import beside_catkin, built_by_cmake_alone, built_together, parts_of_cmake
+from roslab.decide.ros.run_outside import run_outside
 from roslab.decide.ros.without_manifest import CLIENTS, by_cmake, client_of, installed_by_author
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
@@ -147,16 +148,18 @@ def _packages(evidence: Evidence, built: tuple[PackageManifest, ...], *, named: 
     around = any("/" not in project.file for project in evidence.cmake)  # the library that the examples wrap
     around = around and not without_ros(evidence)
     examples = not (named or around) and all(places.sample(file.rpartition("/")[0]) for file in files)
+    outside = None if named or wrapper or examples else run_outside(evidence)
     reasons: list[Reason] = []
     for version, made in by_version.items():
         if not made:
             continue
         others = len(by_version[3 - version])
         weight = Weight.WRAPPER if wrapper else Weight.EXAMPLES if examples else Weight.PACKAGES
-        weight = Weight.NEVER_CALLED if built_by_cmake_alone(evidence, made) else weight
+        weight = Weight.NEVER_CALLED if built_by_cmake_alone(evidence, made) or outside else weight
         weight += _leaning(evidence, version, len(made) - others) if others else 0
         number = "a package" if len(made) == 1 else f"{len(made)} packages"
         why = f"{number} built by {'catkin' if version == 1 else 'ament'}"
+        why += f", and {page_of(outside.file)} runs only what CMake makes without them" if outside else ""
         why += ", a wrapper beside a Python project" if wrapper else ", which are examples" if examples else ""
         reasons.append(because("kind", f"ros{version}", why, made[0], weight=weight))
     return reasons

@@ -73,6 +73,18 @@ WRAPPED = (
 BUILD = "ROS 2 Humble\n```\ncolcon build{}\n```\nWithout ROS:\n```\ncmake .. && make\n./demo_arm can0\n```\n"
 
 
+def wrapped(page: str, default: str) -> dict[str, str]:
+    return {
+        "package.xml": BOTH,
+        "CMakeLists.txt": WRAPPED.format(default),
+        "cmake/ros1.cmake": "add_executable(arm_ros1 a.cpp)\n",
+        "cmake/ros2.cmake": "add_executable(arm_ros2 a.cpp)\ninstall(TARGETS arm_ros2 DESTINATION lib/arm_sdk)\n",
+        "cmake/native.cmake": "add_executable(demo_arm b.cpp)\n",
+        **dict.fromkeys(("a.cpp", "b.cpp"), "#include <Eigen/Dense>\nint main() {}\n"),
+        "README.md": page,
+    }
+
+
 @pytest.mark.parametrize(
     ("args", "default", "there"),
     [
@@ -84,21 +96,29 @@ BUILD = "ROS 2 Humble\n```\ncolcon build{}\n```\nWithout ROS:\n```\ncmake .. && 
     ],
 )
 def test_a_program_that_waits_for_an_option_to_be_off(tree: Tree, args: str, default: str, there: bool) -> None:
-    files = {
-        "package.xml": BOTH,
-        "CMakeLists.txt": WRAPPED.format(default),
-        "cmake/ros1.cmake": "add_executable(arm_ros1 a.cpp)\n",
-        "cmake/ros2.cmake": "add_executable(arm_ros2 a.cpp)\ninstall(TARGETS arm_ros2 DESTINATION lib/arm_sdk)\n",
-        "cmake/native.cmake": "add_executable(demo_arm b.cpp)\n",
-        **dict.fromkeys(("a.cpp", "b.cpp"), "int main() {}\n"),
-        "README.md": BUILD.format(args),
-    }
-    decision = tree(files)
+    decision = tree(wrapped(BUILD.format(f"{args}\nros2 run rviz2 rviz2"), default))
     assert decision.kind == "ros2"
     run = ("demo_arm", "can0") if there else ("arm_ros2",)
-    assert decision.command == ("ros2", "run", "arm_sdk", *run)
-    assert not any("arm_ros1" in words for words in decision.command_candidates)
+    assert ("ros2", "run", "arm_sdk", *run) in (decision.command, *decision.command_candidates)
+    assert not any({"arm_ros1", *(() if there else ("demo_arm",))} & {*words} for words in decision.command_candidates)
     assert any("demo_arm, which CMake compiles only outside" in w.message for w in decision.warnings) != there
+
+
+@pytest.mark.parametrize(
+    ("args", "more", "kind"),
+    [
+        (" --cmake-args -DROS_BUILD=ON", "", "cpp"),
+        (" --cmake-args -DROS_BUILD=ON\nros2 run rviz2 rviz2", "", "ros2"),
+        ("", "", "ros2"),
+    ],
+)
+def test_a_page_that_runs_only_what_is_made_without_ros(tree: Tree, args: str, more: str, kind: str) -> None:
+    page = BUILD.format(args).replace("./demo_arm", f"{more}./demo_arm")
+    decision = tree(wrapped(page, "OFF"))
+    assert decision.kind == kind
+    if kind == "cpp":
+        assert decision.command == ("demo_arm", "can0")
+        assert not any("only outside" in each.message for each in decision.warnings)
 
 
 @pytest.mark.parametrize(
