@@ -10,7 +10,7 @@ from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.last_releases import ranges_of_lists
 from roslab.decide.python.pins import Pin
-from roslab.decide.python.pythons import PREFERRED
+from roslab.decide.python.pythons import DEFAULT, PREFERRED
 from roslab.decide.python.ranges import (
     Range,
     only_lowest,
@@ -90,6 +90,7 @@ def python_version(
     if chosen is not None:
         others = (reason for reason in (*said, *reasons) if reason is not chosen)
         return Choice(answer=Wanted(version=chosen.answer), reasons=(chosen, *outweighed(others, chosen)))
+    fitting = _unread(fitting, pins)
     if not known or not fitting:
         return Choice(answer=Wanted(version=None), reasons=tuple(replace(reason, decisive=False) for reason in said))
     every = all(fitting[0] in each.pythons for each in known)
@@ -131,6 +132,19 @@ def _fitting(known: tuple[Range, ...]) -> list[str]:
         for each in group:
             fitting = [python for python in fitting if python in each.pythons] or fitting
     return fitting
+
+
+def _unread(fitting: list[str], pins: Iterable[Pin]) -> list[str]:
+    """Return the Pythons that fit, the oldest from the default on first where all are newer and git brings a package.
+
+    What that pins is not read here, and may have no wheels for a Python that came after it; the author's has them.
+    """
+    newer = fitting and Version(fitting[0]) > Version(DEFAULT) and DEFAULT not in fitting
+    if not newer or not any(pin.trust and pin.requirement.vcs for pin in pins):
+        return fitting
+    above = [python for python in fitting if Version(python) > Version(DEFAULT)]
+    oldest = min(above, key=Version)
+    return [oldest, *(python for python in fitting if python != oldest)]
 
 
 def _order(reason: Reason) -> tuple[int, str, int, list[int]]:
