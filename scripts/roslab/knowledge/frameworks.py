@@ -176,6 +176,12 @@ def last_below(package: str, release: str) -> Framework | None:
     return next((row for first, row in _series(package) if numbers and first < numbers), None)
 
 
+def next_after(known: Framework) -> Framework | None:
+    """Return the row of the series that follows another, ``None`` for the newest."""
+    later = [row for first, row in _series(known.package) if first > Version(known.first)]
+    return later[-1] if later else None
+
+
 def _before(first: Version, below: str | None) -> bool:
     return below is None or first < Version(below)
 

@@ -111,7 +111,7 @@ def decide_python(
     chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if each not in named.answer.first))
     everything = [asked for asked in (*declared, *chosen.guessed, *manifests) if interpreter.may(asked)]
     # The distribution's own packages are old enough: only what pip chooses needs a bound
-    exact = framework_pins(pins if manager != "system" else (), everything, cuda)
+    exact = framework_pins(pins if manager != "system" else (), everything, cuda, number, evidence.pip_day)
     conda_asked = [asked for each in evidence.conda if each.file == chosen.conda for asked in of_conda(each)]
     installed_by_conda = conda_asked if manager == "conda" else ()
     bounds = decide_bounds(

@@ -10,7 +10,7 @@ from roslab.decide.python.bounds import Constraints
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.weights import PackageWeight as Weight
 from roslab.decide.reasons import because
-from roslab.knowledge.frameworks import framework, released_together
+from roslab.knowledge.frameworks import framework, newest_framework, newest_on_cuda, next_after, released_together
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -25,12 +25,20 @@ WHY_LOCKED = "the lock has this release of what the manifest leaves free"
 _WHY_LATER = "one manifest pins what another one, which is installed before it, leaves free"
 
 
-def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str | None) -> Choice[Constraints]:
+def framework_pins(
+    pins: Iterable[Pin],
+    asked: Iterable[Requirement],
+    cuda: str | None,
+    python: str | None = None,
+    day: str | None = None,
+) -> Choice[Constraints]:
     """Return constraints for frameworks that ``asked`` leaves open, from install lines or a lock that fit the CUDA.
 
     Today's newest release of the framework may fit neither the code and its compiled parts nor the image's CUDA. What
     one manifest pins and another leaves open is pinned for both: what is compiled between them must fit what stays.
+    Alone, tensorflow is one for the image's CUDA: of a ``day`` its newest wheel for the ``python`` may be for another.
     """
+    pins = tuple(pins)
     everything = [each for each in asked if each.name]
     free = {each.key: each for each in everything if not each.limited}
     found = dict(_of_manifests(everything, free))
@@ -48,7 +56,24 @@ def framework_pins(pins: Iterable[Pin], asked: Iterable[Requirement], cuda: str 
             exact = stated(f"{pin.name}=={pin.release}")
             why = WHY_LOCKED if pin.requirement.origin == "lock" else _WHY
             found.setdefault(exact, because("dependencies", exact.written, why, pin.requirement, weight=Weight.BOUND))
+    others = {each.key for each in everything} & {"torch", "jax"}
+    if pins and cuda and not others and all(each.key != "tensorflow" for each in found):
+        found.update(_of_cuda(free, cuda, python, day))
     return Choice(answer=tuple(found), reasons=tuple(found.values()))
+
+
+def _of_cuda(
+    free: Mapping[str, Requirement], cuda: str, python: str | None, day: str | None
+) -> Iterator[tuple[Requirement, Reason]]:
+    """Yield what keeps a tensorflow that is asked for in any version to those for the image's CUDA."""
+    said = free.get("tensorflow")
+    newest, fitting = newest_framework("tensorflow", day, python), newest_on_cuda("tensorflow", cuda, python, day)
+    if said is None or newest is None or fitting is None or cuda in newest.cuda:
+        return
+    if after := next_after(fitting):
+        bound = stated(f"tensorflow<{after.first}")
+        why = f"the newest is for CUDA {newest.cuda[0]}, and the image has {cuda}"
+        yield bound, because("dependencies", bound.written, why, said, weight=Weight.BOUND)
 
 
 def _of_manifests(
