@@ -65,7 +65,7 @@ def test_it_is_built_where_apt_has_it_not(tmp_path: Path, *, there: bool) -> Non
 
 def test_a_library_after_it_has_the_packages_of_apt(tmp_path: Path) -> None:
     text = _text(tmp_path, f"{PPA}apt install libgtsam-dev", f"{CMAKE}find_package(Pangolin REQUIRED)\n")
-    stages = dict(re.findall(r"^FROM base AS library-\d-(\w+)\n([\s\S]*?)(?=^FROM )", text, re.MULTILINE))
+    stages = dict(re.findall(r"^FROM \w+ AS library-\d-(\w+)\n([\s\S]*?)(?=^FROM )", text, re.MULTILINE))
     assert [name for name, stage in stages.items() if "install-optional-apt libgtsam-dev" in stage] == ["pangolin"]
 
 

@@ -191,15 +191,26 @@ def test_a_script_is_carried_where_it_is_used_and_copied_once_in_a_stage() -> No
 def test_each_library_has_the_scripts_that_it_calls() -> None:
     other = replace(CERES, name="sophus", repo="https://example.org/sophus.git", depends=())
     text = dockerfile(plan(source=(CERES, other)))
-    stages = text.split("\nFROM base AS library-")[1:]
+    stages = re.split(r"\nFROM \w+ AS library-", text)[1:]
     assert len(stages) == 2
     for stage in stages:
         assert stage.index("COPY --from=scripts /compile-jobs") < stage.index("$(compile-jobs)")
 
 
+def test_what_compiles_several_libraries_is_installed_once() -> None:
+    other = replace(CERES, name="sophus", repo="https://example.org/sophus.git", depends=("libfmt-dev",))
+    alone, both = dockerfile(plan(source=(CERES,))), dockerfile(plan(source=(CERES, other)))
+    assert "AS compilers" not in alone
+    common, *stages = re.split(r"\nFROM compilers AS library-", both.partition("\nFROM base AS compilers\n")[2])
+    assert re.findall(r"^ {6}([\w-]+)", common, re.MULTILINE) == ["build-essential", "ca-certificates", "cmake", "git"]
+    assert len(stages) == 2
+    assert " libfmt-dev " in stages[1].partition("git clone")[0]
+    assert not any("build-essential" in stage.partition("\nFROM ")[0] for stage in stages)
+
+
 def test_a_library_that_is_fetched_as_a_zip_has_what_unpacks_it() -> None:
     archive = replace(CERES, name="torch", repo=None, ref=None, zip="https://example.org/torch.zip", depends=())
-    zipped, cloned = dockerfile(plan(source=(archive, CERES))).split("\nFROM base AS library-")[1:]
+    zipped, cloned = re.split(r"\nFROM \w+ AS library-", dockerfile(plan(source=(archive, CERES))))[1:]
     for tool in ("curl", "unzip"):
         installed = re.compile(rf"^ +{tool}( |$)", re.MULTILINE)
         assert installed.search(zipped.partition("&& curl")[0])

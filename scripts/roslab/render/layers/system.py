@@ -21,6 +21,8 @@ CONFIGURE = "configure-library"
 """A script that calls CMake for a library, once more with a newer one where the library asks for it."""
 INSTALL_BY_MAKE = "install-by-make"
 """A script that installs a library by its own Makefile."""
+COMPILERS = "compilers"
+"""The stage below those of several libraries."""
 
 
 def first_packages(plan: Plan) -> str:
@@ -125,15 +127,27 @@ def interpreters(plan: Plan) -> str:
 def library_stages(plan: Plan) -> str:
     """Build each library in a stage of its own, on the base and what the libraries before it installed.
 
-    A new system package of the repository therefore rebuilds none of them.
+    A new system package of the repository therefore rebuilds none of them. What compiles several is installed once.
     """
+    common = (
+        "build-essential",
+        "ca-certificates",
+        "cmake",
+        "git",
+        *(("openssh-client",) if SSH in plan.secrets else ()),
+    )
     stages: list[str] = []
+    below = "base"
+    if plan.libraries[1:]:
+        below = COMPILERS
+        stages.append(f"FROM base AS {below}\n{shell.apt_install(common, secrets.for_apt(plan))}")
     for index, library in enumerate(plan.libraries):
-        lines = [f"FROM base AS {stage_name(index, library)}"]
-        ssh = ("openssh-client",) if SSH in plan.secrets else ()
+        lines = [f"FROM {below} AS {stage_name(index, library)}"]
         unpacks = ("curl", "unzip") if library.zip else ()  # as `fetch` does
-        depends = ("build-essential", "ca-certificates", "cmake", "git", *ssh, *unpacks, *library.depends)
-        lines.append(shell.apt_install(tuple(dict.fromkeys(depends)), secrets.for_apt(plan)))
+        depends = tuple(dict.fromkeys((*common, *unpacks, *library.depends)))
+        more = tuple(name for name in depends if below == "base" or name not in common)
+        if more:
+            lines.append(shell.apt_install(more, secrets.for_apt(plan)))
         earlier = plan.libraries[:index]
         offered = (*(name for each in earlier for name in each.instead), *library.offered)
         lines += _offered(plan, library, offered, depends)
