@@ -21,8 +21,8 @@ FOUND = {"CMakeLists.txt": "project(demo)\nfind_package(GTSAM REQUIRED)\nadd_exe
     [
         (f"{LINK} == `wrap_export`, a library", "imported, declared nowhere"),
         (f"{LINK} = develop", "imported, declared nowhere"),
-        (f"{LINK} == 4.1.1", "named in an install line"),
-        ("GTSAM 4.1.1", "named in an install line"),
+        (f"{LINK} == 4.1.1", "a page lists it"),
+        ("GTSAM 4.1.1", "a page lists it"),
     ],
 )
 def test_a_link_with_a_branch_names_no_package(tree: Tree, item: str, reason: str) -> None:

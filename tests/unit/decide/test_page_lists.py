@@ -9,6 +9,7 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.evidence.prose.page_lists import blocks, bounded, said
 
+TABLE = "## Requirements\n\n| Package | Version |\n|---|---|\n| Python | 3.8 |\n| [PyTorch](https://pytorch.org) | 1.9.0 |\n"
 Tree = Callable[[dict[str, str]], Decision]
 
 
@@ -54,6 +55,30 @@ Tree = Callable[[dict[str, str]], Decision]
         ("## Features\n- PyTorch 1.8\n- numpy\n", []),
         ("This does not work with PyTorch 2.0, use another branch.\n", []),
         ("## Requirements\n```\n- numpy\n```\n", []),
+        (
+            "## Requirements\n\nPython 3.8, PyTorch 1.9.0, OpenCV, NumPy and CUDA 11.1.\n",
+            ["torch==1.9.0", "opencv-python", "numpy"],
+        ),
+        ("## Requirements\n\nPython 3.8, PyTorch 1.9.0 and a robot.\n", []),
+        ("## Overview\n\nPyTorch 1.9.0 and NumPy\n", []),
+        ("**Dependencies**\n- torch 1.9\n- numpy\n", ["torch==1.9.*", "numpy"]),
+        ("**We like**\n- torch 1.9\n", []),
+        ("The code requires PyTorch (tested with 1.9.0) and numpy.\n", ["torch==1.9.0"]),
+        ("## Requirements\n- PyTorch (tested on version 1.9.0)\n", ["torch==1.9.0"]),
+        ("We use Python 3.8 and PyTorch 1.9.0 with CUDA 11.1.\n", ["torch==1.9.0"]),
+        ("## Setup\nOther packages: numpy, tqdm.\n", []),
+        ("## Dependencies\nA GPU. Other packages: numpy, tqdm.\n", ["numpy", "tqdm"]),
+        (
+            f"{TABLE}| numpy | >=1.20 | arrays |\n| a robot | 1.0 |\n| scipy | newest |\n",
+            ["torch==1.9.0", "numpy>=1.20"],
+        ),
+        ("## Results\n\n| PyTorch | 1.9.0 |\n|---|---|\n", []),
+        (
+            "# Requirements\n```\npython>=3.6\nnumpy>=1.17\nray>=1.15  % as it\npytorch=1.7\nscipy\ncuda 11.1\n```\n",
+            ["numpy>=1.17", "ray>=1.15", "torch==1.7.*", "scipy"],
+        ),
+        ("### Requirements\n```\nnumpy>=1.17\ngit clone it\n```\n", []),
+        ("### Requirements\n```\nnumpy\nscipy\n```\n", []),
     ],
 )
 def test_what_is_read(text: str, found: list[str]) -> None:
@@ -161,3 +186,26 @@ def test_a_release_that_never_was_is_neither_installed_nor_has_wheels(tree: Tree
 def test_a_list_that_pins_a_release_that_never_was_gets_the_python_of_the_one_before(tree: Tree) -> None:
     decision = tree({"main.py": "import torch\n", "requirements.txt": "torch==0.7.0\n"})
     assert decision.python.version == "3.6", "0.4.1 is the newest before it, and has no wheel for 3.8"
+
+
+def test_a_framework_that_a_page_lists_beside_packages_of_ros(tree: Tree) -> None:
+    files = {
+        "package.xml": "<package><name>a</name><buildtool_depend>catkin</buildtool_depend>{}</package>",
+        "CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\n",
+        "src/net.py": "import torch\nimport numpy\n",
+        "README.md": "# A\nFor ROS Noetic.\n## Dependencies:\n1. pytorch 1.9\n2. numpy 1.20\n",
+    }
+    python = tree(files | {"package.xml": files["package.xml"].format("")}).python
+    assert [each.written for each in (*python.pip, *python.pip_guessed) if each.role == "listed"] == ["torch==1.9.*"]
+
+
+def test_one_that_a_manifest_asks_for(tree: Tree) -> None:
+    asked = "<depend>python3-pytorch-pip</depend>"
+    files = {
+        "package.xml": f"<package><name>a</name><buildtool_depend>catkin</buildtool_depend>{asked}</package>",
+        "CMakeLists.txt": "project(a)\nfind_package(catkin REQUIRED)\n",
+        "src/net.py": "import torch\n",
+        "README.md": "# A\nFor ROS Noetic.\n## Dependencies:\n1. pytorch 1.9\n",
+    }
+    python = tree(files).python
+    assert not {each.key for each in (*python.pip, *python.pip_guessed)} & {"torch"}

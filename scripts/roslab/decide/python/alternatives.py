@@ -42,12 +42,15 @@ class Way:
 def without_lists(evidence: Evidence, kind: Kind) -> Evidence:
     """Return the evidence without what pages list, for packages of ROS: their manifests say what they need.
 
-    Frameworks that code imports stay: of most rosdep has no key, and where no node imports one nothing else does.
+    Frameworks that code imports stay where no manifest asks for them: of most rosdep has no key, and where no node imports
+    one nothing else does.
     """
     if not (evidence.manifests and kind in {"ros1", "ros2"}):
         return evidence
+    keys = {each.name for manifest in evidence.manifests for each in manifest.dependencies}
     names = {asked.key for asked in evidence.listed} & FRAMEWORKS
     names &= _imported(evidence) if names else set()
+    names = {name for name in names if not any(name in key for key in keys)}
     return replace(evidence, listed=tuple(asked for asked in evidence.listed if asked.key in names))
 
 

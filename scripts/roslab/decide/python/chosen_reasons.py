@@ -35,9 +35,8 @@ def reasons_of(chosen: Chosen, alone: Iterable[Requirement]) -> Iterator[Reason]
         why = f"{asked.file} declares it{stops}"
         yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)
     for asked in chosen.guessed:
-        why = (
-            "imported, only an extra declares it" if asked.group else _WHY.get(asked.origin, "named in an install line")
-        )
+        said = "a page lists it" if asked.role == "listed" else "named in an install line"
+        why = "imported, only an extra declares it" if asked.group else _WHY.get(asked.origin, said)
         why = _BY_NAME if asked.key in chosen.by_name and asked.origin == "import" else why
         yield because("dependencies", asked.text, why, asked, weight=Weight.GUESS)
     if chosen.conda:

@@ -21,10 +21,10 @@ _NO_UBUNTU = {
 """What follows a word that is no release name there: "focal length" is no Ubuntu."""
 _QUALIFIED = r"(?:lts|linux|version|\(?(?:64|32)[\s-]?bits?\)?)"
 """What may stand before a release's number: ``Ubuntu 64-bit 16.04``."""
-_CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
+_CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:|\|)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
 _PYTHON = (
-    r"python(?:[`*_]{0,3}\s{0,3}(?:versions?\s{0,3})?(?:>=|<=|==?|~=|:|\(|is|up\s?to|until|at most)?\s{0,3}[`*_]{0,3}"
+    r"python(?:[`*_]{0,3}\s{0,3}(?:versions?\s{0,3})?(?:>=|<=|==?|~=|[:|(]|is|up\s?to|until|at most)?\s{0,3}[`*_]{0,3}"
     r"|[-=])([23]\.\d{1,2})(?:\.\d+|\.x)?(?!\d)"
 )
 _LOCAL = pattern(r"(?<=[+/])cu(\d{2,3})\b")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cache
+from typing import NamedTuple
 
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.prose.said_releases import release_of
@@ -21,15 +22,31 @@ _TITLE = pattern(
 """The heading, or the line that ends in a colon, above a list of what is needed."""
 _HEADING = pattern(r"^\s{0,3}#{1,6}\s+(.*?)\s*#*$")
 _UNDERLINE = pattern(r"^\s{0,3}([=~^\"'`+#*-])\1{3,}\s*$")
+_BOLD = pattern(r"^\s{0,3}(\*\*|__)([^*_]{1,60})\1[\s:]*$")
+"""A line that is all in bold: a title to its reader."""
+_ROW = pattern(r"^\s{0,3}\|?\s*([^|]{1,80}?)\s*\|\s*([^|]{0,80}?)\s*(?:\||$)")
+"""The first two cells of a row."""
+_NUMBER = pattern(r"(?:[=<>~]{0,2}|≥|v\.?|version)\s*\d{1,2}(?:\.\d{1,3}){1,2}(?:\.x|\+)?", re.IGNORECASE)
+_SYSTEM = pattern(
+    r"(?:a\s+)?(?:python|cuda|cudnn|ubuntu|linux|gcc|g\+\+|cmake|nvidia|gpu|ros|conda|miniconda|anaconda|macos|windows)\b"
+    r"(?:\.\d|[^.,:;]){0,40}",
+    re.IGNORECASE,
+)
+"""What a list of packages has beside these."""
 _ITEM = pattern(r"^\s{0,8}(?:[-*+]|\d{1,2}[.)])\s+(.*)$")
 _MARKUP = pattern(r"[*`]{1,3}|(?<!\w)_{1,3}|_{1,3}(?!\w)|\[([^\[\]\n]{1,80})\]\([^()\s]{0,300}\)")
 _OF_BRANCH = pattern(r"\]\([^()\s]{1,300}\)[\s*`_]{0,4}={1,2}[\s*`_]{0,4}(?!v\d)[A-Za-z]")
 """A link with a branch or a commit behind it, and no version: its repository is meant, no package of the index."""
 _NAMED = pattern(
-    r"^\W{0,8}(?:\w+\s+){0,2}(?:requirements?|dependenc(?:y|ies)|prerequisites?)\s{0,3}:\s+(\S.*)$", re.IGNORECASE
+    r"^\W{0,8}(?:\w+\s+){0,2}(?:requirements?|dependenc(?:y|ies)|prerequisites?|(packages|libraries|modules))\s{0,3}:\s+"
+    r"(\S.*)$",
+    re.IGNORECASE,
 )
 """A line that lists what is needed itself: "Known dependencies: Python (3.5.4), numpy (1.14.5)"."""
-_VERSION = r"(?:version\s*|v\.?\s*)?(==|>=|<=|~=|=|≥|<|>|-|:)?\s*(?:version\s*|v\.?\s*)?(\d{1,2}(?:\.\d{1,3}){1,2})"
+_TRIED = r"(?:(?:tested|works?|developed)\s+(?:with|on|using|for|under)\s+)?"
+_VERSION = (
+    _TRIED + r"(?:version\s*|v\.?\s*)?(==|>=|<=|~=|=|≥|<|>|-|:)?\s*(?:version\s*|v\.?\s*)?(\d{1,2}(?:\.\d{1,3}){1,2})"
+)
 _MORE = r"(\.x|\+|\s*(?:or|and)\s+(?:newer|later|above|higher|greater|up))?"
 _LISTED = pattern(
     rf"^([A-Za-z][\w.-]*?(?:\s[A-Za-z][\w-]+)?)[\s(]*(?:{_VERSION}{_MORE})?(?=$|[\s),.;:])", re.IGNORECASE
@@ -37,7 +54,7 @@ _LISTED = pattern(
 _SENTENCE = pattern(r"(?<=[.!?;])\s+(?=[A-Z\[(])")
 """Where one ends; a page may have a whole paragraph on one line."""
 _MEANT = pattern(
-    r"\b(?:tested|require[sd]?|needs?|develop(?:ed|ment)|depends?|works?|verified|implemented|written|using|runs?)\b",
+    r"\b(?:tested|require[sd]?|needs?|develop(?:ed|ment)|depends?|works?|verified|implemented|written|using|runs?|we\s+used?)\b",
     re.IGNORECASE,
 )
 """A sentence about what the code itself runs with."""
@@ -66,9 +83,28 @@ _TROUBLE = pattern(
     r"\b(?:if|alternatively|optional(?:ly)?|bugs?|issues?|errors?|fail\w*|broken?|warnings?|deprecated)\b",
     re.IGNORECASE,
 )
+_PARTS = pattern(r",\s*(?:and\s+)?|\s+and\s+|\s*;\s*|\s+/\s+")
+_REQUIRED = pattern(r"^[A-Za-z][\w.-]*(?:\[[\w,-]+\])?(?:\s?(?:[<>=!~]?=|[<>])\s?\d[\w.*]*)?$")
+"""A package with or without a version; conda writes one ``=``."""
+_REMARK = pattern(r"\s+[%#].*$")
+FEWEST = 2
+"""Fewest names of a list in one line."""
 _AT_LEAST = frozenset({">=", "≥", ">"})
 MAX_LINE = 400
 MAX_PARAGRAPH = 4000
+
+
+class _Line(NamedTuple):
+    """A line of a page outside of its blocks, or of a block that lists what is needed."""
+
+    number: int
+    text: str
+    item: str | None
+    """The item of a list below a title such as "Requirements" that it is."""
+    titled: bool
+    """It stands below such a title."""
+    of_python: bool
+    """The title names Python."""
 
 
 def read(repository: Repository) -> tuple[Requirement, ...]:
@@ -124,23 +160,43 @@ def said(text: str, file: str) -> Iterator[Requirement]:
     Only names that the tables know count: a list may name compilers and devices as well. One below a title that says
     that it is for Python has no others where they are written as pip is given them, with a version.
     """
-    for number, line, item, of_python in _lines(text):
-        if item is not None:
-            written = list(_written(item, file, number, of_python=of_python))
-            yield from written or _listed(item[:MAX_LINE], file, number)
+    for line in _lines(text):
+        if line.item is not None:
+            written = list(_written(line.item, file, line.number, of_python=line.of_python))
+            yield from written or _listed(line.item[:MAX_LINE], file, line.number)
             continue
-        if listed := _NAMED.match(_plain(line)[:MAX_LINE]):
-            yield from _listed(listed[1], file, number)
+        plain = _plain(line.text)
+        if line.titled and (found := tuple(_row(plain, file, line.number) or _whole(plain, file, line.number))):
+            yield from found
             continue
-        for sentence in _SENTENCE.split(_plain(line)):
-            if len(sentence) <= MAX_LINE and _MEANT.search(sentence) and not _NOT.search(sentence):
+        for sentence in _SENTENCE.split(plain):
+            listed = _NAMED.match(sentence[:MAX_LINE])
+            if listed and (line.titled or not listed[1]):
+                yield from _listed(listed[2], file, line.number)
+            elif len(sentence) <= MAX_LINE and _MEANT.search(sentence) and not _NOT.search(sentence):
                 for match in _said().finditer(sentence):
-                    yield from _asked(match[1], match, file, number)
+                    yield from _asked(match[1], match, file, line.number)
+
+
+def _row(plain: str, file: str, number: int) -> tuple[Requirement, ...]:
+    """Return the package of a row of a table with a version in its second cell."""
+    row = _ROW.match(plain) if "|" in plain else None
+    return tuple(_listed(f"{row[1]} {row[2]}", file, number)) if row and _NUMBER.fullmatch(row[2]) else ()
+
+
+def _whole(plain: str, file: str, number: int) -> tuple[Requirement, ...]:
+    """Return the packages of a line that lists some and the system they run on, and says nothing else."""
+    parts = [part.strip() for part in _PARTS.split(plain.strip().rstrip("."))]
+    if len(plain) > MAX_LINE or len(parts) < FEWEST:
+        return ()
+    found = [tuple(_listed(part, file, number)) for part in parts if not _SYSTEM.fullmatch(part)]
+    fits = all(found) and all(_LISTED.fullmatch(part) or _SYSTEM.fullmatch(part) for part in parts)
+    return tuple(each for part in found for each in part) if fits else ()
 
 
 def items(text: str) -> Iterator[tuple[int, str]]:
     """Yield the items of lists below a title such as "Requirements", with their lines."""
-    return ((number, item[:MAX_LINE]) for number, _, item, _ in _lines(text) if item is not None)
+    return ((line.number, line.item[:MAX_LINE]) for line in _lines(text) if line.item is not None)
 
 
 def _written(item: str, file: str, line: int, *, of_python: bool) -> Iterator[Requirement]:
@@ -151,27 +207,37 @@ def _written(item: str, file: str, line: int, *, of_python: bool) -> Iterator[Re
             yield stated(f"{package}{match[2]}".replace(" ", ""), "prose", file, line, role="listed")
 
 
-def _lines(text: str) -> Iterator[tuple[int, str, str | None, bool]]:
-    """Yield the lines of a page outside of its blocks, each with its number, and with the item of a list that it is.
-
-    Only lists below a title such as "Requirements" have items here; the last value tells whether it names Python.
-    """
+def _lines(text: str) -> Iterator[_Line]:
+    """Yield the lines of a page outside of its blocks; of a block below such a title, those of packages, as items."""
     titled = fenced = of_python = False
     lines = text.split("\n")
     for number, line in enumerate(lines, start=1):
         if _fence(line):
             fenced = not fenced
+            if fenced and titled:
+                yield from (_Line(at, words, words, titled, of_python) for at, words in _of_block(lines, number - 1))
         if fenced or not line.strip() or len(line) > MAX_PARAGRAPH:
             continue
         below = lines[number] if number < len(lines) else ""
         item = _ITEM.match(line)
-        if (heading := _HEADING.match(line)) or _UNDERLINE.match(below):
-            title = heading[1] if heading else line
+        bold = _BOLD.match(line)
+        if (heading := _HEADING.match(line)) or bold or _UNDERLINE.match(below):
+            title = heading[1] if heading else bold[2] if bold else line
             titled, of_python = bool(_TITLE.search(title)), bool(_PYTHON.search(title))
         elif item is None and not line.startswith((" ", "\t")) and _plain(line).rstrip().endswith(":"):
             titled, of_python = bool(_TITLE.search(line)), bool(_PYTHON.search(line))
         named = item and titled and not _OF_BRANCH.search(line)
-        yield number, line, _plain(item[1][:MAX_LINE]) if item and named else None, of_python
+        words = _plain(item[1][:MAX_LINE]) if item and named else None
+        yield _Line(number, line, words, titled and not (heading or bold), of_python)
+
+
+def _of_block(lines: list[str], number: int) -> tuple[tuple[int, str], ...]:
+    """Return the lines of a block that begins with this line, if each is a requirement, and some are of packages."""
+    found = [(at, _REMARK.sub("", words)) for at, words in _block(lines, number)]
+    if not all(_REQUIRED.match(words) or _SYSTEM.fullmatch(words) for _, words in found):
+        return ()
+    packages = [(at, words) for at, words in found if not _SYSTEM.fullmatch(words)]
+    return tuple(packages) if any(_EXACT.match(words) for _, words in packages) else ()
 
 
 def _fence(line: str) -> bool:
