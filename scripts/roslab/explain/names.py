@@ -289,6 +289,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "namespace": _namespace,
     "older-gem": _older_gem,
     "pkg-config": _library("pkg-config", "module"),
+    "python-end": lambda names, _: worked.python_end(names),
     "program": _table("programs", "program", "apt", "program"),
     "ros": _ros,
     "secret": _secret,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import cache
 
 from roslab.knowledge.failures import compiled
 from roslab.knowledge.table import rows
@@ -59,3 +60,18 @@ def conflict(names: Mapping[str, str], instruction: str) -> dict[str, str]:
     if allowed is None or len({each.version for each in allowed if each.operator == "=="}) > 1:
         return {}
     return {"constraint": wanted, "file": file} if file else {"constraint": wanted}
+
+
+def python_end(names: Mapping[str, str]) -> dict[str, str]:
+    """Name what the standard library or Python's interface for C no longer has, and the last Python that has it."""
+    module, symbol = names.get("module", ""), names.get("symbol", "")
+    for word in (f"{module}.{symbol}", symbol if not module else module if not symbol else ""):
+        last = _python_ends().get(word)
+        if last:
+            return {"what": word, "last": last}
+    return {}
+
+
+@cache
+def _python_ends() -> dict[str, str]:
+    return {row["name"]: row["last"] for row in rows("python_ends")}

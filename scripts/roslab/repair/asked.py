@@ -35,6 +35,9 @@ def asked(found: Explanation, given: Given, value: str = "") -> Asked:
     ``value`` is the value of roslab.yaml or the package that the repair names.
     """
     names = dict(found.names)
+    if names.get("last") and names.get("what"):
+        what = f"{names['what']}, which Python has up to {names['last']}"
+        return Asked(what=what, place=in_log(found, given) or _named_by_plan(given, names.get("package", "")))
     for captured, kinds, title in _KINDS:
         words = [word for word in names.get(captured, "").split(", ") if word]
         for word in words:

@@ -16,6 +16,7 @@ from roslab.repair.releases import nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
+from roslab.values.version import Version
 
 _ALIASES = ("float", "int", "bool", "object", "str", "complex", "long", "unicode")
 """Names that NumPy 1.24 removed: https://numpy.org/doc/stable/release/1.24.0-notes.html"""
@@ -58,6 +59,22 @@ def python(found: Explanation, given: Given) -> Worked:
     if not fitting:
         return Worked(why=f"no Python is {needs} and another than {' or '.join(tried)}")
     return Worked(values=(fitting[0],))
+
+
+def older_python(found: Explanation, given: Given) -> Worked:
+    """Take the newest Python that still has what was removed, if the repository's own projects run there."""
+    last, now = dict(found.names).get("last", ""), given.plan.python.version
+    if given.plan.ros_distro:
+        return Worked(why=f"the Python of ROS {given.plan.ros_distro} cannot be exchanged: {found.fix}")
+    limit = Version(last)
+    if now and Version(now) < Version(f"{limit.major}.{limit.minor + 1}"):
+        return Worked(why=f"the image has Python {now} already")
+    own = [specifiers(each.requires_python) for each in given.evidence.python if each.requires_python]
+    fitting = [each for each in PREFERRED if Version("3") < Version(each) <= limit]
+    fitting = [each for each in fitting if all(admits(allowed, each) for allowed in own if allowed is not None)]
+    if not fitting:
+        return Worked(why=f"the repository runs on no Python up to {last}: take a newer release of what uses it")
+    return Worked(values=(max(fitting, key=Version),))
 
 
 def _is(version: str, python: str) -> bool:
@@ -214,6 +231,7 @@ WAYS: Mapping[str, Way] = {
     "key": key,
     "newer-ubuntu": newer_ubuntu,
     "numpy": numpy,
+    "older-python": older_python,
     "other-ros": other_ros,
     "python": python,
     "release": release,

@@ -21,6 +21,8 @@ PATTERNS = [(f"{row.id}.{name}", getattr(row, name)) for row in ALL for name in 
 PATTERNS = [(name, pattern) for name, pattern in PATTERNS if pattern]
 LOOKED_UP = {
     "advice",
+    "last",
+    "what",
     "name",
     "package",
     "release",

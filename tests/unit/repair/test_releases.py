@@ -84,3 +84,47 @@ def test_of_a_list_that_is_cut_only_what_is_whole_counts(tmp_path: Path) -> None
     assert repaired(tmp_path, files, log("six==1.2.77", versions)).changes[0].value == "six==1.3.0"
     files = {"requirements.txt": "six==1.30.77\n"}
     assert repaired(tmp_path, files, log("six==1.30.77", versions)).changes == ()
+
+
+GONE = (
+    '#6 [3/4] RUN pip install -r requirements.txt\n#6 1.2 {}\n#6 ERROR: process "/bin/sh -c pip install -r '
+    'requirements.txt" did not complete: exit code: 1\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("line", "project", "taken", "what"),
+    [
+        ("error: 'PyThreadState' {aka 'struct _ts'} has no member named 'use_tracing'", "", "3.9", "use_tracing"),
+        ("a.c:7:1: error: invalid use of incomplete typedef 'PyFrameObject' {aka 'struct _frame'}", "", "", ""),
+        ("fatal error: longintrepr.h: No such file or directory", "3.12", "3.10", "longintrepr.h"),
+        ("a.cpp:7:1: error: 'PyUnicode_GET_SIZE' was not declared in this scope", "3.12", "3.11", "PyUnicode_GET_SIZE"),
+        ("ImportError: a.so: undefined symbol: PyEval_CallObjectWithKeywords", "3.13", "3.12", "PyEval_CallObject"),
+        ("ImportError: cannot import name 'Mapping' from 'collections' (/a.py)", "", "3.9", "collections.Mapping"),
+        ("AttributeError: module 'time' has no attribute 'clock'", "", "3.7", "time.clock"),
+        ("AttributeError: 'HTMLParser' object has no attribute 'unescape'", "", "3.8", "HTMLParser.unescape"),
+        ("ModuleNotFoundError: No module named 'imp'", "3.12", "3.11", "imp"),
+        ("ModuleNotFoundError: No module named 'imp'", ">=3.12", "", ""),
+    ],
+)
+def test_what_newer_pythons_no_longer_have_takes_an_older_one(
+    tmp_path: Path, line: str, project: str, taken: str, what: str
+) -> None:
+    config = f'{PYTHON}base: {{python: "{project}"}}\n' if project[:1] == "3" else PYTHON
+    own = f'[project]\nname = "robot"\nversion = "1"\nrequires-python = "{project}"\n' if project[:1] == ">" else ""
+    files = {"roslab.yaml": config, **({"pyproject.toml": own} if own else {})}
+    found = repaired(tmp_path, {**files, "requirements.txt": "attrs\n"}, GONE.format(line))
+    assert [(each.key, each.value) for each in found.changes] == ([("base.python", taken)] if taken else [])
+    assert all(each.certain and each.asked.what.startswith(f"{what}") for each in found.changes)
+
+
+def test_ros_keeps_its_python(tmp_path: Path) -> None:
+    package = "<package><name>robot</name><version>1.0.0</version><buildtool_depend>ament_cmake</buildtool_depend>"
+    files = {
+        "package.xml": f"{package}</package>",
+        "CMakeLists.txt": "project(robot)\n",
+        "roslab.yaml": "format: 3\nbase: {ros: jazzy}\n",
+    }
+    found = repaired(tmp_path, files, GONE.format("ModuleNotFoundError: No module named 'imp'"))
+    assert found.changes == ()
+    assert "the Python of ROS jazzy cannot be exchanged" in found.refused[0][1]
