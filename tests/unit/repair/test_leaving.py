@@ -186,6 +186,7 @@ def test_of_a_shell_a_leaf_is_left_out_and_at_most_half(tmp_path: Path) -> None:
     "text",
     [
         log("write /usr/lib/a.so: No space left on device", made("arm_extra")),
+        log("c++: fatal error: Killed signal terminated program cc1plus", made("arm_extra")),
         log(ERROR, made("clone_of_another")),
         log(ERROR, made("arm_extra"), made("clone_of_another")),
         log("E: Unable to locate package zoo", command="apt-get install zoo"),
