@@ -20,7 +20,7 @@ LISTS = ("apt", "pip", "skip_keys", "skip_packages", "build_args")
 """Keys with lists of texts, to which values are added."""
 WORDS = ("cmake_options",)
 """Keys with one text, to whose end values are added."""
-SINGLE = ("base.python", "base.ros", "base.ubuntu", "base.cmake_update", "gui", "submodules")
+SINGLE = ("base.python", "base.ros", "base.ubuntu", "base.cmake_update", "env.PYTHONPATH", "gui", "submodules")
 """Keys with one value, which is set."""
 _PLAIN = pattern(r"[A-Za-z][\w.+-]*")
 """Text that YAML reads as text without quotes in any position; words such as ``yes`` are quoted all the same."""
@@ -74,6 +74,8 @@ def added(text: str | None, entries: Iterable[Entry], *, file: str = "roslab.yam
 def has(config: Config, entry: Entry) -> bool:
     """Return whether a configuration has a value."""
     top, _, key = entry.key.partition(".")
+    if top == "env":
+        return dict(config.env).get(key) == entry.value
     said = getattr(config.base, key) if key else getattr(config, top)
     if entry.key in LISTS:
         return entry.value in said and not (entry.instead and entry.instead in said)

@@ -9,12 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 
-from roslab.explain import worked
+from roslab.explain import ros_names, worked
 from roslab.knowledge import libraries
-from roslab.knowledge.distros import distro, distros, ubuntus
+from roslab.knowledge.distros import distro, ubuntus
 from roslab.knowledge.failures import compiled
 from roslab.knowledge.os_releases import moved_to
-from roslab.knowledge.released import released
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -191,21 +190,6 @@ def _secret(_: Names, where: Image) -> Names:
     return {"name": found[0]} if found else {}
 
 
-def _ros(names: Names, where: Image) -> Names:
-    """Name the apt package of a ROS package; return nothing for a name that is known as a CMake library.
-
-    ``released`` holds those that this distribution, or any where it is not known, has released, as the images of ROS
-    name them: they set ``ROS_DISTRO``.
-    """
-    wanted = [name for name in names.get("name", "").split(", ") if name]
-    if not wanted or libraries.library("cmake", wanted[0], where.ubuntu) is not None:
-        return {}
-    known = [where.ros] if where.ros else list(distros())
-    there = [name.replace("_", "-") for name in wanted if any(name in released(each) for each in known)]
-    package = f"ros-{where.ros}-{wanted[0].replace('_', '-')}" if where.ros else ""
-    return {"package": package, "released": " ".join(f"ros-$ROS_DISTRO-{name}" for name in there)}
-
-
 def _hidden(names: Names, _: Image) -> Names:
     cuda = re.search(r"CUDA|nvcc", names.get("line", ""))
     return {"hint": "For CUDA, start FROM a -devel tag of nvidia/cuda." if cuda else ""}
@@ -291,7 +275,9 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "pkg-config": _library("pkg-config", "module"),
     "python-end": lambda names, _: worked.python_end(names),
     "program": _table("programs", "program", "apt", "program"),
-    "ros": _ros,
+    "ros": lambda names, where: ros_names.package(names, where.ros, where.ubuntu),
+    "ros-library": lambda names, where: ros_names.known(names, where.ros),
+    "ros-module": lambda names, where: ros_names.module(names, where.ros),
     "secret": _secret,
     "symbol": _symbol,
     "shared": _table("shared_objects", "library", "apt", "library"),

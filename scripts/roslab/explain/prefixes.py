@@ -24,6 +24,9 @@ _PREFIXES: dict[str, re.Pattern[str]] = {
     # act: [workflow/job], and a bar before what a step printed; a clock in brackets would be taken for it
     "act": pattern(r"\[[^\]\n]{1,200}\] {1,3}(?:\| ?)?"),
 }
+_NODE = pattern(r"^\[[\w.+-]{1,100}-\d{1,4}\] ", re.MULTILINE)
+"""What launch of ROS 2 writes before each line of a node; it says when it starts one."""
+_STARTED = "]: process started with pid ["
 _SECTION = pattern(r"^section_(?:start|end):\d{1,12}:[\w.-]{1,100}(?:\[[^\]\n]{0,100}\])?\s?", re.MULTILINE)
 
 
@@ -33,12 +36,14 @@ def stripper(text: str) -> Callable[[str], str] | None:
     votes = Counter(name for line in filled for name, prefix in _PREFIXES.items() if prefix.match(line))
     chosen = next((_PREFIXES[name] for name in _PREFIXES if votes[name] > 0.6 * len(filled)), None)
     section = any("section_start:" in line for line in filled)
-    if chosen is None and not section:
+    launched = _STARTED in text
+    if chosen is None and not section and not launched:
         return None
     prefix = re.compile(f"^(?:{chosen.pattern})", re.MULTILINE) if chosen is not None else None
 
     def strip(text: str) -> str:
         plain = prefix.sub("", text) if prefix is not None else text
+        plain = _NODE.sub("", plain) if launched else plain
         return _SECTION.sub("", plain) if "section_" in plain else plain
 
     return strip

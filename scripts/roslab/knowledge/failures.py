@@ -38,7 +38,7 @@ from typing import Any
 from roslab.values import toml
 from roslab.values.dataclass import dataclass
 
-WORLDS = ("images", "apt", "system", "fetch", "ros", "python", "native", "languages", "own_words")
+WORLDS = ("images", "apt", "system", "fetch", "ros", "python", "native", "languages", "starting", "own_words")
 """The files, in their order: of two failures of one rank that match on one line, the earlier one wins."""
 
 

@@ -11,7 +11,7 @@ from roslab.plan.plan import Plan
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 
-STARTING = ("apt", "pip", "gui", "submodules")
+STARTING = ("apt", "pip", "gui", "env.PYTHONPATH", "submodules")
 """Keys that give a program what it lacks at its start; the others change how the image is compiled."""
 
 
@@ -26,6 +26,18 @@ class Given:
     """Paths of the repository's files."""
     read: Callable[[str], str] | None = None
     """Returns the text of one of them, ``""`` of what is no text."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Worked:
+    """The values that were worked out, or why there are none."""
+
+    values: tuple[str, ...] = ()
+    instead: str = ""
+    certain: bool = True
+    why: str = ""
+    key: str = ""
+    """The key of roslab.yaml, where it is another than the table's."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

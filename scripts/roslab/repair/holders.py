@@ -9,6 +9,7 @@ from roslab.config.addition import has
 from roslab.errors import BuildError
 from roslab.explain.answer import Answer, Explanation
 from roslab.knowledge.repairs import complete, repairs
+from roslab.repair import missing
 from roslab.repair.asked import asked
 from roslab.repair.change import Change, Given, Repair
 from roslab.values.dataclass import dataclass, replace
@@ -60,6 +61,7 @@ def completed(found: Repair, answer: Answer, given: Given, ask: Callable[[Sequen
     ``ask`` gives the answer that ``changes`` reads for the paths in their order, and raises ``BuildError``.
     """
     wanted = sought(answer) if not found.certain.changes and not given.plan.author_dockerfile else ()
+    wanted = tuple(one for one in wanted if not missing.is_own(dict(one.found.names).get("program", ""), given))
     if not wanted:
         return found
     try:

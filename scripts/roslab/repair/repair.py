@@ -10,10 +10,17 @@ from roslab.explain.signatures import filled
 from roslab.knowledge.repairs import repairs
 from roslab.repair import ways
 from roslab.repair.asked import asked, in_log
-from roslab.repair.change import Change, Given, Repair
-from roslab.repair.ways import WAYS, Worked
+from roslab.repair.change import Change, Given, Repair, Worked
+from roslab.repair.ways import WAYS
 
-_MAY_BE_SUBMODULES = ("file-missing", "make-no-rule", "header-missing", "cmake-package", "submodules-not-fetched")
+_MAY_BE_SUBMODULES = (
+    "file-missing",
+    "make-no-rule",
+    "header-missing",
+    "cmake-package",
+    "submodules-not-fetched",
+    "python-module-missing",
+)
 """Failures that a submodule that is not checked out causes too."""
 
 
@@ -71,7 +78,8 @@ def _worked(found: Explanation, given: Given) -> tuple[str, Worked]:
         return "submodules", worked
     if (known := repairs().get(found.id)) and known.key:
         if known.way:
-            return known.key, WAYS[known.way](found, given)
+            worked = WAYS[known.way](found, given)
+            return worked.key or known.key, worked
         return known.key, Worked(values=(filled(known.value, dict(found.names)),))
     for key, values in found.repair:
         if key in (*LISTS, *WORDS, *SINGLE):

@@ -11,9 +11,9 @@ from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.ros_sources import ros_sources
-from roslab.repair.change import Given
+from roslab.repair import missing
+from roslab.repair.change import Given, Worked
 from roslab.repair.releases import nearest
-from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
 from roslab.values.version import Version
@@ -29,16 +29,6 @@ _SERIAL = {
     "colcon": ("--executor", "sequential"),
 }
 """Arguments of each build tool that compile one thing at a time."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Worked:
-    """The values that were worked out, or why there are none."""
-
-    values: tuple[str, ...] = ()
-    instead: str = ""
-    certain: bool = True
-    why: str = ""
 
 
 Way = Callable[[Explanation, Given], Worked]
@@ -138,14 +128,16 @@ def ros(found: Explanation, given: Given) -> Worked:
     """Install a ROS package that the distribution released."""
     distro = given.plan.ros_distro
     wanted = [word for word in dict(found.names).get("name", "").split(", ") if word]
+    if own := next((word for word in wanted if word in missing.own_packages(given)), ""):
+        return Worked(why=f"{own} is a package of this repository: it is not built, or lacks what is looked for")
     known = [word for word in wanted if distro and word in released(distro)]
     if distro and known:
         return Worked(values=tuple(f"ros-{distro}-{word.replace('_', '-')}" for word in known))
-    missing = ", ".join(wanted)
+    lacking = ", ".join(wanted)
     known_sources = (source for word in wanted for source in ros_sources(word, _generation(distro), distro or ""))
     lines = [f"{{name: {each.package}, url: {each.repo}, ref: {each.ref}}}" for each in known_sources]
     where = f": `source: [{', '.join(lines)}]`" if lines else ""
-    return Worked(why=f"{missing} is not released for ROS {distro}: name its repository under `source`{where}")
+    return Worked(why=f"{lacking} is not released for ROS {distro}: name its repository under `source`{where}")
 
 
 def _generation(name: str | None) -> int:
@@ -211,7 +203,7 @@ def _asks(given: Given, word: str) -> bool:
 def submodules(found: Explanation, given: Given) -> Worked:
     """Demand the submodules, if the failed step wants a file of one that is not checked out."""
     names = dict(found.names)
-    said = [names[name] for name in ("path", "file", "header", "name") if names.get(name)]
+    said = [names[name] for name in ("path", "file", "header", "name", "module") if names.get(name)]
     for path in absent(given):
         folder = path.rpartition("/")[2]
         if any(path in word or folder in word.split("/") for word in (*said, *re.findall(r"[\w./-]+", found.error))):
@@ -229,10 +221,12 @@ WAYS: Mapping[str, Way] = {
     "cmake": cmake,
     "jobs": jobs,
     "key": key,
+    "module": missing.module,
     "newer-ubuntu": newer_ubuntu,
     "numpy": numpy,
     "older-python": older_python,
     "other-ros": other_ros,
+    "program": missing.program,
     "python": python,
     "release": release,
     "released": ros,

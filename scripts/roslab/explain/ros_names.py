@@ -1,0 +1,45 @@
+"""Finds the package of ROS for a name in a log: what a distribution has released."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from roslab.knowledge import libraries
+from roslab.knowledge.distros import distros
+from roslab.knowledge.gazebo_plugins import gazebo_plugins
+from roslab.knowledge.released import released
+from roslab.knowledge.table import rows
+
+
+def package(names: Mapping[str, str], ros: str | None, ubuntu: str | None) -> dict[str, str]:
+    """Name the apt package of a ROS package; return nothing for a name that is known as a CMake library.
+
+    ``released`` holds those that this distribution, or any where it is not known, has released, as the images of ROS
+    name them: they set ``ROS_DISTRO``.
+    """
+    wanted = [name for name in names.get("name", "").split(", ") if name]
+    if not wanted or libraries.library("cmake", wanted[0], ubuntu) is not None:
+        return {}
+    there = [name.replace("_", "-") for name in wanted if _is_released(name, ros)]
+    own = f"ros-{ros}-{wanted[0].replace('_', '-')}" if ros else ""
+    return {"package": own, "released": " ".join(f"ros-$ROS_DISTRO-{name}" for name in there)}
+
+
+def known(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
+    """Name the package of a program or a library that has its name, or of a plugin of Gazebo; nothing if unknown."""
+    said = names.get("name", "")
+    name = gazebo_plugins().get(f"lib{said}.so", said)
+    if not name or not _is_released(name, ros):
+        return {}
+    dashed = name.replace("_", "-")
+    return {"name": name, "package": f"ros-{ros}-{dashed}" if ros else "", "released": f"ros-$ROS_DISTRO-{dashed}"}
+
+
+def module(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
+    """Name the package that has the name of a Python module; nothing for a module that pip has."""
+    said = names.get("name", "")
+    return {} if any(row["module"] == said for row in rows("imports")) else known(names, ros)
+
+
+def _is_released(name: str, ros: str | None) -> bool:
+    return any(name in released(each) for each in ([ros] if ros else distros()))

@@ -1,0 +1,116 @@
+"""What answers a missing module of Python, or a missing program: a folder of the repository, ROS, pip or apt."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import PurePosixPath
+
+from roslab.evidence import places
+from roslab.explain.answer import Explanation
+from roslab.knowledge.released import released
+from roslab.knowledge.table import rows
+from roslab.repair.asked import in_log
+from roslab.repair.change import Given, Worked
+
+_HOME = "/home/jovyan"
+_NO_MODULE = ("setup.py", "package.xml", "CMakeLists.txt")
+"""Files of a project's folder, which is no module itself."""
+
+
+def module(found: Explanation, given: Given) -> Worked:
+    """Let Python find a module: in a folder of the repository, else in the package of ROS, apt or pip that holds it."""
+    said = dict(found.names).get("module", "")
+    top = said.partition(".")[0]
+    row = next((row for row in rows("imports") if row["module"] in (said, top)), None)
+    own = _folders(top, given.files)
+    nearest = _nearest(own, found, given)
+    if own and (nearest or not row):
+        return _own(said, own, nearest, found, given)
+    if top in own_packages(given):
+        return Worked(why=f"{top} is a package of this repository: it is not built, or its workspace is not sourced")
+    if row and row["apt"] and (not row["pip"] or _of_system(given)):
+        return Worked(key="apt", values=(row["apt"],))
+    if _of_system(given) and (package := _released(top, given)):
+        return package
+    if row and row["pip"]:
+        return Worked(values=(row["pip"],))
+    return _released(top, given) or Worked(why=found.fix)
+
+
+def program(found: Explanation, given: Given) -> Worked:
+    """Install the package of a program, which may be one of ROS that has its name."""
+    names = dict(found.names)
+    if package := names.get("package", ""):
+        return Worked(values=tuple(package.replace(",", " ").split()))
+    name = names.get("program", "")
+    if is_own(name, given):
+        return Worked(why=f"{name} is a program of this repository: it is not built, or its folder is not on PATH")
+    return _released(name, given) or Worked(why=found.fix)
+
+
+def is_own(program: str, given: Given) -> bool:
+    """Tell whether a program is one of the repository: a file of it, or made by its CMake."""
+    made = (name for project in given.evidence.cmake for name, _ in project.executables)
+    return program in made or any(file.rpartition("/")[2] == program for file in given.files)
+
+
+def own_packages(given: Given) -> frozenset[str]:
+    """Return the names of the repository's packages of ROS."""
+    return frozenset(manifest.name for manifest in given.evidence.manifests if manifest.name)
+
+
+def _of_system(given: Given) -> bool:
+    """Tell whether what ROS was compiled for has to run with the module: apt's fits, and pip's may not."""
+    return bool(given.plan.ros_distro) and given.plan.python.manager == "system"
+
+
+def _released(name: str, given: Given) -> Worked | None:
+    distro = given.plan.ros_distro
+    if not distro or name not in released(distro):
+        return None
+    return Worked(key="apt", values=(f"ros-{distro}-{name.replace('_', '-')}",))
+
+
+def _folders(module: str, files: Iterable[str]) -> tuple[str, ...]:
+    """Return the folders in which Python would find a module, ``.`` for the root; none of tests and documentation."""
+    projects: set[str] = set()
+    packages: set[str] = set()
+    for file in files:
+        folder, _, name = file.rpartition("/")
+        if name == f"{module}.py":
+            packages.add(folder or ".")
+        elif folder.rpartition("/")[2] == module:
+            if name in _NO_MODULE:
+                projects.add(folder)
+            elif name.endswith(".py"):
+                packages.add(f"{folder.rpartition('/')[0] or '.'}//{folder}")
+    kept = {each.partition("//")[0] for each in packages if each.partition("//")[2] not in projects}
+    return tuple(sorted(each for each in kept if not (places.test(f"{each}/x") or places.documentation(f"{each}/x"))))
+
+
+def _nearest(folders: tuple[str, ...], found: Explanation, given: Given) -> str:
+    """Return the deepest of the folders that are above the file which the log names last, ``""`` if none is."""
+    place = in_log(found, given) if folders else None
+    above = [str(each) for each in PurePosixPath(place.file).parents] if place else []
+    return next((each for each in above if each in folders), "")
+
+
+def _own(module: str, folders: tuple[str, ...], nearest: str, found: Explanation, given: Given) -> Worked:
+    """Name the folder of a module on PYTHONPATH: the only one, or the nearest above the file that imports it."""
+    if found.step:
+        return Worked(why=f"{module} lies in {_listed(folders)}: run the step there, or set PYTHONPATH in it")
+    if "." in module:
+        return Worked(why=f"{module.partition('.')[0]} is found, and has no {module.partition('.')[2]}")
+    if not nearest and len(folders) > 1:
+        return Worked(why=f"{module} lies in {_listed(folders)}: name one under `env` as PYTHONPATH")
+    wanted = (nearest or folders[0], *given.plan.workspace.python_path)
+    root = f"{_HOME}/{given.plan.workspace.folder}"
+    before = dict(given.config.env).get("PYTHONPATH", "")
+    paths = dict.fromkeys(f"{root}/{folder}".removesuffix("/.") for folder in wanted)
+    return Worked(key="env.PYTHONPATH", values=(":".join((*paths, *([before] if before else []))),))
+
+
+def _listed(folders: tuple[str, ...]) -> str:
+    shown = ("the root" if folder == "." else folder for folder in folders[:5])
+    more = len(folders) - 5
+    return ", ".join(shown) + (f" and {more} more" if more > 0 else "")
