@@ -219,6 +219,57 @@ LEFT = {
 }
 
 
+DYNAMIC = "import importlib\n\nimportlib.import_module({})\n"
+"""Reading does not tell what this imports."""
+PAGE = {"README.md": "# Robot\n\n```\npython3 main.py\n```\n"}
+STARTS = {
+    "a module, without a roslab.yaml": Broken(
+        config="",
+        files={**PAGE, "main.py": DYNAMIC.format('"ya" + "ml"')},
+        lines="format: 3\npip:\n  - PyYAML  # for the module yaml (main.py:3)\n",
+    ),
+    "a module of its own": Broken(
+        config="",
+        files={**PAGE, "main.py": DYNAMIC.format('"uti" + "ls"'), "lib/robot/utils.py": "print(1)\n"},
+        lines="format: 3\nenv:\n  PYTHONPATH: {}  # for the module utils (main.py:3)\n".format(
+            '"/home/jovyan/repair-starts/lib/robot"'
+        ),
+    ),
+    "a library, beside a test": Broken(
+        config=f'{PYTHON}command: [python3, main.py]\ntest: "true"\n',
+        files={"main.py": 'import ctypes\n\nctypes.CDLL("libusb-" + "1.0.so.0")\n'},
+        lines="apt:\n  - libusb-1.0-0  # for the library libusb-1.0.so.0 (main.py:3)\n",
+    ),
+    "a module of ROS": Broken(
+        config=f'{ROS}command: [python3, main.py]\ntest: "true"\n',
+        files={
+            "package.xml": PACKAGE.format(""),
+            "CMakeLists.txt": f"{CMAKE}find_package(ament_cmake REQUIRED)\nament_package()\n",
+            "main.py": DYNAMIC.format('"tf_" + "transformations"'),
+        },
+        lines="apt:\n  - ros-jazzy-tf-transformations  # for the module tf_transformations (main.py:3)\n",
+    ),
+}
+PARSES = """\
+import argparse
+
+words = argparse.ArgumentParser()
+words.add_argument("--bag", required=True)
+words.parse_args()
+"""
+STAYS = {
+    "a GPU": (
+        'import sys\n\nsys.exit("RuntimeError: No CUDA GPUs are available")\n',
+        "roslab: The program needs a device",
+    ),
+    "an argument": (PARSES, "roslab: The command ends because it was not given --bag"),
+    "what does not help": (
+        "import sys\n\nprint(sys.path)\nraise ModuleNotFoundError(\"No module named 'yaml'\")\n",
+        "stays as it was before pip: [PyYAML]: its command does not start for the same cause",
+    ),
+}
+
+
 @pytest.fixture(scope="module")
 def bases(lab: Laboratory) -> Iterator[None]:
     """Make the bases with the small packages."""
@@ -230,9 +281,8 @@ def bases(lab: Laboratory) -> Iterator[None]:
 
 
 def repository(folder: Path, broken: Broken) -> Path:
-    folder.mkdir()
-    for name, text in {**broken.files, "roslab.yaml": broken.config}.items():
-        (folder / name).parent.mkdir(exist_ok=True)
+    for name, text in {**broken.files, **({"roslab.yaml": broken.config} if broken.config else {})}.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
     return folder
 
@@ -279,6 +329,46 @@ def test_a_package_that_does_not_compile_is_left_out_unless_the_command_needs_it
     line = LEFT_OUT.replace(", which", "  #")
     assert (folder / "roslab.yaml").read_text() == f"{ROS}skip_packages:\n  - {line}the command does not need it\n"
     subprocess.run(["docker", "image", "rm", answer.stdout.strip()], env=dict(lab.environment), check=False)
+
+
+@pytest.mark.usefixtures("bases")
+@pytest.mark.parametrize("name", list(STARTS))
+def test_a_command_that_died_starts(lab: Laboratory, tmp_path: Path, name: str) -> None:
+    """Its image is good enough without it, and is built again all the same."""
+    broken = STARTS[name]
+    folder = repository(tmp_path / "repair-starts", broken)
+    answer = build(lab, folder, "--write")
+    assert answer.returncode == 0, answer.stderr[-8000:]
+    assert "rung 1, starts, does not hold" in answer.stderr
+    assert "rung 1, starts, holds" in answer.stderr.rpartition("roslab: repair 1 adds")[2]
+    assert "roslab: repair 2 adds" not in answer.stderr
+    assert (folder / "roslab.yaml").read_text() == broken.written
+    image = answer.stdout.strip()
+    assert image == "repair-starts:repro-lab"
+    assert "roslab-before" not in tags(lab, "repair-starts")
+    subprocess.run(["docker", "run", "--rm", image], env=dict(lab.environment), check=True, capture_output=True)
+    subprocess.run(["docker", "image", "rm", image], env=dict(lab.environment), check=False)
+
+
+@pytest.mark.parametrize("name", list(STAYS))
+def test_an_image_that_is_good_enough_is_never_lost(lab: Laboratory, tmp_path: Path, name: str) -> None:
+    code, why = STAYS[name]
+    folder = repository(tmp_path / "repair-stays", Broken(config="", files={**PAGE, "main.py": code}))
+    answer = build(lab, folder, "--write")
+    assert answer.returncode == 0, answer.stderr[-8000:]
+    assert why in answer.stderr
+    assert not (folder / "roslab.yaml").exists()
+    image = answer.stdout.strip()
+    assert image == "repair-stays:repro-lab"
+    assert tags(lab, "repair-stays") == "repro-lab\n"
+    imports = ["docker", "run", "--rm", image, "python3", "-c", "import yaml"]
+    assert subprocess.run(imports, env=dict(lab.environment), check=False, capture_output=True).returncode
+    subprocess.run(["docker", "image", "rm", image], env=dict(lab.environment), check=False)
+
+
+def tags(lab: Laboratory, name: str) -> str:
+    command = ["docker", "image", "ls", "--format", "{{.Tag}}", name]
+    return subprocess.run(command, env=dict(lab.environment), check=True, capture_output=True, text=True).stdout
 
 
 @pytest.mark.usefixtures("bases")

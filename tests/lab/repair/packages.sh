@@ -29,6 +29,7 @@ package libjsoncpp-dev 1.9.5-1 /usr/share/pkgconfig/jsoncpp.pc <<<$'Name: jsoncp
 package libmodbus-dev 3.1.6-1 /usr/lib/libmodbus.so
 package libusb-1.0-0 1.0.26-1 /usr/lib/libusb-1.0.so.0
 package ros-jazzy-angles 1.16.0-1 /usr/share/angles/cmake/anglesConfig.cmake <<<'set(angles_FOUND TRUE)'
+package ros-jazzy-tf-transformations 1.1.0-1 /usr/lib/python3/dist-packages/tf_transformations.py <<<'print("here")'
 package bc 1.07.1-1 /usr/bin/bc <<<$'#!/bin/sh\necho 2'
 cd "${folder}"
 dpkg-scanpackages . /dev/null >Packages
