@@ -9,7 +9,8 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.evidence.prose.page_lists import blocks, bounded, said
 
-TABLE = "## Requirements\n\n| Package | Version |\n|---|---|\n| Python | 3.8 |\n| [PyTorch](https://pytorch.org) | 1.9.0 |\n"
+ROWS = "| Python | 3.8 |\n| [PyTorch](https://pytorch.org) | 1.9.0 |\n"
+TABLE = f"## Requirements\n\n| Package | Version |\n|---|---|\n{ROWS}"
 Tree = Callable[[dict[str, str]], Decision]
 
 
