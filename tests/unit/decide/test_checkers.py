@@ -24,3 +24,9 @@ CPP = {"CMakeLists.txt": "project(demo)\nadd_executable(demo demo.cpp)\n", "demo
 def test_what_checks_code_is_not_installed_for_a_page(tree: Tree, line: str, asked: list[str]) -> None:
     found = tree({**CPP, "README.md": f"# Contributing\n```\n{line}\n```\n"}).python
     assert [each.name for each in (*found.pip, *found.pip_guessed)] == asked
+
+
+def test_what_the_authors_own_image_has_stays(tree: Tree) -> None:
+    recipe = "FROM ubuntu:22.04\nRUN pip3 install black\n"
+    found = tree({**CPP, "docker/builder/Dockerfile": recipe}).python
+    assert [each.name for each in (*found.pip, *found.pip_guessed)] == ["black"]

@@ -63,7 +63,7 @@ def guesses(
             or (pin.requirement.role in {"listed", "bounded"} and pin.name in built)
             or (pin.name in tooling("installers") and not pin.release)
             or (aside and pin.name in tools_of_developers())
-            or (pin.name in tooling("checkers") and not pin.requirement.specifier)
+            or (pin.name in tooling("checkers") and not pin.requirement.specifier and not _of_image(pin))
         ):
             continue
         plain = pin.requirement.role in {"", "conda"}
@@ -169,6 +169,11 @@ def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
         counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests) and not tried)
         if each.namespace == "import" and counts and not places.test(each.file):
             yield each
+
+
+def _of_image(pin: Pin) -> bool:
+    """Tell whether the line is of a Dockerfile of the author's: what that installs is in his own image, too."""
+    return "dockerfile" in pin.requirement.file.rpartition("/")[2].lower()
 
 
 def _repository(url: str) -> str:
