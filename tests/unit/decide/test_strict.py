@@ -67,3 +67,9 @@ def test_of_what_is_cloned_nothing_is_known(tmp_path: Path) -> None:
     manifest = CATKIN["package.xml"].replace("</package>", "<depend>acme</depend></package>")
     tree_of(tmp_path, CATKIN | {"package.xml": manifest, "a.rosinstall": listed})
     assert "plain-apart warnings-pass src headers-first catkin_make" in dockerfile(plan_repository(tmp_path).plan)
+
+
+def test_so_it_is_with_libraries_that_are_compiled_before_it(tmp_path: Path) -> None:
+    tree_of(tmp_path, PLAIN | {"CMakeLists.txt": PLAIN["CMakeLists.txt"] + "find_package(GTSAM REQUIRED)\n"})
+    made = dockerfile(plan_repository(tmp_path).plan)
+    assert " && warnings-pass /tmp/sources/gtsam make --jobs=" in made

@@ -28,7 +28,7 @@ done
 installed() {
   local build status=0
   build="$(mktemp --directory)"
-  (cd "${build}" && configure-library -DCMAKE_BUILD_TYPE=Release "$1" && make --jobs="$(compile-jobs)" install) || status=$?
+  (cd "${build}" && configure-library -DCMAKE_BUILD_TYPE=Release "$1" && warnings-pass "$1" make --jobs="$(compile-jobs)" install) || status=$?
   rm -rf "${build}"
   return "${status}"
 }

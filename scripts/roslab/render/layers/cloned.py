@@ -9,7 +9,7 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
 from roslab.render.layers.called import PACKAGES, with_called
-from roslab.render.layers.system import BRANCH, CONFIGURE, fetch, prepared
+from roslab.render.layers.system import BRANCH, CONFIGURE, LENIENT, fetch, prepared
 from roslab.render.layers.workspace import HOLDING, WS, completes, source_folder, words
 from roslab.values.pattern import pattern
 
@@ -147,7 +147,7 @@ def plain_clones(plan: Plan) -> str:
     noted = f" --in {WS}/src" if tried else ""
     if not folders and not noted:
         return ""
-    scripts = "".join(map(shell.copy_script, (CONFIGURE, "compile-jobs")))
+    scripts = "".join(map(shell.copy_script, (CONFIGURE, LENIENT, "compile-jobs")))
     comment = "Clones without a package.xml, which catkin passes by"
     words_of_call = noted + "".join(f" {each}" for each in folders)
     return f"USER root\n{shell.call(PLAIN, words_of_call, comment=comment, before=scripts)}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import cloned_heads, compiler_cache, secrets, shell, workspace
+from roslab.render.layers import cloned_heads, compiler_cache, secrets, shell, system, workspace
 
 INSTALL = "install-program"
 KEEPS_GOING = "make-what-compiles"
@@ -28,7 +28,7 @@ def compile_program(plan: Plan) -> str:
     make, script = (KEEPS_GOING, shell.copy_script(KEEPS_GOING)) if program.keeps_going else ("make", "")
     folder = quote.shell_with_user(f"{workspace.source_folder(plan)}")
     passing = workspace.warnings_pass(plan, folder)
-    script += shell.copy_script(workspace.LENIENT) if passing else ""
+    script += shell.copy_script(system.LENIENT) if passing else ""
     run = shell.run(
         *(f"source {setup}" for setup in workspace.setups(plan)),
         f"mkdir --parents {build}",

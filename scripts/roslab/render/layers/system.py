@@ -21,6 +21,8 @@ CONFIGURE = "configure-library"
 """A script that calls CMake for a library, once more with a newer one where the library asks for it."""
 INSTALL_BY_MAKE = "install-by-make"
 """A script that installs a library by its own Makefile."""
+LENIENT = "warnings-pass"
+"""The script that compiles once more without warnings that count as errors."""
 COMPILERS = "compilers"
 """The stage below those of several libraries."""
 
@@ -160,7 +162,7 @@ def library_stages(plan: Plan) -> str:
             fetched = []
         if reads:
             lines.append(required.of_library(plan, library, f"{SOURCES}/{library.name}"))
-        for script in (CONFIGURE,) * _by_script(plan, library) + (INSTALL_BY_MAKE,) * library.by_make:
+        for script in (CONFIGURE, LENIENT) * _by_script(plan, library) + (INSTALL_BY_MAKE,) * library.by_make:
             lines.append(shell.copy_script(script).rstrip())
         compiled = _told(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")], "compiled")
         needed = secrets.for_pip(plan) if library.build == "pip" else secrets.NONE
@@ -296,7 +298,8 @@ def _compile(plan: Plan, library: Source, *first: str) -> list[str]:
         inside = posixpath.join(SOURCES, library.name, library.cmake_folder or "").rstrip("/")
         return [f"cd {quote.shell(inside)}", f"{INSTALL_BY_MAKE} {shell.JOBS}"]
     options = "".join(f" {quote.shell(word)}" for word in shlex.split(library.cmake_options))
-    make = library.make_command or f"make --jobs={shell.JOBS} install"
+    passing = f"{LENIENT} {folder} " if _by_script(plan, library) else ""
+    make = library.make_command or f"{passing}make --jobs={shell.JOBS} install"
     return [
         f"mkdir --parents {folder}/build",
         f"cd {folder}/build",

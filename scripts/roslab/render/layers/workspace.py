@@ -11,6 +11,7 @@ from roslab.render import quote
 from roslab.render.layers import attempts, cloned_heads, compiler_cache, locks, manifests, prepared, secrets, shell
 from roslab.render.layers.called import with_called
 from roslab.render.layers.prepared import RAISED, WITHOUT_LACKING
+from roslab.render.layers.system import LENIENT
 
 HOME = f"/home/{quote.USER}"
 WS = f"{HOME}/{WORKSPACE}"
@@ -24,8 +25,6 @@ HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 HEADERS_FIRST = "headers-first"
 """The script that compiles once more where a header was not generated in time."""
-LENIENT = "warnings-pass"
-"""The script that compiles once more without warnings that count as errors."""
 PLAIN_APART = "plain-apart"
 """The script that compiles packages one by one where a clone brings one that catkin_make refuses."""
 UNKNOWN = "clone-unknown"
