@@ -23,6 +23,10 @@ COPY --chmod=755 <<'EOF' /configure-library
 @@ _constant/configure-library @@
 EOF
 
+COPY --chmod=755 <<'EOF' /warnings-pass
+@@ _constant/warnings-pass @@
+EOF
+
 COPY --chmod=755 <<'EOF' /compile-jobs
 @@ _constant/compile-jobs @@
 EOF
@@ -76,6 +80,7 @@ RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib
  && rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log} \
  && find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
 COPY --from=scripts /configure-library /usr/local/bin/
+COPY --from=scripts /warnings-pass /usr/local/bin/
 COPY --from=scripts /compile-jobs /usr/local/bin/
 RUN mkdir --parents /tmp/sources \
  && git clone https://github.com/stevenlovegrove/Pangolin.git /tmp/sources/pangolin \
@@ -85,7 +90,7 @@ RUN mkdir --parents /tmp/sources \
  && cd /tmp/sources/pangolin/build \
  && configure-library -DCMAKE_BUILD_TYPE=Release -DBUILD_EXAMPLES=OFF -DBUILD_TESTS=OFF -DBUILD_PANGOLIN_PYTHON=OFF ../ \
  && export DESTDIR=/installed \
- && make --jobs="$(compile-jobs)" install \
+ && warnings-pass /tmp/sources/pangolin make --jobs="$(compile-jobs)" install \
  && mkdir --parents /installed
 
 

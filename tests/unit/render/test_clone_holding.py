@@ -249,11 +249,34 @@ def test_a_library_of_plain_cmake_that_is_called_so_is_kept(
     _git(library, "commit", "--quiet", "--message", "first")
     said, _, _ = _run(tmp_path, library.as_uri(), f"{tmp_path}/ws/src/remote", "quad_map")
     noted = tmp_path / "ws/src/remote/.git/roslab-plain"
-    assert ("is quad_map, a library of plain CMake" in said, noted.exists()) == (kept, kept)
+    assert ("is quad_map, a library without a package.xml" in said, noted.exists()) == (kept, kept)
     assert ("it holds no package called quad_map" in said) is not kept
     if kept:
         said, _, _ = _run(tmp_path, library.as_uri(), f"{tmp_path}/ws/src/again", "quad_map")
         assert "is not needed: the workspace has quad_map" in said
+
+
+@pytest.mark.parametrize(
+    ("makefile", "name", "kept"),
+    [
+        ("all:\n\ttrue\ninstall:\n\tcp a.hpp /usr/local/include\n", "quad_map", True),
+        ("install: all\n\tcp a.hpp /usr/local/include\n", "quad_map", True),
+        ("all:\n\ttrue\n", "quad_map", False),
+        ("install:\n\ttrue\n", "other", False),
+    ],
+)
+def test_a_library_with_a_makefile_that_installs_it_is_kept(
+    tmp_path: Path, makefile: str, name: str, kept: bool
+) -> None:
+    library = tmp_path / name
+    library.mkdir()
+    (library / "Makefile").write_text(makefile)
+    _git(library, "init", "--quiet")
+    _git(library, "add", ".")
+    _git(library, "commit", "--quiet", "--message", "first")
+    said, _, _ = _run(tmp_path, library.as_uri(), f"{tmp_path}/ws/src/{name}", "quad_map")
+    assert ("is quad_map, a library without a package.xml" in said) is kept
+    assert (tmp_path / f"ws/src/{name}/.git/roslab-plain").exists() is kept
 
 
 def test_a_library_beside_packages_is_none_of_plain_cmake(tmp_path: Path, remote: Path) -> None:

@@ -69,6 +69,17 @@ def test_what_another_one_needs_is_installed_before_it(tmp_path: Path) -> None:
     assert sorted(each.parent.name for each in tmp_path.rglob("COLCON_IGNORE")) == ["quad_map", "quad_map_core"]
 
 
+def test_what_has_a_makefile_alone_is_installed_by_it_where_it_is_noted(tmp_path: Path) -> None:
+    for name in ("forces", "pages"):
+        (tmp_path / "src" / name / ".git").mkdir(parents=True)
+        (tmp_path / "src" / name / "Makefile").touch()
+    (tmp_path / "src/forces/.git/roslab-plain").write_text("forces\n")
+    said = _installed(tmp_path, "exit 1", "--in", str(tmp_path / "src"), str(tmp_path / "src/pages"))
+    assert f"{tmp_path}/src/forces has no package.xml: it is compiled by its Makefile" in said
+    assert "pages" not in said
+    assert "left out" not in said
+
+
 def test_the_image_does_so_for_what_is_only_tried(tmp_path: Path) -> None:
     package = (
         "<package><name>demo</name><depend>quad_map</depend><buildtool_depend>ament_cmake</buildtool_depend></package>"

@@ -2,8 +2,8 @@
 # usage: clone-holding [--ros1|--ros2] [--rosmake] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER PACKAGE... [--also PACKAGE...]
 # Clones to a folder of the workspace a repository that may hold packages which nothing else brings. What does not answer,
 # or holds none of those that the workspace lacks, is named and left out. Of the others in it, only those that these need
-# are compiled. A project of CMake without any package.xml that is called so is kept, too: install-plain-clones knows it by
-# what is noted in its folder of git.
+# are compiled. A project of CMake without any package.xml that is called so is kept, too, or one with a Makefile that
+# installs it: install-plain-clones knows it by what is noted in its folder of git.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
 #   --rosmake        for a workspace of rosbuild, whose packages have a manifest.xml; catkin only learns their names
 #   --ref REF        a branch, tag or commit
@@ -100,10 +100,17 @@ beneath() {
   done
   return 1
 }
-# Prints those that a plain project of CMake is called, or by which it has itself found
+# Prints those that a plain project of CMake is called, or by which it has itself found, or a repository with a Makefile
 plain() {
-  if [ ! -f "${folder}/CMakeLists.txt" ] || [ -n "$(find "${folder}" -name .git -prune -o -name package.xml -print -quit)" ]; then return; fi
+  if [ -n "$(find "${folder}" -name .git -prune -o -name package.xml -print -quit)" ]; then return; fi
   local package called
+  if [ ! -f "${folder}/CMakeLists.txt" ]; then
+    if ! grep --quiet --no-messages '^install *:' "${folder}/Makefile"; then return; fi
+    for package in "${lacking[@]}"; do
+      if [ "$(basename "${url}" .git)" = "${package}" ]; then echo "${package}"; fi
+    done
+    return
+  fi
   called="$({ sed 's/#.*//' "${folder}/CMakeLists.txt" | tr '\n\t\r"' '    ' |
     grep --only-matching --ignore-case --extended-regexp '(^|[ )])project *\( *[A-Za-z0-9_.+-]+' || true; } | sed --quiet '1s/.*[( ]//p')"
   for package in "${lacking[@]}"; do
@@ -135,7 +142,7 @@ mapfile -t plain < <(plain)
 if [ "${#kept[@]}" -eq 0 ] && [ "${#plain[@]}" -gt 0 ]; then
   git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
   printf '%s\n' "${plain[@]}" >"${folder}/.git/roslab-plain"
-  echo "roslab: ${url} is ${plain[*]}, a library of plain CMake"
+  echo "roslab: ${url} is ${plain[*]}, a library without a package.xml"
   exit 0
 fi
 if [ "${#kept[@]}" -gt 0 ] || beneath; then
