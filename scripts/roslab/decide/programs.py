@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from typing import TypeVar
 
 from roslab.config.model import Kind
@@ -29,6 +29,7 @@ _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)",
 
 _ROS: Mapping[Kind | None, int] = {"ros1": 1, "ros2": 2}
 _OF_WORKSPACES = frozenset({"colcon", "catkin_make", "catkin_make_isolated", "catkin_tools"})
+_SOURCE = pattern(r"\.(?:c|cc|cpp|cxx)$")
 _TURNED_ON = pattern(r"-D ?(\w+)(?::\w+)?=(?:ON|TRUE|YES|1)\b", re.IGNORECASE)
 _SHORT = 5
 """Names of so many letters, which differ by one of them, are different words."""
@@ -237,6 +238,12 @@ def configured_by(project: CMakeProject, folders: Mapping[str, Owner]) -> Owner 
     """
     own = project.added or project.file.rpartition("/")[0] in folders
     return owner(project.file, folders) if own else None
+
+
+def by_source(name: str, among: Container[str]) -> str:
+    """Return the program whose source a page names, ``radar_setup`` of ``radar_setup.cpp``, else the name."""
+    stem = _SOURCE.sub("", name)
+    return stem if name not in among and stem in among else name
 
 
 def one_letter_off(name: str, among: Iterable[str]) -> str | None:

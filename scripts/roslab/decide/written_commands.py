@@ -23,8 +23,8 @@ from roslab.decide.launch_calls import (
 from roslab.decide.made_folders import made_before
 from roslab.decide.own_test_runs import runs_tests
 from roslab.decide.pages_of_tools import of_a_tool
+from roslab.decide.programs import by_source, in_packages, installed_by_pip, one_letter_off, one_of_several
 from roslab.decide.programs import compiled as programs_of
-from roslab.decide.programs import in_packages, installed_by_pip, one_letter_off, one_of_several
 from roslab.decide.reasons import of_readme
 from roslab.decide.renamed_launches import Declared, declared_by, renamed
 from roslab.decide.ros.workspace import packages_of
@@ -244,7 +244,7 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
 def _program_of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | None:
     """Return ``rosrun`` or ``ros2 run`` of a package that has the program; ``None`` where nothing has the package.
 
-    A page may name the wrong one of the tree's packages: the program is that of the one that compiles it.
+    A page may name the wrong one of the tree's packages, or the source of a program, of the one that compiles it.
     """
     words = argv[1 if argv[0] == "rosrun" else 2 :]
     if len(words) < 2 or (argv[0] == "ros2" and argv[1] != "run"):
@@ -252,7 +252,7 @@ def _program_of_ros(argv: tuple[str, ...], tree: _Tree) -> tuple[str, ...] | Non
     package, program, *rest = words
     if package not in tree.packages:
         return argv if _somewhere(package, tree) else None
-    other = "" if _has(package, program, tree) else tree.compiled.get(program, "")
+    other = "" if _has(package, program, tree) else tree.compiled.get(program := by_source(program, tree.compiled), "")
     return _run(other, program, tuple(rest), tree) if other else argv
 
 

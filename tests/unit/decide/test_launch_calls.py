@@ -96,6 +96,9 @@ NODES = {
     [
         ("rosrun extra watch 1", "rosrun extra watch 1"),
         ("rosrun robot watch 1", "rosrun extra watch 1"),
+        ("rosrun extra watch.cpp 1", "rosrun extra watch 1"),
+        ("rosrun robot watch.cpp 1", "rosrun extra watch 1"),
+        ("rosrun extra other.cpp 1", "rosrun extra other.cpp 1"),
         ("rosrun acme_nowhere drive\nrosrun robot drive", "rosrun robot drive"),
         ("roslaunch acme_nowhere a.launch\nrosrun robot drive", "rosrun robot drive"),
         ("rosrun xacro xacro robot.xacro\nrosrun robot drive", "rosrun robot drive"),
@@ -103,6 +106,6 @@ NODES = {
     ],
 )
 def test_a_package_that_nothing_has_starts_nothing(tree: Tree, lines: str, command: str) -> None:
-    """A page may also name the wrong one of the tree's packages."""
+    """A page may also name the wrong one of the tree's packages, or the source of a program."""
     found = tree({**NODES, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command
     assert " ".join(found) == command
