@@ -139,7 +139,7 @@ roslab_older_pip() { # PYTHON
 }
 # Has another release taken than one whose archive lacks a file that its setup script reads, unless it is asked for by number
 roslab_incomplete() {
-  local lacked file name version
+  local lacked name version
   # The last line of a traceback that does not end in a program which is called and not there
   lacked="$(awk '
     /Traceback \(most recent call last\)/ { called = 0 }
@@ -151,16 +151,17 @@ roslab_incomplete() {
     match($0, /(Downloading|Using cached) [^ ]+[.](tar[.](gz|bz2)|zip)/) { file = substr($0, RSTART, RLENGTH) }
     /did not run successfully|exited with 1|errored out with exit status/ { found = lacked }
     END { print found }' "${log}" 2>/dev/null)"
-  file="${lacked##*[ /]}"
-  name="$(sed -n 's/-[0-9][^-]*$//p' <<<"${file}")"
-  if [ -z "${name}" ] || grep -q -i -E "(Collecting|Processing) ${name//[-_.]/[-_.]}(\[[^]]*\])?=" "${log}"; then return 1; fi
-  version="$(sed 's/[.]\(tar[.][a-z0-9]*\|zip\)$//' <<<"${file#"${name}-"}")"
+  if ! [[ "${lacked##*[ /]}" =~ ^(.+)-([0-9][^-]*)[.](tar[.](gz|bz2)|zip)$ ]]; then return 1; fi
+  name="${BASH_REMATCH[1]}" version="${BASH_REMATCH[2]}"
+  if grep -q -i -E "(Collecting|Processing) ${name//[-_.]/[-_.]}(\[[^]]*\])?=" "${log}"; then return 1; fi
   if [ -n "${INDEX_AS_OF:-}" ] && ! grep -q -x -F "${name}" "${INDEX_AS_OF}" 2>/dev/null; then
     echo "${name}" >>"${INDEX_AS_OF}"
     echo "roslab: the archive of ${name} ${version} lacks what builds it: a newer release is taken" >&2
     return
   fi
+  # Each release once, and few of them: a package may never have had what builds it
   if grep -q -x -F "${name}!=${version}" "${notes}.incomplete" 2>/dev/null; then return 1; fi
+  if [ "$(grep -c -F "${name}!=" "${notes}.incomplete" 2>/dev/null || true)" -ge 5 ] 2>/dev/null; then return 1; fi
   echo "${name}!=${version}" >>"${notes}.incomplete"
   echo "roslab: the archive of ${name} ${version} lacks what builds it: the release before it is taken" >&2
   case " ${PIP_CONSTRAINT:-} " in
