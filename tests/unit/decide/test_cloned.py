@@ -83,6 +83,13 @@ def test_a_clone_that_pip_installs_in_a_dockerfile_that_is_not_built(
     assert [each.url for each in found.pip_guessed] == ([] if folder.startswith("examples") else urls)
 
 
+@pytest.mark.parametrize(("code", "urls"), [("import numpy\n", []), ("import speed\n", [COMMIT])])
+def test_of_several_dockerfiles_only_what_the_code_imports(tree: Tree, code: str, urls: list[str]) -> None:
+    files = {f"docker/Dockerfile.{use}": f"FROM own_image:{use}\n{VARIABLES}" for use in ("train", "play")}
+    found = tree({**CODE, "play.py": code, **files}).python
+    assert [each.url.rpartition("@")[2] for each in found.pip_guessed] == urls
+
+
 @pytest.mark.parametrize(
     ("install", "editable"),
     [

@@ -13,7 +13,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import framework_sources
 from roslab.values.dataclass import replace
-from roslab.values.name import canonicalize_name
+from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
@@ -38,11 +38,14 @@ def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
     clones = [git for git in evidence.sources if git.kind == "clone" and git.strength == "prose"]
     named = {asked.key for asked in evidence.prose_pip if asked.name}
     yield from _of_text(evidence, clones, evidence.prose_pip, itself, named)
-    for authored in evidence.dockerfiles:
-        if authored.purpose == "project" and not places.example(authored.file):
-            found = tuple(_of_text(evidence, authored.clones, authored.requirements, itself, named))
-            yield from found
-            named |= {asked.key for asked in found}
+    own = [each for each in evidence.dockerfiles if each.purpose == "project" and not places.example(each.file)]
+    used = {bare_name(each.name) for each in evidence.code if each.namespace == "import" and each.strength == "used"}
+    for authored in own:
+        found = tuple(_of_text(evidence, authored.clones, authored.requirements, itself, named))
+        # Of several, each is for another use: what the code always imports is needed by all
+        found = found if len(own) == 1 else tuple(each for each in found if bare_name(each.name) in used)
+        yield from found
+        named |= {asked.key for asked in found}
 
 
 def _of_text(
