@@ -98,7 +98,7 @@ class Stage:
         (folder / "bin").mkdir()
         programs = {
             "apt-get": ":",
-            "apt-cache": f'[[ " {" ".join(known)} " = *" $2 "* ]]',
+            "apt-cache": f'[[ " {" ".join(known)} " = *" ${{!#}} "* ]]',
             "install-optional-apt": f'echo "$*" >>{folder}/calls',
         }
         for name, body in programs.items():
@@ -108,6 +108,7 @@ class Stage:
         text = text.replace("/usr/local/{lib,share}", f"{folder}/local/lib").replace(
             "/installed$", f"{folder}/installed$"
         )
+        text = text.replace("/tmp/apt-", f"{folder}/apt-")
         (folder / "script").write_text(text)
 
     def run(self, *arguments: str) -> tuple[list[list[str]], str]:

@@ -19,8 +19,10 @@ if [ $# = 0 ]; then install && exit; fi
 name="$1" folder="$2"
 shift 2
 if [ ! -f "${folder}/CMakeLists.txt" ]; then exit 0; fi
-apt-get update --quiet=2
-known() { apt-cache show "$1" >/dev/null 2>&1; }
+apt-get update --quiet=2 --option pkgCacheFile::Generate=false
+# Each call would read all lists anew: Docker's bases keep no cache of them
+cache=(--option Dir::Cache::pkgcache=/tmp/apt-pkgcache.bin --option Dir::Cache::srcpkgcache=/tmp/apt-srcpkgcache.bin)
+known() { apt-cache "${cache[@]}" show "$1" >/dev/null 2>&1; }
 of_ros() { if [ -n "${ROS_DISTRO:-}" ]; then echo "ros-${ROS_DISTRO}-${1//_/-}"; else echo -; fi; }
 # Prints the package that is called after a name as Debian calls those to compile with, where there is one
 # https://www.debian.org/doc/debian-policy/ch-sharedlibs.html#development-files
@@ -78,6 +80,7 @@ packages() {
 }
 mkdir --parents "${lists}" "/installed${lists}"
 packages "$@" >"${lists}/${name}.txt"
+rm -f /tmp/apt-*.bin
 cp "${lists}/${name}.txt" "/installed${lists}/"
 if [ -s "${lists}/${name}.txt" ]; then echo "roslab: ${name} requires, and apt installs: $(tr '\n' ' ' <"${lists}/${name}.txt")"; fi
 install
