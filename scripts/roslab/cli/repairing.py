@@ -22,6 +22,7 @@ from roslab.pipeline import Planned
 from roslab.plan.plan import Plan
 from roslab.render.dockerfile import holders as question_of_files
 from roslab.repair import dockerfile, holders, leaving, words
+from roslab.repair.absent import without_absent
 from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
 from roslab.repository import fetching
@@ -87,7 +88,7 @@ class Repairing:
         Raises ``FailedBuild`` if the rounds are used up, the same cause is back, or nothing certain can be added.
         """
         answer = _explained(error)
-        found = repair(answer, given(self.planned))
+        found = without_absent(repair(answer, given(self.planned)), error.log)
         found = found.starting if start else found
         causes = _causes(answer)
         if self.rounds >= self.options.repair:

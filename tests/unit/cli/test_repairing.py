@@ -136,3 +136,13 @@ def test_a_platform_that_is_not_built_is_not_asked(repairing: Repairing, tmp_pat
     repairing.planned = planned_of(repairing.options)
     repairing.repair(failed("/home/a/main.cpp:1:10: fatal error: zoo.h: No such file or directory"))
     assert " --platform linux/arm64 " in (tmp_path / "called").read_text()
+
+
+def test_what_the_build_left_out_itself_is_not_added(repairing: Repairing, tmp_path: Path) -> None:
+    (tmp_path / "docker").write_text("#!/bin/sh\nexit 1\n")
+    line = "/home/a/main.cpp:1:10: fatal error: glog/logging.h: No such file or directory"
+    error = failed(f"{line}\n#5 1.0 roslab: left out: apt libgoogle-glog-dev")
+    with pytest.raises(FailedBuild) as raised:
+        repairing.repair(error)
+    assert not repairing.changes
+    assert "not repaired" in raised.value.problems[-1].message
