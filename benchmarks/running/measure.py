@@ -93,7 +93,7 @@ def _measured(listed: Listed, root: Path, way: Way, told: dict[str, Any]) -> dic
     image = f"roslab-running:{listed.repository.replace('/', '-').lower()}"
     begun = time.monotonic()
     try:
-        planned, told["repairs"] = _built(planned, root, image)
+        planned = _built(planned, root, image, told)
         told.update(built=True, seconds=round(time.monotonic() - begun, 1))
         return _proved(planned, image, base, way, told)
     except engine.FailedBuild as error:
@@ -113,15 +113,17 @@ def _python(plan: Plan) -> str | None:
     return tag.partition("-")[0] if name == "python" else python_of_ubuntu().get(plan.ubuntu or "")
 
 
-def _built(planned: Planned, root: Path, image: str) -> tuple[Planned, int]:
-    """Build, with the repairs of ``roslab build``; return the plan that was built and their number.
+def _built(planned: Planned, root: Path, image: str, told: dict[str, Any]) -> Planned:
+    """Build, with the repairs of ``roslab build``, whose number is told; return the plan that was built.
 
     Raises ``FailedBuild`` where none is left.
     """
     repairing = Repairing(options=parser("build").parse_args(["build", str(root)]), planned=planned)
+    told["repairs"] = 0
     while error := _failure(repairing.planned, image):
         repairing.repair(error)
-    return repairing.planned, repairing.rounds
+        told["repairs"] = repairing.rounds
+    return repairing.planned
 
 
 def _failure(planned: Planned, image: str) -> engine.FailedBuild | None:
