@@ -16,6 +16,7 @@ from roslab.decide.ros.author_variables import author_variables
 from roslab.decide.ros.linked_folders import linked_folders
 from roslab.decide.ros.nested_headers import nested_headers
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
+from roslab.decide.system.cmeel import PREFIX
 from roslab.decide.system.header_folders import compiler_variables
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
@@ -178,6 +179,8 @@ def _installed(value: str, mention: Mention, evidence: Evidence) -> bool:
 
 
 def _why(name: str, value: str, place: Mention) -> str:
+    if PREFIX in value:
+        return f"{place.text} is in wheels of pip, whose libraries and packages of CMake lie there"
     if place.file.endswith("CMakeLists.txt"):
         return "CMake stops without it"
     who = "a script of the tree" if place.source == "script" else "a page"

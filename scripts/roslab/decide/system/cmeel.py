@@ -1,0 +1,96 @@
+"""What CMake finds in wheels of cmeel, where the author's CI or a page installs these: not compiled from source then.
+
+Seen on 2026-11-28, with crocoddyl 3.2.1 and CMake 3.25: with ``cmeel.prefix`` in CMAKE_PREFIX_PATH a program is
+configured and compiled, and finds the libraries by LD_LIBRARY_PATH alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+
+from roslab.config.model import Kind
+from roslab.decide.system.recipes import own_names
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.prose.own_places import PYTHON
+from roslab.knowledge.cmeel_wheels import by_conda, cmeel_wheels
+from roslab.values.dataclass import replace
+from roslab.values.name import canonicalize_name
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+PREFIX = "cmeel.prefix"
+_PLACES = (f"/opt/venv/lib/python{PYTHON}/site-packages", f"/usr/local/lib/python{PYTHON}/dist-packages")
+"""Where pip installs to: into the image's environment, or beside the packages of the system's Python."""
+_VARIABLES = {"CMAKE_PREFIX_PATH": PREFIX, "LD_LIBRARY_PATH": f"{PREFIX}/lib"}
+_BUILD = "build"
+_HEADERS = {"hpp": "hpp-fcl"}
+"""Folders of headers that are not called as their package."""
+
+
+def with_wheels(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
+    """Return the evidence of C++ with such wheels, and without what they bring: nothing else asks for that any more.
+
+    They are taken where CMake asks for what one brings, and CI installs that with the extra ``build``, or a page by pip
+    or conda.
+    """
+    wheels = _asked(evidence, folder_name) if kind == "cpp" else {}
+    brought = frozenset(name for pip in wheels for name in cmeel_wheels()[pip])
+    if not wheels:
+        return evidence
+    first = next(iter(wheels.values()))
+    projects = (replace(each, dependencies=_without(each.dependencies, brought)) for each in evidence.cmake)
+    manifests = (replace(each, dependencies=_without(each.dependencies, brought)) for each in evidence.manifests)
+    linked = (each for each in evidence.sources if each.kind != "link" or canonicalize_name(each.name) not in brought)
+    asked = tuple(stated(f"{pip}[{_BUILD}]", "prose", place.file, place.line) for pip, place in wheels.items())
+    others = (each for each in evidence.prose_pip if each.key not in wheels)
+    return replace(
+        evidence,
+        cmake=tuple(projects),
+        manifests=tuple(manifests),
+        sources=tuple(linked),
+        code=tuple(each for each in evidence.code if not _is_header(each, brought)),
+        prose_pip=(*others, *asked),
+        mentions=(*evidence.mentions, *_variables(first)),
+    )
+
+
+def _asked(evidence: Evidence, folder_name: str) -> Mapping[str, Dependency]:
+    """Return the wheels, each with the first place at which CMake asks for what it brings."""
+    own = {canonicalize_name(name) for name in own_names(evidence, folder_name)}
+    required: dict[str, Dependency] = {}
+    for project in evidence.cmake:
+        for each in project.dependencies:
+            if each.namespace == "cmake":
+                required.setdefault(canonicalize_name(each.name), each)
+    found: dict[str, Dependency] = {}
+    for said in evidence.prose_pip:
+        pip = _wheel_of(said)
+        names = sorted(cmeel_wheels().get(pip, frozenset()) & required.keys())
+        if names and own.isdisjoint((pip, *names)):
+            found.setdefault(pip, required[names[0]])
+    return found
+
+
+def _wheel_of(said: Requirement) -> str:
+    """Return the wheel that a line asks for; one of CI has to ask for what is compiled with it."""
+    if said.file.startswith("."):
+        return said.key if _BUILD in said.extras else ""
+    return by_conda().get(said.key, "") if said.role == "conda" else said.key if not said.role else ""
+
+
+def _without(asked: Collection[Dependency], brought: frozenset[str]) -> tuple[Dependency, ...]:
+    return tuple(each for each in asked if canonicalize_name(each.name) not in brought)
+
+
+def _is_header(each: Dependency, brought: frozenset[str]) -> bool:
+    folder = each.name.partition("/")[0]
+    return each.namespace in {"include", "nowhere"} and _HEADERS.get(folder, folder) in brought
+
+
+def _variables(place: Dependency) -> Iterator[Mention]:
+    for name, below in _VARIABLES.items():
+        value = ":".join(f"{folder}/{below}" for folder in _PLACES)
+        yield Mention(
+            topic="variable", value=f"{name}={value}", source="code", file=place.file, line=place.line, text=place.name
+        )

@@ -1,0 +1,56 @@
+"""Libraries of C++ that CMake finds in wheels of pip, made by cmeel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+PROGRAM = {
+    "CMakeLists.txt": "cmake_minimum_required(VERSION 3.16)\nproject(walk CXX)\nfind_package(pinocchio REQUIRED)\n"
+    "find_package(Eigen3 REQUIRED)\nadd_executable(walk walk.cpp)\ntarget_link_libraries(walk pinocchio::pinocchio)\n",
+    "walk.cpp": "#include <pinocchio/multibody/model.hpp>\nint main() {}\n",
+}
+CI = ".github/workflows/ci.yml"
+JOB = "jobs:\n  test:\n    runs-on: ubuntu-22.04\n    steps:\n      - run: {}\n"
+USES = "python -m pip install {0}\n      - run: echo CMAKE_PREFIX_PATH=$(cmeel cmake) >> $GITHUB_ENV\n"
+
+
+@pytest.mark.parametrize(
+    ("more", "wheels"),
+    [
+        ({CI: JOB.format(USES.format("pin[build]"))}, ["pin[build]"]),
+        ({CI: JOB.format(USES.format("'crocoddyl[build]' gcovr"))}, ["crocoddyl[build]"]),
+        ({"README.md": "# Walk\nUbuntu 22.04\n```\npip install pin\n```\n"}, ["pin[build]"]),
+        ({"README.md": "# Walk\nUbuntu 22.04\n```\nconda install pinocchio -c conda-forge\n```\n"}, ["pin[build]"]),
+    ],
+)
+def test_it_comes_from_the_wheel(tree: Tree, more: dict[str, str], wheels: list[str]) -> None:
+    decision = tree({**PROGRAM, **more})
+    asked = [each.written for each in (*decision.python.pip, *decision.python.pip_guessed)]
+    assert [each for each in asked if "[build]" in each] == wheels
+    assert not [each.name for each in decision.source]
+    assert "libeigen3-dev" in {*decision.apt, *decision.apt_guessed}
+    path = dict(decision.variables)["CMAKE_PREFIX_PATH"]
+    assert "/usr/local/lib/python3.10/dist-packages/cmeel.prefix" in path.split(":")
+    assert dict(decision.variables)["LD_LIBRARY_PATH"].endswith("cmeel.prefix/lib")
+
+
+@pytest.mark.parametrize(
+    ("files", "more"),
+    [
+        (PROGRAM, {}),
+        (PROGRAM, {CI: JOB.format("pip install pin")}),  # for its tests
+        (PROGRAM, {CI: JOB.format(USES.format("tsid"))}),
+        (
+            {**PROGRAM, "CMakeLists.txt": PROGRAM["CMakeLists.txt"].replace("(walk CXX)", "(pinocchio CXX)")},
+            {"README.md": "# Pinocchio\n```\npip install pin\n```\n"},
+        ),
+        ({**PROGRAM, "CMakeLists.txt": "project(walk)\nadd_executable(walk walk.cpp)\n"}, {CI: JOB.format(USES)}),
+    ],
+)
+def test_where_no_wheel_is_meant(tree: Tree, files: dict[str, str], more: dict[str, str]) -> None:
+    assert "CMAKE_PREFIX_PATH" not in dict(tree({**files, **more}).variables)
