@@ -33,6 +33,9 @@ RUN = "python main.py --config config/config.yaml"
             ["cp config/config.example.yaml config/config.yaml"],
         ),
         ("```\ncd config\ncp config.example.yaml config.yaml\n```\n", [COPY]),
+        ("```\ncd config && cp config.example.yaml config.yaml && cd ..\n```\n", [COPY]),
+        ("Run `cd config; cp config.example.yaml config.yaml`.\n", [COPY]),
+        ("```\ncd config && cp .env.example .env\n```\n", []),  # it is not there
         ("```\ncp .env.example .env  # and edit it\n```\n", ["cp .env.example .env"]),
         ("```\ncp config/config.example.yaml .\n```\n", ["cp config/config.example.yaml config.example.yaml"]),
         (f"```\n{COPY}\n```\n```\ncp .env.example config/config.yaml\n```\n", [COPY]),
@@ -57,3 +60,9 @@ def test_the_command_names_the_copy(tmp_path: Path) -> None:
     assert plan.run.command == tuple(RUN.split())
     assert not plan.warnings
     assert "# What is copied before it is compiled or run" in dockerfile(plan)
+
+
+def test_a_file_of_the_folder_that_a_page_goes_to_and_not_its_namesake(tree: Tree) -> None:
+    files = {**FILES, "other/config.example.yaml": "a: 1\n", "config.example.yaml": "a: 1\n"}
+    page = "# A\n```\ncd config && cp config.example.yaml config.yaml\n```\n"
+    assert [script.command for script in tree({**files, "README.md": page}).scripts] == [COPY]

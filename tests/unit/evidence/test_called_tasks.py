@@ -232,6 +232,29 @@ def test_a_task_is_run_in_its_folder(tmp_path: Path, file: str, task: str, call:
     assert plan_of(tmp_path, files)[0] == ("python", "arm/go.py")
 
 
+NEEDS = "  sim:\n    deps: [{}]\n    cmds: [python main.py --fast]\n  bring: pip install einops\n"
+
+
+@pytest.mark.parametrize(
+    ("call", "file", "text"),
+    [
+        ("task sim", "Taskfile.yml", "tasks:\n" + NEEDS.format("bring")),
+        ("task sim", "Taskfile.yml", "tasks:\n" + NEEDS.format("{task: bring}")),
+        ("task sim", "Taskfile.yml", "tasks:\n" + NEEDS.format("all") + "  all:\n    deps: [bring, sim, all]\n"),
+        (
+            "poe sim",
+            "pyproject.toml",
+            "[tool.poe.tasks]\nbring = 'pip install einops'\nsim = {cmd = 'python main.py --fast', deps = ['bring']}\n",
+        ),
+    ],
+)
+def test_what_a_task_needs_is_run_before(tmp_path: Path, call: str, file: str, text: str) -> None:
+    text = f"{PROJECT}{text}" if file == "pyproject.toml" else text
+    command, pip = plan_of(tmp_path, {file: text, "README.md": f"# Usage\n\n```\n{call}\n```\n"})
+    assert command == ("python", "main.py", "--fast")
+    assert "einops" in pip
+
+
 NESTED: dict[str, Any] = {"cmds": [""]}
 for _ in range(90):
     NESTED = {"cmds": [NESTED] * 30}
@@ -243,8 +266,9 @@ for _ in range(90):
         {**{f"a{n}": [f"a{n + 1}"] * 30 for n in range(30)}, "a30": "python main.py"},
         {f"a{n}": [f"a{n + 1}"] * 30 for n in range(30)},
         {"a0": NESTED},
+        {f"a{n}": {"deps": [f"a{m}" for m in range(30)]} for n in range(30)},
     ],
-    ids=["calls", "calls of nothing", "aliases"],
+    ids=["calls", "calls of nothing", "aliases", "needs"],
 )
 def test_hostile_tasks_take_no_long_time(tasks: dict[str, Any]) -> None:
     with ends():

@@ -30,6 +30,7 @@ _SAID = pattern(
     rf"\b(?:copy|duplicate|rename)\b[^\n`.]{{0,40}}`{_PATH}`[^\n`.]{{0,40}}\b(?:to|as|into)\b[^\n`.]{{0,30}}`{_PATH}`",
     re.IGNORECASE,
 )
+_GONE = pattern(rf"(?<![\w./-])cd[ \t]+{_PATH}[ \t]*(?:&&|;)")
 _WORDS = ("cp ", "mv ", "opy ", "uplicate ", "ename ")
 
 
@@ -42,7 +43,7 @@ def read(repository: Repository) -> Iterator[Mention]:
             if line.elsewhere or len(line.text) > MAX_LINE or len(found) >= MOST:
                 continue
             for match in (*_COPIED.finditer(line.text), *(() if line.fenced else _SAID.finditer(line.text))):
-                there = _of_tree(match[1], page, repository)
+                there = _of_tree(match[1], page, repository, _gone_to(line.text[: match.start()], page, repository))
                 made = _made(match[2], match[1], there) if there else ""
                 if made and made not in found and _lacks(made, repository):
                     found.add(made)
@@ -57,9 +58,19 @@ def read(repository: Repository) -> Iterator[Mention]:
                     )
 
 
-def _of_tree(written: str, page: File, repository: Repository) -> str:
+def _gone_to(before: str, page: File, repository: Repository) -> str:
+    """Return the folder of the tree that the words before a command go to on its line, ``""`` for none."""
+    gone = [match[1] for match in _GONE.finditer(before)]
+    tried = (posixpath.normpath(posixpath.join(folder, gone[-1])) for folder in ("", page.folder)) if gone else ()
+    return next((folder for folder in tried if folder in repository.folders and folder), "")
+
+
+def _of_tree(written: str, page: File, repository: Repository, gone_to: str) -> str:
     """Return the path of the file that is copied, from the root, the page's folder, or where a page went before."""
     path = posixpath.normpath(written)
+    if gone_to:
+        inside = posixpath.normpath(posixpath.join(gone_to, path))
+        return inside if repository.has(inside) else ""
     below = posixpath.normpath(posixpath.join(page.folder, path))
     ends = [file.path for file in repository.named(posixpath.basename(path)) if f"/{file.path}".endswith(f"/{path}")]
     return path if repository.has(path) else below if repository.has(below) else ends[0] if len(ends) == 1 else ""

@@ -68,16 +68,33 @@ def _given(line: str, rest: list[str], *, last: bool) -> str:
     return " ".join((line, *rest)) if last else line
 
 
-def _lines(tasks: Mapping[str, Any], name: str, depth: int) -> Iterator[str]:
-    """Yield the lines of a task; a line that begins with the name of another one stands for that one's."""
+def _lines(tasks: Mapping[str, Any], name: str, depth: int, done: set[str] | None = None) -> Iterator[str]:
+    """Yield the lines of a task; a line that begins with the name of another one stands for that one's.
+
+    Before them come those of the tasks that it needs, each once in a run (``done``).
+    """
+    done = {name} if done is None else done
     said = tasks.get(name)
+    for needed in _needed(said) if depth <= DEEPEST else ():
+        if needed in tasks and needed not in done:
+            done.add(needed)
+            yield from _lines(tasks, needed, depth + 1, done)
     for line in _said(said) if depth <= DEEPEST else ():
         first, _, rest = line.partition(" ")
         if first in tasks and first != name:
-            *before, end = list(islice(_lines(tasks, first, depth + 1), MOST_LINES + 1)) or [""]
+            *before, end = list(islice(_lines(tasks, first, depth + 1, done), MOST_LINES + 1)) or [""]
             yield from (*before, f"{end} {rest}".strip())
         elif line:
             yield line
+
+
+def _needed(said: Any) -> Iterator[str]:
+    """Yield the names of the tasks that Taskfile and poe start before one: ``deps: [build]``."""
+    asked = said.get("deps") if isinstance(said, dict) else None
+    for each in asked[:MOST_LINES] if isinstance(asked, list) else ():
+        name = each.get("task") if isinstance(each, dict) else each
+        if isinstance(name, str):
+            yield name.partition(" ")[0]
 
 
 def _said(said: Any, depth: int = 0) -> Iterator[str]:
