@@ -9,7 +9,10 @@ from roslab.decide.decision import Choice, Download, Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.system.guards import runs
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.latex import latex
 from roslab.knowledge.unpackaged_programs import unpackaged_programs
+
+_TEX = "texlive"
 
 
 def decide_opened(
@@ -18,7 +21,8 @@ def decide_opened(
     """Return a warning for each; what is downloaded is there, and a command of roslab.yaml is its author's."""
     if config.compatible or config.custom or config.command is not None:
         return Choice(answer=None)
-    called = tuple(_called(evidence, command.split() if isinstance(command, str) else command))
+    words = command.split() if isinstance(command, str) else command
+    called = (*_called(evidence, words), *_set_by_latex(evidence, words))
     if isinstance(command, str):
         return Choice(answer=None, warnings=called)
     started = {word for word in command if word.endswith(".py")}
@@ -29,6 +33,15 @@ def decide_opened(
             message = f"the default command opens {mention.value} as soon as it is loaded, which the tree does not have"
             told.append(warn(f"{message}: it stops without it; add the file, or make it by `custom`", mention))
     return Choice(answer=None, warnings=(*told, *called))
+
+
+def _set_by_latex(evidence: Evidence, words: Sequence[str]) -> Iterator[Warning_]:
+    """Yield a warning for the first program that has text set by LaTeX, unless the default command is one."""
+    set_by = [mention for mention in evidence.mentions if mention.topic == "usetex" and mention.files]
+    had = any(each.namespace == "apt" and each.name.startswith(_TEX) for each in evidence.prose)
+    if set_by and not had and not any(runs(words, file) for mention in set_by for file in mention.files):
+        message = "matplotlib has text set by LaTeX here, which is large and, as the default command needs none, not in"
+        yield warn(f"{message} the image: name {', '.join(latex())} under `apt` in roslab.yaml", set_by[0])
 
 
 def _called(evidence: Evidence, words: Sequence[str]) -> Iterator[Warning_]:

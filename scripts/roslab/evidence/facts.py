@@ -156,6 +156,7 @@ class Mention:
         "screen", "mounted", "argument_count", "copied", "session_loaded", "system_library", "edited", "left_beside",
         "strict",
         "shown",
+        "shown", "usetex",
     ]  # fmt: skip
     value: str
     source: Literal[

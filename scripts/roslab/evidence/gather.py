@@ -100,6 +100,7 @@ from roslab.evidence.python import (
     start_imports,
     stopped_setup,
     tests,
+    usetex,
 )
 from roslab.evidence.python.opened_notebooks import used_in_notebooks
 from roslab.evidence.ros import (
@@ -202,6 +203,7 @@ def gather(repository: Repository) -> Evidence:
             *called.read(own),
             *loggers.read(own),
             *plot_backends.read(own),
+            *usetex.packages(own),
             *plugins.read(repository),
             *(links.packages(lost) if manifests else ()),
             *(loaded.read(repository) if manifests else ()),

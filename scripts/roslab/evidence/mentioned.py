@@ -33,6 +33,7 @@ from roslab.evidence.python import (
     said_in_code,
     sibling_folders,
     typestores,
+    usetex,
 )
 from roslab.evidence.ros import handed_lists, on_machines, own_setup, started_by_scripts
 from roslab.repository.checkout import Repository
@@ -49,7 +50,7 @@ MENTIONED = (
         libtorch.in_scripts,
         simulator_folders.read,
     ),
-    *(makefile_options.read, system_libraries.read),
+    *(makefile_options.read, system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read)

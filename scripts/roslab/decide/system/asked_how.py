@@ -20,6 +20,7 @@ _HOW = {
     "program": "CMake stops without a program of {}",
     "cuda": "CMake compiles for CUDA, which needs {}",
     "called": "a Python file calls a program of {}",
+    "latex": "the default command has matplotlib set text by LaTeX, which needs {}",
     "in_script": "the script of the default command calls a program of {}",
     "session_script": "a script of a package, which starts launch files, calls a program of {}",
     "typelib": "a program asks for a library of GObject, which needs {}",

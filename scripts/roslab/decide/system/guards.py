@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from roslab.config.model import Kind
 from roslab.decide.programs import compiled
@@ -12,18 +13,21 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.lex.truth import workspace_holds
 from roslab.evidence.prose.called_in_scripts import IN_SCRIPT
+from roslab.evidence.python.usetex import LATEX
 from roslab.values.dataclass import replace
+
+_OF_COMMAND = frozenset({IN_SCRIPT, LATEX})
 
 
 def required_by_command(evidence: Evidence, command: tuple[str, ...] | str, kind: Kind) -> Evidence:
     """Return the evidence with what guards the command's program as needed: ``if(X_FOUND) add_executable(…)``.
 
-    What guards every program of a C++ project is needed as well: without it none is compiled. What shell scripts call
-    is needed of the command's own alone.
+    What guards every program of a C++ project is needed as well: without it none is compiled. What shell scripts call,
+    and LaTeX, are needed of the command's own alone.
     """
     words = command.split() if isinstance(command, str) else command
-    if any(each.role == IN_SCRIPT for each in evidence.code):
-        code = tuple(each for each in evidence.code if each.role != IN_SCRIPT or runs(words, each.file))
+    if any(each.role in _OF_COMMAND for each in evidence.code):
+        code = tuple(each for each in evidence.code if each.role not in _OF_COMMAND or runs(words, each.file))
         evidence = replace(evidence, code=code)
     started = {word.rpartition("/")[2] for word in words}
     everywhere = _of_all_programs(evidence) if kind in {"cpp", "cuda"} else frozenset()
@@ -33,8 +37,13 @@ def required_by_command(evidence: Evidence, command: tuple[str, ...] | str, kind
 
 
 def runs(words: Sequence[str], file: str) -> bool:
-    """Tell whether the words of a command, or of the line that a shell is given, name a file of the tree."""
-    paths = (path.removeprefix("./") for word in words for path in word.split())
+    """Tell whether the words of a command, or of the line that a shell is given, name a file of the tree.
+
+    Also by the module that ``python -m`` starts.
+    """
+    said = [path for word in words for path in word.split()]
+    modules = (f"{name.replace('.', '/')}.py" for before, name in pairwise(said) if before == "-m")
+    paths = (path.removeprefix("./") for path in (*said, *modules))
     return any(path and (file == path or file.endswith(f"/{path}")) for path in paths)
 
 

@@ -43,7 +43,7 @@ def _named(module: Module, others: tuple[Module, ...]) -> Iterator[Dependency]:
     text, file = module.text, module.file.path
     for match in _NAMED.finditer(text):
         backend = plot_backends().get(match[1].lower())
-        if backend is None or conditional(text, match.start()) or _uncalled(module, match.start(), others):
+        if backend is None or conditional(text, match.start()) or uncalled(module, match.start(), others):
             continue
         line = text.count("\n", 0, match.start(1)) + 1
         yield Dependency(namespace="import", name=backend.module, strength="used", file=file, line=line)
@@ -51,7 +51,7 @@ def _named(module: Module, others: tuple[Module, ...]) -> Iterator[Dependency]:
             yield Dependency(namespace="apt", name=name, strength="used", file=file, line=line, role="backend")
 
 
-def _uncalled(module: Module, start: int, others: tuple[Module, ...]) -> bool:
+def uncalled(module: Module, start: int, others: tuple[Module, ...]) -> bool:
     """Tell whether a line is in a function that nothing names, but for those with which programs and objects begin."""
     text = module.text
     least = depth(text, start)
