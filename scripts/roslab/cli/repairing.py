@@ -21,7 +21,8 @@ from roslab.files import write_configuration
 from roslab.pipeline import Planned
 from roslab.plan.plan import Plan
 from roslab.render.dockerfile import holders as question_of_files
-from roslab.repair import dockerfile, holders, leaving, words
+from roslab.render.dockerfile import wheels
+from roslab.repair import dockerfile, holders, leaving, other_python, words
 from roslab.repair.absent import without_absent
 from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
@@ -97,6 +98,7 @@ class Repairing:
         if (author := self.planned.plan.author_dockerfile) and not again:
             self._stop(error, self._own(answer, author.dockerfile))
         found = Repair() if again else holders.completed(found, answer, given(self.planned), self._ask)
+        found = other_python.completed(found, answer, given(self.planned), self._ask_pip)
         changes = found.certain.changes
         if not changes:
             left = leaving.left_out(answer, given(self.planned))
@@ -159,10 +161,17 @@ class Repairing:
 
     def _ask(self, paths: Sequence[str]) -> str:
         say("roslab: asking apt which package holds what is missing")
+        return self._answer(question_of_files(self.planned.plan, paths))
+
+    def _ask_pip(self, lines: Sequence[str]) -> str:
+        say("roslab: asking pip's index for which Python it has a wheel")
+        return self._answer(wheels(self.planned.plan, lines))
+
+    def _answer(self, question: str) -> str:
         plan = self.planned.plan
         platforms = plan.platforms if self.options.platforms else (native_platform(),)
         secrets = of_environment(plan.secrets, os.environ)
-        return ask(question_of_files(plan, paths), platforms, secrets=secrets, arguments=self.arguments)
+        return ask(question, platforms, secrets=secrets, arguments=self.arguments)
 
     def _entries(self) -> list[Entry]:
         return [change.entry for change in self.changes]

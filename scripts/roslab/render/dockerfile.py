@@ -200,6 +200,14 @@ def holders(plan: Plan, paths: Sequence[str]) -> str:
     return _of_base(plan, "packages-holding", "\n".join(paths), before="packages-holding")
 
 
+def wheels(plan: Plan, lines: Sequence[str]) -> str:
+    """Return a Dockerfile whose image holds one file: names and Pythons for which pip's index has a wheel.
+
+    ``lines``: a name, a release and the Pythons that are asked for.
+    """
+    return _of_base(plan, "wheels-of", "\n".join(lines), before="wheels-of")
+
+
 def _of_base(plan: Plan, script: str, lines: str, *, before: str = "") -> str:
     """Return a Dockerfile whose image holds one file, ``answer``: what a script of the base says of a list.
 

@@ -31,7 +31,7 @@ def nearest(found: Explanation, given: Given) -> tuple[str, str, str]:
     wanted = version_of(pin["release"]) if pin else None
     if pin is None or wanted is None:
         return "", "", found.fix
-    asked = next((each for each in _asked(given) if each.key == canonicalize_name(name) and _is(each, wanted)), None)
+    asked = pinned(given, name, wanted)
     if asked is None:
         return "", "", f"another package asks for {name}=={pin['release']}: pin one that does not"
     listed = _listed(found.log, name, pin["release"], wanted)
@@ -46,8 +46,11 @@ def nearest(found: Explanation, given: Given) -> tuple[str, str, str]:
     return f"{asked.name}{extras}=={(later or same[-1:])[0]}", own, ""
 
 
-def _is(asked: Requirement, wanted: Version) -> bool:
-    return bool(asked.release) and version_of(asked.release or "") == wanted
+def pinned(given: Given, name: str, wanted: Version) -> Requirement | None:
+    """Return the line of roslab.yaml, of a list or a project that pins a package to this release."""
+    key = canonicalize_name(name)
+    found = (each for each in _asked(given) if each.key == key and each.release)
+    return next((each for each in found if version_of(each.release or "") == wanted), None)
 
 
 def _asked(given: Given) -> Iterator[Requirement]:
