@@ -412,3 +412,17 @@ def test_a_failed_run_hands_over_the_lines(lab: Laboratory, tmp_path: Path) -> N
     assert path == f"/repos/{doors.OWNER}/robot/pulls/7/comments"
     assert (body["path"], body["line"]) == ("roslab.yaml", 4)
     assert f"```suggestion\n  image: ros:noetic-ros-base\napt:\n{line}```" in body["body"]
+
+
+def test_a_run_tells_why_the_command_of_a_good_image_died(lab: Laboratory, tmp_path: Path) -> None:
+    """Nothing fails: a warning at the line that asked, and the lines in the summary."""
+    broken = STARTS["a module, without a roslab.yaml"]
+    inputs = {"registry": lab.registry, "platforms": "linux/amd64"}
+    caller = doors.through_action(tmp_path, inputs, dict(broken.files), base={})
+    event = doors.payload("robot", head=f"{doors.OWNER}/robot")
+    ran = run_workflow(lab, caller, "pull_request", event, env=doors.builder(lab))
+    assert ran.exit_code == 0, ran.log[-8000:]
+    assert "::warning file=main.py,line=3::the default command does not start on linux/amd64: Python finds" in ran.log
+    assert "So that the default command starts: lines for the new file `roslab.yaml`:\n" in ran.summary
+    assert f"```yaml\n{broken.lines}```" in ran.summary
+    assert "No tag was made or moved" not in ran.summary

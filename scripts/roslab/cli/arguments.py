@@ -154,7 +154,7 @@ def _build(commands: Commands) -> None:
         metavar="N",
         type=_rounds,
         default=ROUNDS,
-        help=f"after a failure add what is certainly missing and build again, at most N times (default: {ROUNDS})",
+        help=f"add what a build or the command certainly lacks, and build again, at most N times (default: {ROUNDS})",
     )
     build.add_argument(
         "--no-repair", dest="repair", action="store_const", const=0, help="build once: let the first failure stand"

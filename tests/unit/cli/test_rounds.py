@@ -163,3 +163,14 @@ def test_an_image_that_has_it_already_is_not_built_again(make: Make, capsys: pyt
     rounds = Rounds(made("qt.qpa.xcb: could not connect to display\n"))
     assert ran(rounds, repairing)[1] == []
     assert "not repaired: roslab.yaml has true already, and that did not help" in capsys.readouterr().err
+
+
+def test_what_the_plan_has_by_itself_is_not_built_again(make: Make, capsys: pytest.CaptureFixture[str]) -> None:
+    repairing = make()
+    code = "import tkinter\nwindow = tkinter.Tk()\nwindow.mainloop()\n"
+    (repairing.planned.repository.root / "main.py").write_text(code)
+    repairing.planned = planned_of(repairing.options)
+    assert repairing.planned.plan.run.gui
+    rounds = Rounds(made("_tkinter.TclError: no display name and no $DISPLAY environment variable\n"))
+    assert ran(rounds, repairing)[1] == []
+    assert "not repaired: the image has gui: true already, and that did not help" in capsys.readouterr().err

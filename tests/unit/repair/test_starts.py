@@ -181,7 +181,7 @@ LEFT = {
     "a port": (
         "python",
         "serial.serialutil.SerialException: [Errno 2] could not open port /dev/ttyUSB0: [Errno 2] No such file\n",
-        "device-missing",
+        "no-gpu",
     ),
     "a GPU": ("python", "RuntimeError: No CUDA GPUs are available\n", "no-gpu"),
     "an argument": (
