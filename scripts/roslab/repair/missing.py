@@ -7,8 +7,9 @@ from pathlib import PurePosixPath
 
 from roslab.evidence import places
 from roslab.explain.answer import Explanation
+from roslab.knowledge.frameworks import imports
+from roslab.knowledge.python2_packages import system_package
 from roslab.knowledge.released import released
-from roslab.knowledge.table import rows
 from roslab.repair.asked import in_log
 from roslab.repair.change import Given, Worked
 
@@ -21,19 +22,21 @@ def module(found: Explanation, given: Given) -> Worked:
     """Let Python find a module: in a folder of the repository, else in the package of ROS, apt or pip that holds it."""
     said = dict(found.names).get("module", "")
     top = said.partition(".")[0]
-    row = next((row for row in rows("imports") if row["module"] in (said, top)), None)
+    known = next((name for name in (said, top) if name in imports()), "")
+    pip = (imports().get(known) or ("", ""))[0]
+    apt = system_package(known, given.plan.ubuntu)
     own = _folders(top, given.files)
     nearest = _nearest(own, found, given)
-    if own and (nearest or not row):
+    if own and (nearest or not known):
         return _own(said, own, nearest, found, given)
     if top in own_packages(given):
         return Worked(why=f"{top} is a package of this repository: it is not built, or its workspace is not sourced")
-    if row and row["apt"] and (not row["pip"] or _of_system(given)):
-        return Worked(key="apt", values=(row["apt"],))
+    if apt and (not pip or _of_system(given)):
+        return Worked(key="apt", values=(apt,))
     if _of_system(given) and (package := _released(top, given)):
         return package
-    if row and row["pip"]:
-        return Worked(values=(row["pip"],))
+    if pip:
+        return Worked(values=(pip,))
     return _released(top, given) or Worked(why=found.fix)
 
 

@@ -26,6 +26,7 @@ MAIN = "print(1)\n"
 TREES: Mapping[str, Mapping[str, str]] = {
     "python": {"main.py": MAIN},
     "noetic": {"package.xml": PACKAGE.format("catkin"), "roslab.yaml": "format: 3\nbase: {ros: noetic}\n"},
+    "melodic": {"package.xml": PACKAGE.format("catkin"), "roslab.yaml": "format: 3\nbase: {ros: melodic}\n"},
     "humble": {"package.xml": PACKAGE.format("ament_cmake"), "roslab.yaml": "format: 3\nbase: {ros: humble}\n"},
 }
 FRAME = 'Traceback (most recent call last):\n  File "/home/jovyan/x/main.py", line 1, in <module>\n'
@@ -144,6 +145,11 @@ REPAIRED = {
         "noetic",
         f"{FRAME}ModuleNotFoundError: No module named 'cv2'\n",
         "apt: [python3-opencv]",
+    ),
+    "ROS 1: a module of Python 2 that apt has": (
+        "melodic",
+        f"{FRAME}ImportError: No module named serial\n",
+        "apt: [python-serial]",
     ),
     "ROS 1: a plugin": (
         "noetic",
