@@ -29,6 +29,8 @@ START_LIMIT = 300.0
 """Seconds that a container may take to start; a large image is unpacked first."""
 KEPT_OUTPUT = 64 * 1024
 """Bytes that are kept from the end of a proof's output."""
+KEPT_BEGINNING = 64 * 1024
+"""Characters that are kept from its beginning too, where a node of a launch died."""
 READ_OUTPUT = 64 * 1024 * 1024
 """Bytes of output that are searched for dead nodes of a launch: a program may print without end."""
 
@@ -161,9 +163,12 @@ def _prove_once(  # noqa: PLR0917 - what one proof is made of
         seen = replace(seen, bare=proof.rung == 1 and not proof.command and starts_shell(reference))
         seconds = time.monotonic() - start
         with log.open("rb") as stream:
-            dead = dead_nodes(_text(stream.read(READ_OUTPUT))) if proof.may_run_on else ()
+            said = _text(stream.read(READ_OUTPUT)) if proof.may_run_on else ""
+            dead = dead_nodes(said)
             stream.seek(max(0, log.stat().st_size - KEPT_OUTPUT))
             last = _text(stream.read())
+        if dead and log.stat().st_size > KEPT_OUTPUT:  # those that live may have said much since one died
+            last = f"{said[:KEPT_BEGINNING].rpartition(chr(10))[0]}\n…\n{last.partition(chr(10))[2]}"
         screenshot = camera.keep(picture) if camera else Screenshot(remark=without) if without else None
     end = End(code=seen.code, seconds=seconds if seen.code is not None else watched, dead=dead)
     passed, summary = verdict(proof, end, without=without)
