@@ -128,7 +128,8 @@ def ros(found: Explanation, given: Given) -> Worked:
     """Install a ROS package that the distribution released."""
     distro = given.plan.ros_distro
     wanted = [word for word in dict(found.names).get("name", "").split(", ") if word]
-    if own := next((word for word in wanted if word in missing.own_packages(given)), ""):
+    own = next((word for word in wanted if word in missing.own_packages(given)), "")
+    if own and not found.step:  # a program that runs has what could be built of it
         return Worked(why=f"{own} is a package of this repository: it is not built, or lacks what is looked for")
     known = [word for word in wanted if distro and word in released(distro)]
     if distro and known:
