@@ -87,6 +87,11 @@ REPAIRED = {
         f"{FRAME}ImportError: Failed to import any of the following Qt binding modules: PyQt6, PySide6, PyQt5, PySide2",
         "pip: [PyQt5]",
     ),
+    "python: PyOpenGL": (
+        "python",
+        f"{FRAME}ImportError: ('Unable to load OpenGL library', 'libEGL.so.1: {OPEN}', 'EGL', None)\n",
+        "apt: [libegl1]",
+    ),
     "Qt: no display": ("python", "qt.qpa.xcb: could not connect to display \n", "gui: true"),
     "Qt 6: xcb-cursor": (
         "python",
@@ -190,6 +195,7 @@ LEFT = {
         "no-gpu",
     ),
     "a GPU": ("python", "RuntimeError: No CUDA GPUs are available\n", "no-gpu"),
+    "the driver of a GPU": ("python", f"{FRAME}ImportError: libcuda.so.1: {OPEN}", "no-gpu"),
     "an argument": (
         "python",
         "usage: main.py [-h] --bag BAG\nmain.py: error: the following arguments are required: --bag\n",
@@ -218,6 +224,11 @@ LEFT = {
     ),
     "line endings": ("python", "/usr/bin/env: \u2018python3\\r\u2019: No such file or directory\n", "line-endings"),
     "code for Python 2": ("python", f"{FRAME}ModuleNotFoundError: No module named 'urllib2'\n", "python-print"),
+    "a Python that was compiled without libffi": (
+        "python",
+        f"{FRAME}ModuleNotFoundError: No module named '_ctypes'\n",
+        "python-built-without",
+    ),
     "a package that nobody released": (
         "noetic",
         "Resource not found: robot_of_nobody\nROS path [0]=/opt/ros/noetic/share/ros\n",
