@@ -19,6 +19,7 @@ from roslab.render.layers import (
     final,
     git_folder,
     inside,
+    links,
     locks,
     manifests,
     native_parts,
@@ -106,8 +107,8 @@ TODAY = Order(
         workspace.rosdep,  # 4. what the manifests name
         cloned.plain_clones,
         system.package_data,
-        system.header_links,
-        system.interpreters,
+        links.header_links,
+        links.interpreters,
         python.constraints,
         python.locked,
         python.packages,

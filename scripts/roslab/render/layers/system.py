@@ -107,25 +107,6 @@ def package_data(plan: Plan) -> str:
     return "\n".join(runs)
 
 
-def header_links(plan: Plan) -> str:
-    """Put links in the place of headers that contradict others, where both are there."""
-    if not plan.header_links:
-        return ""
-    pairs = ((quote.shell(file), quote.shell(instead)) for file, instead in plan.header_links)
-    linked = [f"if [ -e {file} ] && [ -e {instead} ]; then ln -sf {instead} {file}; fi" for file, instead in pairs]
-    return shell.run(*linked, comment="Headers that contradict those of another package, which the code includes too")
-
-
-def interpreters(plan: Plan) -> str:
-    """Put links to the image's Python where scripts or launch files name one of the author's machine."""
-    if not plan.interpreters:
-        return ""
-    made = " ".join(dict.fromkeys(quote.shell(posixpath.dirname(path)) for path, _ in plan.interpreters))
-    linked = [f'ln --symbolic --force "$(command -v {name})" {quote.shell(path)}' for path, name in plan.interpreters]
-    comment = "Scripts or launch files name a Python of the author's machine"
-    return shell.run(f"mkdir --parents {made}", *linked, comment=comment)
-
-
 def library_stages(plan: Plan) -> str:
     """Build each library in a stage of its own, on the base and what the libraries before it installed.
 
