@@ -22,6 +22,7 @@ _SHORTEST = 4
 """Fewest letters by which the name of a fork is known."""
 _ELSEWHERE = pattern(r"~/|/(?:home|root|path/to)/|\$\{?\w+\}?/|…/")
 """What a path begins with that leads to the reader's own folders."""
+_PROGRAMS = (".py", ".sh")
 _NUMBERED = (".py", ".sh", ".yaml", ".yml")
 _SHEBANG = pattern(r"#![^\n]*?\b(python[23]?|bash|sh)\b")
 _BEFORE = pattern(r"^(?:\.{1,2}/)+")
@@ -46,7 +47,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = only(path, repository) or _where_it_went(path, mention.inside, repository) or path
         path = _by_its_program(words[0], _with_ending(path, repository) if index else path, repository)
-        path = _with_number(path, repository)
+        path = _as_spelt(_with_number(path, repository), repository)
         beside = (
             folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
         )
@@ -89,6 +90,15 @@ def _with_ending(path: str, repository: Repository) -> str:
     stem, dot, ending = path.rpartition(".")
     other = {"yml": "yaml", "yaml": "yml"}.get(ending, "")
     return f"{stem}{dot}{other}" if other and not repository.has(path) and repository.has(f"{stem}.{other}") else path
+
+
+def _as_spelt(path: str, repository: Repository) -> str:
+    """Return a program's path as the tree spells it, where that differs in capitals alone: not every system cares."""
+    ending = posixpath.splitext(path)[1]
+    if ending not in _PROGRAMS or repository.has(path):
+        return path
+    same = [file.path for file in repository.suffixed(ending) if file.path.lower() == path.lower()]
+    return same[0] if len(same) == 1 else path
 
 
 def _with_number(path: str, repository: Repository) -> str:
