@@ -65,9 +65,12 @@ def test_a_page_without_ros_takes_no_packages_from_it_that_are_most_of_the_code(
 
 @pytest.mark.parametrize(
     ("page", "asked"),
-    [("```\npython train.py\n```\n", ["torch==1.8.*"]), ("```\nroslaunch nodes fly.launch\n```\n", [])],
+    [
+        ("```\npython train.py\n```\n", ["torch==1.8.*", "tqdm==4.60.*"]),
+        ("```\nroslaunch nodes fly.launch\n```\n", ["torch==1.8.*"]),  # apt has the other
+    ],
 )
 def test_versions_that_the_page_lists_beside_packages_of_ros(tree: Tree, page: str, asked: list[str]) -> None:
-    files = {**_package("nodes", "nodes"), "train.py": f"import torch\n{RUNS}", "models.py": "import torch\n"}
-    found = tree(files | {"README.md": f"## Requirements\n- PyTorch 1.8\n\n## Training\n{page}"})
+    files = {**_package("nodes", "nodes"), "train.py": f"import torch, tqdm\n{RUNS}", "models.py": "import torch\n"}
+    found = tree(files | {"README.md": f"## Requirements\n- PyTorch 1.8\n- tqdm 4.60\n\n## Training\n{page}"})
     assert [each.written for each in (*found.python.pip, *found.python.pip_guessed)] == asked
