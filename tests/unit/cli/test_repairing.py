@@ -105,8 +105,8 @@ def test_each_round_leaves_out_what_failed_in_it(workspace: Repairing, capsys: p
     assert "roslab: repair 2 leaves out arm_two, which " in said
     with pytest.raises(FailedBuild) as raised:
         workspace.repair(stopped("arm_demo", "error: expected ';' before '}' token"))
-    assert "not repaired: the same cause is back" in str(raised.value.problems[1])
-    assert "arm_demo does not compile, and the command needs arm_demo" in str(raised.value.problems[1])
+    why = "not repaired: arm_demo does not compile, and the command needs arm_demo"
+    assert [str(problem) for problem in raised.value.problems[1:]] == [why]
 
 
 def test_what_did_not_help_is_taken_back(workspace: Repairing) -> None:
