@@ -101,7 +101,8 @@ class Repairing:
         found = other_python.completed(found, answer, given(self.planned), self._ask_pip)
         changes = found.certain.changes
         if not changes:
-            left = leaving.left_out(answer, given(self.planned))
+            # What an image has that is named already is not given up for its command
+            left = leaving.Left() if self.kept is not None else leaving.left_out(answer, given(self.planned))
             changes = left.changes or self._stop(error, "; ".join(_reasons(found, answer, left.why, again=again)))
         self.seen |= causes
         self.rounds += 1
@@ -127,6 +128,8 @@ class Repairing:
                 self.repair(dead, start=True)
             except FailedBuild as refused:
                 why += refused.problems[1:]
+            except RoslabError as refused:  # as of the network: the image is good enough all the same
+                why += refused.problems
             else:
                 return True
         for problem in why:

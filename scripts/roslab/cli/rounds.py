@@ -58,11 +58,15 @@ def _after(once: Once, repairing: Repairing, before: Made) -> Made | None:
         (name, f"{name.rpartition(':')[0]}:roslab-before-{os.getpid()}-{number}")
         for number, (name, _) in enumerate(before.images)
     ]
+    kept: list[tuple[str, str]] = []
     try:
         for name, aside in asides:
             name_image(name, aside)
+            kept.append((name, aside))
         return first(once, repairing, lambda now: _compare(before, now, repairing))
     except RoslabError as error:
+        for name, aside in kept:  # of several, one may have been named before the engine refused the next
+            name_image(aside, name)
         repairing.back(error, before.images[0][0])
         return None
     finally:

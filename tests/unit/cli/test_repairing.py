@@ -109,6 +109,13 @@ def test_each_round_leaves_out_what_failed_in_it(workspace: Repairing, capsys: p
     assert [str(problem) for problem in raised.value.problems[1:]] == [why]
 
 
+def test_an_image_that_has_its_name_gives_no_package_up_for_its_command(workspace: Repairing) -> None:
+    workspace.kept = ()
+    with pytest.raises(FailedBuild):
+        workspace.repair(stopped("arm_one", "error: expected ';' before '}' token"))
+    assert workspace.changes == []
+
+
 def test_what_did_not_help_is_taken_back(workspace: Repairing) -> None:
     missing = "fatal error: glog/logging.h: No such file or directory"
     workspace.repair(stopped("arm_one", missing))

@@ -7,14 +7,16 @@ from pathlib import Path
 
 import pytest
 
+from roslab.cli import rounds as rounds_module
 from roslab.cli.arguments import parser
 from roslab.cli.planning import planned_of
 from roslab.cli.repairing import Repairing
 from roslab.cli.rounds import Check, Made, better, first
 from roslab.engine.docker import FailedBuild
-from roslab.errors import BuildError, Problem
+from roslab.errors import BuildError, Problem, RefusedError
 from roslab.pipeline import Planned
 from roslab.plan.ladder import Ladder, Rung
+from roslab.values.dataclass import replace
 
 MISSING = "Traceback (most recent call last):\n{}ModuleNotFoundError: No module named 'yaml'\n".format(
     '  File "/home/jovyan/robot/main.py", line 2, in <module>\n'
@@ -116,6 +118,40 @@ def test_what_is_no_better_leaves_the_image_before_it(
     said = capsys.readouterr().err
     assert f"roslab: robot:main stays as it was before pip: [PyYAML]: {why}\n" in said
     assert "not enough" not in said
+
+
+def test_images_that_cannot_all_be_named_are_named_as_before(
+    make: Make, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of an image and its slim one, the first has its name when the engine refuses the second."""
+    held = {"robot:main": "first", "robot:main-slim": "first"}
+    monkeypatch.setattr(rounds_module, "name_image", lambda image, name: held.update({name: held[image]}))
+    monkeypatch.setattr(rounds_module, "remove_image", held.pop)
+    both = replace(made(MISSING), images=(("robot:main", HELD), ("robot:main-slim", HELD)))
+
+    def once(planned: Planned, check: Check) -> Made:
+        if planned.plan.python.pip:
+            held["robot:main"] = "second"
+            raise BuildError(Problem(message="cannot name the image robot:main-slim: no space left"))
+        return both
+
+    repairing = make()
+    assert better(once, repairing, first(once, repairing)) == both
+    assert held == {"robot:main": "first", "robot:main-slim": "first"}
+    assert "roslab: robot:main stays as it was before pip: [PyYAML]: cannot name the" in capsys.readouterr().err
+
+
+def test_what_a_repair_cannot_fetch_fails_no_build(
+    make: Make, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def planned_of(*_: object, **__: object) -> Planned:
+        raise RefusedError(Problem(message="a link leads out of the tree"))
+
+    repairing = make()
+    monkeypatch.setattr("roslab.cli.repairing.planned_of", planned_of)
+    rounds = Rounds(made(MISSING))
+    assert ran(rounds, repairing) == (rounds.named[0], [])
+    assert "roslab: a link leads out of the tree\n" in capsys.readouterr().err
 
 
 def test_a_second_repair_that_fails_leaves_the_first(make: Make) -> None:
