@@ -6,9 +6,9 @@ from collections.abc import Mapping
 
 from roslab.knowledge import libraries
 from roslab.knowledge.distros import distros
+from roslab.knowledge.frameworks import imports
 from roslab.knowledge.gazebo_plugins import gazebo_plugins
 from roslab.knowledge.released import released
-from roslab.knowledge.table import rows
 
 
 def package(names: Mapping[str, str], ros: str | None, ubuntu: str | None) -> dict[str, str]:
@@ -38,7 +38,7 @@ def known(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
 def module(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
     """Name the package that has the name of a Python module; nothing for a module that pip has."""
     said = names.get("name", "")
-    return {} if any(row["module"] == said for row in rows("imports")) else known(names, ros)
+    return {} if said in imports() else known(names, ros)
 
 
 def _is_released(name: str, ros: str | None) -> bool:

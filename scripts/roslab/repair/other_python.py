@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from roslab.decide.python.pythons import PREFERRED
+from roslab.decide.python.requires import refusing
 from roslab.errors import BuildError
 from roslab.explain.answer import Answer, Explanation
 from roslab.repair.change import Asked, Change, Given, Repair
@@ -15,7 +16,6 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
-from roslab.values.specifier import admits, specifiers
 from roslab.values.version import Version, minor_of, version_of
 
 KEY = "base.python"
@@ -52,9 +52,8 @@ def sought(answer: Answer, given: Given) -> tuple[Sought, ...]:
     now = minor_of(plan.python.version or "")
     if fixed or base.python or base.image or now is None:
         return ()
-    own = [specifiers(each.requires_python) for each in given.evidence.python if each.requires_python]
     pythons = [each for each in PREFERRED if Version(each) >= Version(OLDEST)]
-    pythons = [each for each in pythons if all(admits(allowed, each) for allowed in own if allowed is not None)]
+    pythons = [each for each in pythons if refusing(each, given.evidence.python) is None]
     pythons = [now, *(each for each in pythons if each != now)]
     return tuple(
         Sought(found=found, asked=asked, pythons=tuple(pythons))

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 
 from roslab.decide.python.pythons import PREFERRED
+from roslab.decide.python.requires import refusing
 from roslab.explain.answer import Explanation
 from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
 from roslab.knowledge.os_releases import has_ended
@@ -59,9 +60,8 @@ def older_python(found: Explanation, given: Given) -> Worked:
     limit = Version(last)
     if now and Version(now) < Version(f"{limit.major}.{limit.minor + 1}"):
         return Worked(why=f"the image has Python {now} already")
-    own = [specifiers(each.requires_python) for each in given.evidence.python if each.requires_python]
     fitting = [each for each in PREFERRED if Version("3") < Version(each) <= limit]
-    fitting = [each for each in fitting if all(admits(allowed, each) for allowed in own if allowed is not None)]
+    fitting = [each for each in fitting if refusing(each, given.evidence.python) is None]
     if not fitting:
         return Worked(why=f"the repository runs on no Python up to {last}: take a newer release of what uses it")
     return Worked(values=(max(fitting, key=Version),))
