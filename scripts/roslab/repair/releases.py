@@ -23,8 +23,9 @@ def nearest(found: Explanation, given: Given) -> tuple[str, str, str]:
     """Return the line of pip to write, what it stands in place of in roslab.yaml, and why there is none.
 
     The next release after the pinned one with the same first number, else the last one before it: what pip's own
-    message lists runs on this Python. Nothing where all listed ones are newer, for then this Python is most likely too
-    new for the pinned one; nor where another package pins it, which roslab.yaml cannot change.
+    message lists runs on this Python. Of a pin with a label (``1.7.1+cu110``), the same release without it comes first.
+    Nothing where all listed ones are newer, for then this Python is most likely too new for the pinned one; nor where
+    another package pins it, which roslab.yaml cannot change.
     """
     names: Mapping[str, str] = dict(found.names)
     name, pin = names.get("name", ""), _PIN.search(names.get("version", ""))
@@ -43,7 +44,8 @@ def nearest(found: Explanation, given: Given) -> tuple[str, str, str]:
         return "", "", f"the index has no release of {name} that begins with {wanted.release[0]}: {found.fix}"
     extras = f"[{','.join(asked.extras)}]" if asked.extras else ""
     own = asked.written if asked.origin == "configuration" else ""
-    return f"{asked.name}{extras}=={(later or same[-1:])[0]}", own, ""
+    unlabelled = [each for each in same if wanted.local and each.public == wanted.public]
+    return f"{asked.name}{extras}=={(unlabelled or later or same[-1:])[0]}", own, ""
 
 
 def pinned(given: Given, name: str, wanted: Version) -> Requirement | None:
