@@ -97,7 +97,9 @@ GONE = (
 @pytest.mark.parametrize(
     ("line", "project", "taken", "what"),
     [
-        ("error: 'PyThreadState' {aka 'struct _ts'} has no member named 'use_tracing'", "", "3.9", "use_tracing"),
+        ("error: 'PyThreadState' {aka 'struct _ts'} has no member named 'use_tracing'", "", "3.9", "PyThreadState.use"),
+        ("error: '_PyCFrame' {aka 'struct _PyCFrame'} has no member named 'use_tracing'", "3.12", "3.11", "_PyCFrame"),
+        ("error: 'PyThreadState' has no member named 'robot'", "", "", ""),
         ("a.c:7:1: error: invalid use of incomplete typedef 'PyFrameObject' {aka 'struct _frame'}", "", "", ""),
         ("fatal error: longintrepr.h: No such file or directory", "3.12", "3.10", "longintrepr.h"),
         ("a.cpp:7:1: error: 'PyUnicode_GET_SIZE' was not declared in this scope", "3.12", "3.11", "PyUnicode_GET_SIZE"),
