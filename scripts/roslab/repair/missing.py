@@ -12,6 +12,7 @@ from roslab.knowledge.python2_packages import system_package
 from roslab.knowledge.released import released
 from roslab.repair.asked import in_log
 from roslab.repair.change import Given, Worked
+from roslab.values.name import canonicalize_name
 
 _HOME = "/home/jovyan"
 _NO_MODULE = ("setup.py", "package.xml", "CMakeLists.txt")
@@ -36,8 +37,20 @@ def module(found: Explanation, given: Given) -> Worked:
     if _of_system(given) and (package := _released(top, given)):
         return package
     if pip:
-        return Worked(values=(pip,))
+        return _installed(top, pip, found, given) or Worked(values=(pip,))
     return _released(top, given) or Worked(why=found.fix)
+
+
+def _installed(module: str, package: str, found: Explanation, given: Given) -> Worked | None:
+    """Refuse a package that the image installs from a list: another Python is started, which lacks it."""
+    if found.step:
+        return None
+    lists = (each for each in given.evidence.requirements if each.file in given.plan.python.requirements)
+    for line in (line for each in lists for line in each.requirements):
+        if line.key == canonicalize_name(package) and line.marker is None:
+            place = f"{line.file}:{line.line}"
+            return Worked(why=f"{package} is installed ({place}), and the Python that is started finds no {module}")
+    return None
 
 
 def program(found: Explanation, given: Given) -> Worked:
@@ -87,7 +100,8 @@ def _folders(module: str, files: Iterable[str]) -> tuple[str, ...]:
                 projects.add(folder)
             elif name.endswith(".py"):
                 packages.add(f"{folder.rpartition('/')[0] or '.'}//{folder}")
-    kept = {each.partition("//")[0] for each in packages if each.partition("//")[2] not in projects}
+    found = {each.partition("//")[0] for each in packages if each.partition("//")[2] not in projects}
+    kept = (each for each in found if ":" not in each)  # which parts the folders of PYTHONPATH
     return tuple(sorted(each for each in kept if not (places.test(f"{each}/x") or places.documentation(f"{each}/x"))))
 
 

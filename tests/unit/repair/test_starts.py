@@ -288,6 +288,7 @@ YAML = UTILS.replace("utils", "yaml")
         (("utils.py", "lib/utils.py"), UTILS, ["env.PYTHONPATH: /home/jovyan/x"]),  # above the program
         (("lib/utils.py", "src/utils.py"), UTILS, []),
         (("tests/utils.py",), UTILS, []),
+        (("a:b/utils.py",), UTILS, []),  # two folders for PYTHONPATH
         (("utils/setup.py", "utils/main.py"), UTILS, []),  # a project, no module
         (("yaml/__init__.py",), YAML, ["env.PYTHONPATH: /home/jovyan/x"]),
         (("lib/yaml.py",), YAML, ["pip: [PyYAML]"]),  # a name that it has by chance
@@ -301,6 +302,18 @@ def test_a_module_of_the_repository_is_found_in_its_folder(
     names["requirements.txt"] = ""
     found = repair(explain(io.BytesIO(log.encode())), given(plan_repository(tree(tmp_path / "x", names))))
     assert [str(change) for change in found.certain.changes] == wanted
+
+
+@pytest.mark.parametrize(
+    ("line", "wanted"),
+    [("pyyaml==6.0", []), ('PyYAML; python_version < "3"', ["pip: [PyYAML]"]), ("six", ["pip: [PyYAML]"])],
+)
+def test_what_a_list_installs_is_not_installed_again(tmp_path: Path, line: str, wanted: list[str]) -> None:
+    names = {"tools/train.py": MAIN, "requirements.txt": f"{line}\n"}
+    found = repair(explain(io.BytesIO(YAML.encode())), given(plan_repository(tree(tmp_path / "x", names))))
+    assert [str(change) for change in found.changes] == wanted
+    told = "PyYAML is installed (requirements.txt:1), and the Python that is started finds no yaml"
+    assert [why for _, why in found.refused] == ([] if wanted else [told])
 
 
 def test_the_folders_that_python_looks_into_already_stay(tmp_path: Path) -> None:
