@@ -22,6 +22,7 @@ from roslab.render.dockerfile import holders as question_of_files
 from roslab.render.outcome import Repair as Lines
 from roslab.repair import dockerfile, holders
 from roslab.repair import words as repair_words
+from roslab.repair.absent import without_absent
 from roslab.repair.change import Given, Repair
 from roslab.repair.hunk import Hunk, hunk
 from roslab.repair.repair import repair
@@ -51,7 +52,7 @@ def explain(environment: Mapping[str, str]) -> None:
         access.require(refused, image=run.image, event=what)
     if not log:
         raise BuildError(Problem(message="the build failed", hint="the log of the step above says why"))
-    mending = mend(_answer(log), run, _root(run, environment), _asking(folder, environment))
+    mending = mend(_answer(log), run, _root(run, environment), _asking(folder, environment), log=log)
     _hand_over(folder, mending, environment)
     raise BuildError(*mending.problems)
 
@@ -120,12 +121,13 @@ def mend(
     root: Path,
     asking: Callable[[Sequence[str]], str] | None = None,
     *,
+    log: str = "",
     start: bool = False,
 ) -> Mending:
     """Return what an explained log says about the checkout it was built from.
 
-    ``asking`` asks apt's index of files, see ``repair.holders``; ``None`` asks nothing. ``start``: the log is that of
-    the default command.
+    ``asking`` asks apt's index of files, see ``repair.holders``; ``None`` asks nothing. ``log``: of the whole build.
+    ``start``: the answer is that to the default command's log.
     """
     try:
         repository = Repository.open(root)
@@ -133,7 +135,7 @@ def mend(
         config = read_configuration(text, file=run.config) if text is not None else Config()
         files = frozenset(file.path for file in repository.files)
         given = Given(plan=run.plan, evidence=gather(repository), config=config, files=files)
-        found = repair(answer, given)
+        found = without_absent(repair(answer, given), log)
         found = found.starting if start else found
         found = holders.completed(found, answer, given, asking) if asking else found
         problems = tuple(_problems(answer, found, run))

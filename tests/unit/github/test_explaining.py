@@ -62,6 +62,12 @@ def test_the_place_and_the_lines(checkout: Path, config: str | None, lines: str,
     assert (mending.hunk is None) == new, "a file that does not exist has no line for a suggestion"
 
 
+def test_a_package_that_the_build_has_left_out_is_not_asked_for(checkout: Path) -> None:
+    log = f"#5 [2/4] RUN x\n#5 1.2 roslab: left out: apt libgoogle-glog-dev\n{LOG.decode()}"
+    mending = mend(explain(io.BytesIO(log.encode())), run_of(checkout), checkout, log=log)
+    assert (mending.repairs, mending.hunk) == ((), None)
+
+
 def test_what_no_table_knows_apt_is_asked_for(checkout: Path) -> None:
     asked: list[str] = []
 
