@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -177,6 +178,25 @@ def test_what_a_listed_repository_holds_is_looked_up_as_of_the_day(image: Path) 
     _git(image / "other/desk", "commit", "--quiet", "--message", "gone", day="2023-01-01")
     _list(image, "desk", image / "other/desk")
     assert _run(image, "talk", want="talk", day="2022-01-01") == (0, ["docs", "lib", "talk"])
+    assert {line.split()[0] for line in (image / "tried.held").read_text().splitlines()} == {"talk"}
+
+
+def test_a_git_that_filters_nothing_clones_all_of_an_owner_of_clones(image: Path) -> None:
+    """However many clones there are beside the one that names the owner."""
+    old = image / "bin/git"
+    old.write_text(f'#!/bin/bash\nif [[ "$*" = *--filter=* ]]; then exit 129; fi\nexec {shutil.which("git")} "$@"\n')
+    old.chmod(0o755)
+    for number in range(3):
+        (image / f"ws/src/other{number}/.git").mkdir(parents=True)
+        (image / f"ws/src/other{number}/.git/config").write_text("# more than a pipe holds\n" * 4000)
+    _manifest(image / "lab/desk/talk", "talk")
+    _commit(image / "lab/desk")
+    _git(image / "lab/desk", "rm", "--quiet", "-r", "talk")
+    _manifest(image / "lab/desk/write", "write")
+    _git(image / "lab/desk", "add", ".")
+    _git(image / "lab/desk", "commit", "--quiet", "--message", "gone", day="2023-01-01")
+    _list(image, "desk", image / "lab/desk")
+    _run(image, "talk", want="talk", day="2022-01-01")
     assert {line.split()[0] for line in (image / "tried.held").read_text().splitlines()} == {"talk"}
 
 

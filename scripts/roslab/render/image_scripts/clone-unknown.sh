@@ -41,7 +41,7 @@ look_into() { # URL REF
   if [ "${#day[@]}" -eq 0 ]; then at+=(--depth 1); fi
   rm -rf "${bare}" # of a look that was interrupted: git clones into no folder that is there
   if git clone "${at[@]}" --filter=blob:none "${url}" "${bare}" 2>/dev/null; then return; fi
-  if [ "${#day[@]}" -gt 0 ] && cat "${workspace}"/*/.git/config 2>/dev/null | grep --quiet --fixed-strings "url = ${url%/*}/" &&
+  if [ "${#day[@]}" -gt 0 ] && grep --quiet --no-messages --fixed-strings "url = ${url%/*}/" "${workspace}"/*/.git/config &&
     git clone "${at[@]}" "${url}" "${bare}" 2>/dev/null; then return; fi
   git clone --quiet --bare --depth 1 "${url}" "${bare}" 2>/dev/null # a commit is no branch
 }
