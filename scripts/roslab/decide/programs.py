@@ -7,7 +7,7 @@ import re
 from collections.abc import Container, Iterable, Iterator, Mapping
 from typing import TypeVar
 
-from roslab.config.model import Kind
+from roslab.config.model import WORKSPACE_TOOLS, Kind
 from roslab.decide.linking_projects import linking
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.evidence import places
@@ -28,7 +28,6 @@ MOST_BESIDE = 16
 _TEST = pattern(r"(?:^|[_-])(?:g?tests?|unittests?|bench(?:mark)?s?)(?:[_-]|$)", re.IGNORECASE)
 
 _ROS: Mapping[Kind | None, int] = {"ros1": 1, "ros2": 2}
-_OF_WORKSPACES = frozenset({"colcon", "catkin_make", "catkin_make_isolated", "catkin_tools"})
 _SOURCE = pattern(r"\.(?:c|cc|cpp|cxx)$")
 _TURNED_ON = pattern(r"-D ?(\w+)(?::\w+)?=(?:ON|TRUE|YES|1)\b", re.IGNORECASE)
 _SHORT = 5
@@ -216,7 +215,7 @@ def outside_of_packages(evidence: Evidence, kind: Kind | None = None) -> tuple[C
 
 def turned_on(evidence: Evidence) -> frozenset[str]:
     """Return the options of CMake that each call of a build tool of ROS turns on, on the pages at the root."""
-    tools = (m for m in evidence.mentions if m.topic == "build_tool" and m.value in _OF_WORKSPACES)
+    tools = (m for m in evidence.mentions if m.topic == "build_tool" and m.value in WORKSPACE_TOOLS)
     calls = [m.text for m in tools if m.source == "readme" and "/" not in m.file and "-D" in m.text]
     return frozenset.intersection(*(frozenset(_TURNED_ON.findall(call)) for call in calls)) if calls else frozenset()
 

@@ -6,10 +6,11 @@ import posixpath
 
 from roslab.config.model import Kind
 from roslab.decide.built_by_pages import page_of_cmake
+from roslab.decide.candidate import LAUNCHERS
 from roslab.decide.programs import outside_of_packages
 from roslab.evidence.facts import Evidence, Mention
 
-_OF_ROS = frozenset({"roslaunch", "rosrun", "ros2", "roscore"})
+_OF_ROS = frozenset({*LAUNCHERS, "roscore"})
 
 
 def run_outside(evidence: Evidence) -> Mention | None:
