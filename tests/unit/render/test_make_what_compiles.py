@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
 
 TOP = "default_target: all\nall:\n\t$(MAKE) -f Makefile2 all\n"
 BOTH = "all: CMakeFiles/a.dir/all tools/CMakeFiles/b.dir/all\n"
@@ -32,8 +33,27 @@ def test_what_compiles_is_there(tmp_path: Path, first: str, second: str, code: i
     (folder / "Makefile").write_text(TOP)
     rules = f"CMakeFiles/a.dir/all:\n\t{first}\ntools/CMakeFiles/b.dir/all:\n\t{second}\n"
     (folder / "Makefile2").write_text(BOTH + rules)
-    ran = subprocess.run(["make-what-compiles", "--jobs=1"], cwd=folder, capture_output=True, text=True, check=False)
+    command = ["make-what-compiles", "make", "--jobs=1"]
+    ran = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert (ran.returncode, ran.stderr) == (code, told)
+
+
+@pytest.mark.usefixtures("scripts_on_path")
+def test_one_that_stops_at_a_warning_alone_is_there(tmp_path: Path) -> None:
+    """Of three, one does not compile at all, and one only as long as a warning counts as an error."""
+    if shutil.which("make") is None or shutil.which("bash") is None:
+        pytest.skip("an image has make and bash")
+    (tmp_path / "Makefile").write_text("FLAGS = -Werror\ninclude rules\n")
+    names = {"a": "cp /bin/true a", "b": "cp /bin/true b", "c": "false"}
+    rules = "".join(f"CMakeFiles/{name}.dir/all:\n\t{made}\n" for name, made in names.items())
+    strict = '@if [ "$(FLAGS)" = -Werror ]; then echo "[-Werror=unused]"; exit 1; fi\n\tcp /bin/true b'
+    rules = rules.replace(names["b"], strict)
+    (tmp_path / "rules").write_text(f"all: {' '.join(f'CMakeFiles/{name}.dir/all' for name in names)}\n{rules}")
+    command = ["make-what-compiles", "warnings-pass", str(tmp_path), "make", "--jobs=1"]
+    ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert ran.returncode == 0
+    assert ran.stderr == "roslab: not compiled and left out: c (programs that are there: 2)\n"
+    assert (tmp_path / "b").exists()
 
 
 PROGRAMS = "".join(f"add_executable(part{name} a.cpp)\n" for name in "abc")
@@ -56,3 +76,9 @@ def test_where_nothing_needs_all_of_them(tmp_path: Path, lines: str, config: str
     program = plan_repository(tmp_path).plan.workspace.program
     assert program is not None
     assert program.keeps_going == goes_on
+
+
+def test_a_warning_is_looked_at_before_a_program_is_left_out(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(f"project(demo CXX)\nadd_compile_options(-Werror)\n{PROGRAMS}")
+    (tmp_path / "a.cpp").write_text("int main() {}\n")
+    assert " && make-what-compiles warnings-pass /home/" in dockerfile(plan_repository(tmp_path).plan)

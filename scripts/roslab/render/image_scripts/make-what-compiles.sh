@@ -1,15 +1,17 @@
 #!/bin/bash
-# usage: make-what-compiles ARGUMENT...
-# Runs make in the current folder and goes on where one of many programs does not compile: those that do are there, and the
-# others are told. It ends as make did where no program was made.
+# usage: make-what-compiles COMMAND...
+# Runs a command of make in the current folder and goes on where one of many programs does not compile: those that do are
+# there, and the others are told. It ends as make did where no program was made.
 set -euo pipefail
 
 code=0
 said="$(mktemp)" before="$(mktemp)"
 trap 'rm -f "${said}" "${before}"' EXIT # no layer keeps their names, which are others each time
-make --keep-going "$@" 2>&1 | tee "${said}" || code="${PIPESTATUS[0]}"
-failed="$(sed --quiet --regexp-extended 's:^make.*[*]{3} \[([^]]* )?(.*/)?CMakeFiles/([^/]+)[.]dir/all\] Error.*:\3:p' \
-  "${said}" | sort --unique | tr '\n' ' ')"
+"$@" --keep-going 2>&1 | tee "${said}" || code="${PIPESTATUS[0]}"
+# Of the last run alone: where warnings-pass begins another, what the first could not compile may be there
+failed="$(sed --quiet --regexp-extended --expression '/^roslab: the compiler stops at a warning/q' \
+  --expression 's:^make.*[*]{3} \[([^]]* )?(.*/)?CMakeFiles/([^/]+)[.]dir/all\] Error.*:\3:p' \
+  <(tac "${said}") | sort --unique | tr '\n' ' ')"
 if [ "${code}" = 0 ]; then exit 0; fi
 
 made=0

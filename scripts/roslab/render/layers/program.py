@@ -25,22 +25,21 @@ def compile_program(plan: Plan) -> str:
     launchers = compiler_cache.launchers(plan)
     kept = secrets.Secrets(mounts=(compiler_cache.tree_mount(plan),)) if launchers else secrets.NONE
     told = f"{compiler_cache.WITH_CACHE} --told " if launchers else ""
-    make, script = (KEEPS_GOING, shell.copy_script(KEEPS_GOING)) if program.keeps_going else ("make", "")
-    folder = quote.shell_with_user(f"{workspace.source_folder(plan)}")
-    passing = workspace.warnings_pass(plan, folder)
-    script += shell.copy_script(system.LENIENT) if passing else ""
+    going = f"{KEEPS_GOING} " if program.keeps_going else ""
+    passing = workspace.warnings_pass(plan, quote.shell_with_user(workspace.source_folder(plan)))
+    scripts = {KEEPS_GOING: going, system.LENIENT: passing, compiler_cache.WITH_CACHE: told}
+    script = "".join(shell.copy_script(name) for name, called in scripts.items() if called)
     run = shell.run(
         *(f"source {setup}" for setup in workspace.setups(plan)),
         f"mkdir --parents {build}",
         f"cd {build}",
         *(_compiler(variable, name) for variable, name in program.compilers),
         f"cmake{workspace.words(program.cmake_options)}{launchers} {quote.shell_with_user(source)}",
-        f"{passing}{told}{make} --jobs={shell.JOBS}{workspace.words(program.arguments)}",
+        f"{going}{passing}{told}make --jobs={shell.JOBS}{workspace.words(program.arguments)}",
         workspace.TIDY,
         secrets=kept,
         around=cloned_heads.of_day(plan),
     )
-    script += shell.copy_script(compiler_cache.WITH_CACHE) if launchers else ""
     return f"# The program\nUSER ${{NB_USER}}\n{script}{run}"
 
 
