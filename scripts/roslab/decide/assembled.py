@@ -111,10 +111,10 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     ros = of.kind.answer in {"ros1", "ros2"}
     not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
     interpreters = decide_interpreters(evidence, config, ubuntu)
-    simulators = () if of.own.answer else brought_simulators(evidence, config, of.command.answer.command, distro)
-    files = (
-        own_packages(evidence, config, ubuntu, simulators) if not of.own.answer else Choice[tuple[str, ...]](answer=())
-    )
+    files: Choice[tuple[str, ...]] = Choice(answer=())
+    if not of.own.answer:
+        simulators = brought_simulators(evidence, config, of.command.answer.command, distro)
+        files = own_packages(evidence, config, ubuntu, simulators, of.platforms.answer.built)
     folders = decide_author_folders(
         evidence, config, of.packages, of.layout.answer, of.build_tool.answer, image=of.base.answer.image
     )

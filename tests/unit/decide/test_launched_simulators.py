@@ -87,3 +87,9 @@ def test_the_package_of_the_page_is_taken(tmp_path: Path, distro: str) -> None:
     decision = _decided(tmp_path, "sim", Config(), distro=distro, before=FETCHED)
     assert [each.rpartition("/")[2] for each in decision.own_packages] == ["webots_2023b_amd64.deb"]
     assert not any("the simulator Webots" in each.message for each in decision.warnings)
+
+
+def test_that_it_is_for_amd64_alone_is_told_where_the_image_is_for_others_too(tmp_path: Path) -> None:
+    decision = _decided(tmp_path, "sim", Config(platforms=("linux/amd64",)), distro="Humble")
+    assert decision.own_packages == (FILE,)
+    assert not any("Webots" in each.message for each in decision.warnings)

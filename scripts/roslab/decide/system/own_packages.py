@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from roslab.config.model import Config
 from roslab.decide.decision import Choice
@@ -29,12 +29,14 @@ def own_packages(
     evidence: Evidence,
     config: Config,
     ubuntu: str | None,
-    simulators: Iterable[tuple[Dependency, LaunchedSimulator]] = (),
+    simulators: Iterable[tuple[Dependency, LaunchedSimulator]],
+    platforms: Collection[str],
 ) -> Choice[tuple[str, ...]]:
     """Return their paths or addresses in the order in which they are installed, of several with one name the first.
 
     One whose name says another Ubuntu than the image's is told and left out. After them the ``simulators`` that the
-    default command starts, each with the import that asks for it.
+    default command starts, each with the import that asks for it; that they are for amd64 alone is told where the image
+    is built for other ``platforms`` too.
     """
     if config.compatible:
         return Choice(answer=())
@@ -61,9 +63,11 @@ def own_packages(
         )
         for used, each in more
     ]
+    elsewhere = ", ".join(platform for platform in platforms if platform != "linux/amd64")
     alone = (
-        warn(f"not in the image for linux/arm64: {each.program}, which the default command starts", used)
+        warn(f"not in the image for {elsewhere}: {each.program}, which the default command starts", used)
         for used, each in more
+        if elsewhere
     )
     paths += tuple(each.file for _, each in more)
     return Choice(answer=paths, reasons=tuple(reasons), warnings=(*told, *alone))
