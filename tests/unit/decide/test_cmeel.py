@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.decide.system.cmeel import with_wheels
+from roslab.evidence.gather import gather
+from roslab.repository.checkout import Repository
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 PROGRAM = {
@@ -37,6 +42,25 @@ def test_it_comes_from_the_wheel(tree: Tree, more: dict[str, str], wheels: list[
     path = dict(decision.variables)["CMAKE_PREFIX_PATH"]
     assert "/usr/local/lib/python3.10/dist-packages/cmeel.prefix" in path.split(":")
     assert dict(decision.variables)["LD_LIBRARY_PATH"].endswith("cmeel.prefix/lib")
+
+
+def test_so_do_the_wheels_that_a_wheel_requires(tree: Tree) -> None:
+    asked = {"CMakeLists.txt": PROGRAM["CMakeLists.txt"].replace("pinocchio REQUIRED", "hpp-fcl REQUIRED")}
+    decision = tree({**PROGRAM, **asked, CI: JOB.format(USES.format("'crocoddyl[build]'"))})
+    asked_of_pip = [each.written for each in (*decision.python.pip, *decision.python.pip_guessed)]
+    assert "crocoddyl[build]" in asked_of_pip
+    assert not decision.source
+
+
+def test_a_header_is_of_the_wheel_by_its_folder(tmp_path: Path) -> None:
+    code = "#include <hpp/fcl/shape/convex.h>\n#include <pinocchio/multibody/model.hpp>\n#include <walk/walk.hpp>\n"
+    tree_of(tmp_path, {**PROGRAM, "walk.cpp": code, CI: JOB.format(USES.format("pin[build]"))})
+    found = gather(Repository.open(tmp_path))
+    left = with_wheels(found, "cpp", "walk").code
+    assert {each.name for each in found.code} - {each.name for each in left} == {
+        "hpp/fcl/shape/convex.h",
+        "pinocchio/multibody/model.hpp",
+    }
 
 
 @pytest.mark.parametrize(

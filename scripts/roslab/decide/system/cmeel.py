@@ -13,7 +13,7 @@ from roslab.decide.system.recipes import own_names
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.own_places import PYTHON
-from roslab.knowledge.cmeel_wheels import by_conda, cmeel_wheels
+from roslab.knowledge.cmeel_wheels import by_conda, cmeel_wheels, header_folders
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
@@ -24,8 +24,6 @@ _PLACES = (f"/opt/venv/lib/python{PYTHON}/site-packages", f"/usr/local/lib/pytho
 """Where pip installs to: into the image's environment, or beside the packages of the system's Python."""
 _VARIABLES = {"CMAKE_PREFIX_PATH": PREFIX, "LD_LIBRARY_PATH": f"{PREFIX}/lib"}
 _BUILD = "build"
-_HEADERS = {"hpp": "hpp-fcl"}
-"""Folders of headers that are not called as their package."""
 
 
 def with_wheels(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
@@ -36,6 +34,7 @@ def with_wheels(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
     """
     wheels = _asked(evidence, folder_name) if kind == "cpp" else {}
     brought = frozenset(name for pip in wheels for name in cmeel_wheels()[pip])
+    folders = brought.union(*(header_folders()[pip] for pip in wheels))
     if not wheels:
         return evidence
     first = next(iter(wheels.values()))
@@ -49,7 +48,7 @@ def with_wheels(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
         cmake=tuple(projects),
         manifests=tuple(manifests),
         sources=tuple(linked),
-        code=tuple(each for each in evidence.code if not _is_header(each, brought)),
+        code=tuple(each for each in evidence.code if not _is_header(each, folders)),
         prose_pip=(*others, *asked),
         mentions=(*evidence.mentions, *_variables(first)),
     )
@@ -83,9 +82,8 @@ def _without(asked: Collection[Dependency], brought: frozenset[str]) -> tuple[De
     return tuple(each for each in asked if canonicalize_name(each.name) not in brought)
 
 
-def _is_header(each: Dependency, brought: frozenset[str]) -> bool:
-    folder = each.name.partition("/")[0]
-    return each.namespace in {"include", "nowhere"} and _HEADERS.get(folder, folder) in brought
+def _is_header(each: Dependency, folders: frozenset[str]) -> bool:
+    return each.namespace in {"include", "nowhere"} and each.name.partition("/")[0] in folders
 
 
 def _variables(place: Dependency) -> Iterator[Mention]:
