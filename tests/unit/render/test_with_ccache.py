@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 SCRIPT = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts/with-ccache.sh"
+BASH = shutil.which("bash") or "bash"
 COMPILER = '#!/bin/bash\necho "compiler $*" >>"${SAID}"\nexec c++ "$@"\n'
 STAND_IN = '#!/bin/bash\necho "ccache $* in ${CCACHE_DIR} depend=${CCACHE_DEPEND}" >>"${SAID}"\nexec "$@"\n'
 
@@ -24,6 +25,7 @@ class Compiling:
         self.script = root / "with-ccache"
         self.script.write_text(SCRIPT.read_text().replace("/var/cache/roslab-build", str(self.cache)))
         (root / "bin").mkdir()
+        self.path = f"{root / 'bin'}:{os.environ['PATH']}"
         self.program("compiler", COMPILER)
         (root / "a.h").write_text("int one();\n")
         (root / "a.cpp").write_text('#include "a.h"\nint one() { return 1; }\n')
@@ -36,9 +38,8 @@ class Compiling:
     def compile(self, *words: str) -> str:
         """Return what the compiler and a stand-in of ccache said."""
         self.said.write_text("")
-        path = f"{self.root / 'bin'}:{os.environ['PATH']}"
-        command = ["bash", str(self.script), "compiler", *words]
-        environment = {**os.environ, "PATH": path, "SAID": str(self.said)}
+        command = [BASH, str(self.script), "compiler", *words]
+        environment = {**os.environ, "PATH": self.path, "SAID": str(self.said)}
         subprocess.run(command, cwd=self.root, env=environment, check=True)
         return self.said.read_text()
 
@@ -54,6 +55,10 @@ def test_without_a_cache_or_without_ccache_it_compiles_as_ever(compiling: Compil
     compiling.cache.mkdir()
     assert "ccache compiler" in compiling.compile("-c", "a.cpp", "-o", "a.o")
     assert (compiling.root / "a.o").exists()
+    (compiling.root / "bin/ccache").unlink()
+    compiling.program("compiler", COMPILER.replace("exec ", ": "))  # which needs other programs
+    compiling.path = str(compiling.root / "bin")
+    assert compiling.compile("-c", "a.cpp", "-o", "a.o") == "compiler -c a.cpp -o a.o\n"
 
 
 def test_a_command_is_run_as_it_is_and_its_exit_code_is_kept(compiling: Compiling) -> None:
@@ -65,10 +70,8 @@ def test_a_command_is_run_as_it_is_and_its_exit_code_is_kept(compiling: Compilin
 
     def told(code: int) -> tuple[int, str]:
         command = ["bash", str(compiling.script), "--told", "bash", "make", str(code)]
-        path = f"{compiling.root / 'bin'}:{os.environ['PATH']}"
-        done = subprocess.run(
-            command, cwd=compiling.root, env={**os.environ, "PATH": path}, capture_output=True, text=True, check=False
-        )
+        path = {**os.environ, "PATH": compiling.path}
+        done = subprocess.run(command, cwd=compiling.root, env=path, capture_output=True, text=True, check=False)
         return done.returncode, done.stdout
 
     assert told(3) == (3, "")
