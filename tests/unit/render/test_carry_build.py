@@ -77,3 +77,18 @@ def test_what_is_packed_is_what_reuse_build_keeps(tmp_path: Path) -> None:
     carry(tmp_path, tmp_path / "mount", "pack", str(tmp_path / "before"))
     with tarfile.open(tmp_path / "before/tree.tar") as packed:
         assert {name.partition("/")[0] for name in packed.getnames()} == {"contents", "fingerprint", "tree"}
+
+
+def test_a_tree_that_a_failed_build_left_gives_way(tmp_path: Path) -> None:
+    first, second = tmp_path / "first", tmp_path / "second"
+    fill(first, "one")
+    carry(tmp_path, first, "pack", str(tmp_path / "before"))
+    fill(second, "two")
+    (second / "tree/build/b.o").touch()
+    (second / "fingerprint").unlink()
+    assert size(tmp_path, second) == "none"
+    carry(tmp_path, second, "pack", str(tmp_path / "other"))
+    assert not list((tmp_path / "other").iterdir())
+    carry(tmp_path, second, "take")
+    assert [(file.name, file.read_text()) for file in (second / "tree/build").iterdir()] == [("a.o", "one")]
+    assert size(tmp_path, second) == "same"

@@ -8,11 +8,8 @@ set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 cd /var/cache/roslab-build
 parts=()
-for name in contents fingerprint tree ccache; do
-  if [ -e "${name}" ]; then parts+=("${name}"); fi
-done
-whole=''
-if [ -e tree ] || [ -e ccache ]; then whole=yes; fi
+if [ -e fingerprint ]; then parts=(contents fingerprint tree); fi # a build that failed leaves a tree without one, which none takes
+if [ -e ccache ]; then parts+=(ccache); fi
 # What the mount's state is known by: without a tree, the names of what ccache keeps, which say what they were made of
 state() {
   if [ -e fingerprint ]; then cat fingerprint contents; else find ccache -type f -not -name stats | sort; fi | sha256sum
@@ -20,14 +17,15 @@ state() {
 
 case "$1" in
   take)
-    if [ -z "${whole}" ] && [ -e /before/tree.tar ]; then
+    if [ "${#parts[@]}" -eq 0 ] && [ -e /before/tree.tar ]; then
+      rm -rf tree
       tar --extract --same-owner --file=/before/tree.tar
       state >carried
     fi
     ;;
   size)
     mkdir --parents "$2"
-    if [ -z "${whole}" ]; then
+    if [ "${#parts[@]}" -eq 0 ]; then
       echo none
     elif [ -e carried ] && [ "$(cat carried)" = "$(state)" ]; then
       echo same
@@ -37,7 +35,7 @@ case "$1" in
     ;;
   pack)
     mkdir --parents "$2"
-    if [ -n "${whole}" ]; then
+    if [ "${#parts[@]}" -gt 0 ]; then
       state >carried
       tar --create --sort=name --file="$2/tree.tar" "${parts[@]}"
     fi
