@@ -104,6 +104,19 @@ def test_a_program_that_waits_for_an_option_to_be_off(tree: Tree, args: str, def
     assert any("demo_arm, which CMake compiles only outside" in w.message for w in decision.warnings) != there
 
 
+@pytest.mark.parametrize(("args", "there"), [(" --cmake-args -DROS_BUILD=ON", False), ("", True)])
+@pytest.mark.parametrize("default", ["OFF", "ON"])
+def test_a_program_of_the_branch_of_an_option_that_is_off(tree: Tree, args: str, there: bool, default: str) -> None:
+    files = wrapped(BUILD.format(f"{args}\nros2 run rviz2 rviz2"), default)
+    files["CMakeLists.txt"] = (
+        f'project(arm_sdk)\noption(ROS_BUILD "with ROS" {default})\nif(NOT ROS_BUILD)\n  include(cmake/native.cmake)\n'
+        "else()\n  find_package(ament_cmake REQUIRED)\n  include(cmake/ros2.cmake)\nendif()\n"
+    )
+    decision = tree(files)
+    assert (decision.command == ("ros2", "run", "arm_sdk", "demo_arm", "can0")) is there
+    assert any("demo_arm, which CMake compiles only outside" in w.message for w in decision.warnings) != there
+
+
 @pytest.mark.parametrize(
     ("args", "more", "kind"),
     [

@@ -9,8 +9,8 @@ from roslab.values.pattern import pattern
 
 _EACH = (1, 2)
 """The versions of ROS."""
-_WITHOUT = pattern(r"NOT \((?:OFF|ON) (\w+)\)")
-"""The other branch of an option."""
+_WITHOUT = pattern(r"NOT \((?:OFF|ON) (\w+)\)|NOT (\w+)")
+"""The other branch of an option, or the branch of one that is off."""
 
 
 def of_workspace(condition: str) -> bool:
@@ -31,7 +31,7 @@ def outside_of_workspaces(
     ``without``: with each in whose workspace all calls that may add it wait for an option to be off, and which.
     """
     conditions = tuple(conditions)
-    off = frozenset(match[1] for each in conditions if (match := _WITHOUT.fullmatch(each)))
+    off = frozenset(match[1] or match[2] for each in conditions if (match := _WITHOUT.fullmatch(each)))
     for ros in _EACH:
         if all(workspace_holds(each, ros) is not False for each in conditions):
             first = not again or (name, ros) in into
