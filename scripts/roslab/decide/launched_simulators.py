@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Collection, Iterator
 
 from roslab.config.model import Config
@@ -10,6 +9,7 @@ from roslab.decide.brought_launches import with_brought
 from roslab.decide.decision import Warning_
 from roslab.decide.launch_calls import started_launch
 from roslab.decide.reasons import warn
+from roslab.decide.system.own_packages import package_of_file
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
@@ -48,7 +48,7 @@ def lacking_simulators(
 def _started(evidence: Evidence, config: Config, launch: LaunchFile) -> Iterator[tuple[Dependency, LaunchedSimulator]]:
     """Yield each simulator that the launch file, or one that it includes, starts, and that nobody has installed."""
     files, told = {each.file for each in with_brought(evidence, launch)}, set[str]()
-    own = {posixpath.basename(m.value).partition("_")[0] for m in evidence.mentions if m.topic == "own_package"}
+    own = {package_of_file(m.value) for m in evidence.mentions if m.topic == "own_package"}
     for used in evidence.code:
         simulator = launched_simulators().get(used.name) if used.namespace == "import" and used.file in files else None
         if simulator and simulator.program not in told and simulator.package not in {*config.apt, *own}:

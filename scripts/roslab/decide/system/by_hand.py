@@ -33,7 +33,7 @@ from roslab.values.words import written
 
 _SDK = pattern(r"_(?:sdk|cpp|library)$|(?<=[a-z]{3})lib$")
 
-_SCRIPTS = (".sh", ".bash", ".zsh")
+SCRIPTS = (".sh", ".bash", ".zsh")
 SHORTEST = 3
 """Fewest letters of a name by which a link is taken for a library."""
 
@@ -62,8 +62,8 @@ def built_by_hand(evidence: Evidence) -> Iterator[GitSource]:
 
 def _written(evidence: Evidence) -> tuple[tuple[GitSource, ...], ...]:
     """Return what is cloned or named, by where: of a library in several, the first builds it as an image needs it."""
-    pages = tuple(git for git in evidence.sources if not git.file.endswith(_SCRIPTS))
-    scripts = tuple(git for git in evidence.sources if git.file.endswith(_SCRIPTS))
+    pages = tuple(git for git in evidence.sources if not git.file.endswith(SCRIPTS))
+    scripts = tuple(git for git in evidence.sources if git.file.endswith(SCRIPTS))
     return pages, tuple(_authored(evidence, "project")), scripts, tuple(_authored(evidence, "ci"))
 
 
@@ -193,7 +193,7 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
 
 def _by_script(git: GitSource) -> bool:
     """Tell whether a script compiles and installs a clone."""
-    return _by_hand(git) and git.file.endswith(_SCRIPTS)
+    return _by_hand(git) and git.file.endswith(SCRIPTS)
 
 
 def _by_hand(git: GitSource) -> bool:

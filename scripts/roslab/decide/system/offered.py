@@ -6,11 +6,10 @@ from collections.abc import Collection, Iterable
 
 from roslab.config.model import Source
 from roslab.decide.ros.source_names import address
+from roslab.decide.system.by_hand import SCRIPTS
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import replace
-
-_SCRIPTS = (".sh", ".bash")
 
 
 def with_offered(
@@ -36,7 +35,7 @@ def _above(git: GitSource, evidence: Evidence) -> tuple[str, ...]:
     here = [each for each in said if each.namespace == "apt" and each.file == git.file]
     clones = (*evidence.sources, *(clone for recipe in evidence.dockerfiles for clone in recipe.clones))
     after = min((each.line for each in clones if each.file == git.file and each.line > git.line), default=None)
-    own = git.heading or git.file.endswith(_SCRIPTS)
+    own = git.heading or git.file.endswith(SCRIPTS)
     names = (
         each.name
         for each in here

@@ -86,9 +86,9 @@ def for_x86_alone(evidence: Evidence) -> X86Only | None:
     """Return the first for amd64 alone with the name of what CMake requires."""
     asked = [each for project in evidence.cmake for each in project.dependencies if each.strength == "declared"]
     paths = [each.value for each in evidence.mentions if each.topic == "own_package"]
-    for_arm = {_package(path) for path in paths if path.endswith(("_arm64.deb", "_all.deb"))}
+    for_arm = {package_of_file(path) for path in paths if path.endswith(("_arm64.deb", "_all.deb"))}
     for path in paths:
-        name = _package(path)
+        name = package_of_file(path)
         if path.endswith("_amd64.deb") and name not in for_arm:
             for each in asked:
                 if name in packages_of(each.name.lower()):
@@ -96,6 +96,7 @@ def for_x86_alone(evidence: Evidence) -> X86Only | None:
     return None
 
 
-def _package(path: str) -> str:
+def package_of_file(path: str) -> str:
+    """Return the package that a file is called after, ``""`` where its name tells none."""
     name = NAME.fullmatch(posixpath.basename(path))
     return name[1] if name else ""
