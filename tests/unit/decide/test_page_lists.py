@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 import pytest
@@ -210,3 +211,14 @@ def test_one_that_a_manifest_asks_for(tree: Tree) -> None:
     }
     python = tree(files).python
     assert not {each.key for each in (*python.pip, *python.pip_guessed)} & {"torch"}
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["|" + " " * 3900 + "x", "a" + " " * 3900 + "b", "```\na" + " " * 20_000 + "b\n```"],
+    ids=["a-cell", "a-line", "a-block"],
+)
+def test_blanks_in_a_list_take_no_time(line: str) -> None:
+    start = time.process_time()
+    assert not list(said(f"# Requirements\n\n{line}\n", "README.md"))
+    assert time.process_time() - start < 1

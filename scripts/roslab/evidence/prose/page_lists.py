@@ -24,8 +24,8 @@ _HEADING = pattern(r"^\s{0,3}#{1,6}\s+(.*?)\s*#*$")
 _UNDERLINE = pattern(r"^\s{0,3}([=~^\"'`+#*-])\1{3,}\s*$")
 _BOLD = pattern(r"^\s{0,3}(\*\*|__)([^*_]{1,60})\1[\s:]*$")
 """A line that is all in bold: a title to its reader."""
-_ROW = pattern(r"^\s{0,3}\|?\s*([^|]{1,80}?)\s*\|\s*([^|]{0,80}?)\s*(?:\||$)")
-"""The first two cells of a row."""
+MAX_CELL = 80
+"""Most letters of a cell that names a package or its version."""
 _NUMBER = pattern(r"(?:[=<>~]{0,2}|≥|v\.?|version)\s*\d{1,2}(?:\.\d{1,3}){1,2}(?:\.x|\+)?", re.IGNORECASE)
 _SYSTEM = pattern(
     r"(?:a\s+)?(?:python|cuda|cudnn|ubuntu|linux|gcc|g\+\+|cmake|nvidia|gpu|ros|conda|miniconda|anaconda|macos|windows)\b"
@@ -180,14 +180,15 @@ def said(text: str, file: str) -> Iterator[Requirement]:
 
 def _row(plain: str, file: str, number: int) -> tuple[Requirement, ...]:
     """Return the package of a row of a table with a version in its second cell."""
-    row = _ROW.match(plain) if "|" in plain else None
-    return tuple(_listed(f"{row[1]} {row[2]}", file, number)) if row and _NUMBER.fullmatch(row[2]) else ()
+    name, version, *_ = (*map(str.strip, plain.strip().removeprefix("|").split("|")), "", "")
+    fits = 0 < len(name) <= MAX_CELL and len(version) <= MAX_CELL and _NUMBER.fullmatch(version)
+    return tuple(_listed(f"{name} {version}", file, number)) if fits else ()
 
 
 def _whole(plain: str, file: str, number: int) -> tuple[Requirement, ...]:
     """Return the packages of a line that lists some and the system they run on, and says nothing else."""
-    parts = [part.strip() for part in _PARTS.split(plain.strip().rstrip("."))]
-    if len(plain) > MAX_LINE or len(parts) < FEWEST:
+    parts = [part.strip() for part in _PARTS.split(plain.strip().rstrip("."))] if len(plain) <= MAX_LINE else []
+    if len(parts) < FEWEST:
         return ()
     found = [tuple(_listed(part, file, number)) for part in parts if not _SYSTEM.fullmatch(part)]
     fits = all(found) and all(_LISTED.fullmatch(part) or _SYSTEM.fullmatch(part) for part in parts)
@@ -233,7 +234,10 @@ def _lines(text: str) -> Iterator[_Line]:
 
 def _of_block(lines: list[str], number: int) -> tuple[tuple[int, str], ...]:
     """Return the lines of a block that begins with this line, if each is a requirement, and some are of packages."""
-    found = [(at, _REMARK.sub("", words)) for at, words in _block(lines, number)]
+    block = list(_block(lines, number))
+    if any(len(words) > MAX_LINE for _, words in block):
+        return ()
+    found = [(at, _REMARK.sub("", words)) for at, words in block]
     if not all(_REQUIRED.match(words) or _SYSTEM.fullmatch(words) for _, words in found):
         return ()
     packages = [(at, words) for at, words in found if not _SYSTEM.fullmatch(words)]
