@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.evidence.prose import shown_folders
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 SETUP = "from setuptools import setup\nsetup(name='arm', packages=['arm'], install_requires=['numpy'])\n"
@@ -118,3 +122,11 @@ def test_an_example_finds_what_lies_at_the_root(tree: Tree) -> None:
     decision = tree(files)
     assert decision.command == ("python3", "examples/a.py")
     assert decision.python_path == (".",)
+
+
+def test_a_folder_without_programs_is_looked_into_once(tmp_path: Path) -> None:
+    files = {f"examples/_{number}.py": "" for number in range(300)}
+    repository = tree_of(tmp_path, {**files, "README.md": "# Arm\n" + "See examples/.\n" * 16_000})
+    start = time.process_time()
+    assert not shown_folders.read(repository)
+    assert time.process_time() - start < 2

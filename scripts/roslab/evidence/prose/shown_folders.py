@@ -54,14 +54,16 @@ def read(repository: Repository) -> tuple[Mention, ...]:
     That is what does something when it is started, asks for no argument, and names no file of data that the tree lacks.
     What the page names comes first, in its order, then the others by their names, numbers as numbers.
     """
+    empty = set[str]()
     for page in pages(repository):
         text = text_of(repository, page) if "/" not in page.path else ""
         for line in lines_of(text) if any(kind in text.lower() for kind in _KINDS) else ():
             if line.fenced or line.elsewhere or len(line.text) > MAX_LINE:
                 continue
             for folder in _folders(line, page, repository):
-                if found := tuple(_shown(folder, line, page, text, repository)):
+                if folder not in empty and (found := tuple(_shown(folder, line, page, text, repository))):
                     return found
+                empty.add(folder)
     return ()
 
 
