@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config
 from roslab.decide.decision import Decision
+from trees import decided
 
 Tree = Callable[[dict[str, str]], Decision]
 LATEX = {"cm-super", "dvipng", "texlive-fonts-recommended", "texlive-latex-extra"}
@@ -86,3 +89,10 @@ def test_what_a_page_installs_is_not_told(tree: Tree) -> None:
     files = {"main.py": MAIN.format(""), "paper/figure.py": MAIN.format("plt.rc('text', usetex=True)")}
     page = "# A\n```\nsudo apt install texlive-full\npython main.py\n```\n"
     assert not [each for each in tree({**files, "README.md": page}).warnings if "LaTeX" in each.message]
+
+
+def test_what_roslab_yaml_installs_is_not_told(tmp_path: Path) -> None:
+    paper = {"paper/figure.py": MAIN.format("plt.rc('text', usetex=True)")}
+    files = {"main.py": MAIN.format(""), **paper, "README.md": RUN}
+    decision = decided(tmp_path, files, config=Config(apt=tuple(sorted(LATEX))))
+    assert not [each for each in decision.warnings if "LaTeX" in each.message]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping
+from itertools import accumulate, islice
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -26,6 +27,8 @@ _SET = pattern(
     r"(?:[\"']text\.usetex[\"'](?:\][ \t]*=|[ \t]*:)|usetex[ \t]*=)[ \t]*True\b"
 )
 _WORD = "usetex"
+MOST = 20
+"""Most lines of a module that are tried: for each, all modules are searched for what calls its function."""
 LATEX = "latex"
 """The role of what it needs."""
 
@@ -83,13 +86,19 @@ def _reaching(path: str, importing: Mapping[str, list[str]]) -> Iterator[str]:
 
 def _line(module: Module, others: tuple[Module, ...]) -> int:
     """Return the number of that line, ``0`` for none."""
-    start = 0
-    for number, line in enumerate(module.text.split("\n"), 1):
-        sets = _WORD in line and _SET.match(line) and not conditional(module.text, start)
-        if sets and not uncalled(module, start, others):
+    lines = module.text.split("\n")
+    starts = accumulate((len(line) + 1 for line in lines), initial=0)
+    setting = (
+        (number, start) for number, (line, start) in enumerate(zip(lines, starts, strict=False), 1) if _sets(line)
+    )
+    for number, start in islice(setting, MOST):
+        if not (conditional(module.text, start) or uncalled(module, start, others)):
             return number
-        start += len(line) + 1
     return 0
+
+
+def _sets(line: str) -> bool:
+    return _WORD in line and bool(_SET.match(line))
 
 
 def packages(repository: Repository) -> Iterator[Dependency]:
