@@ -42,6 +42,7 @@ def test_the_root_is_on_the_path(tree: Tree, imports: str, more: dict[str, str])
     ("imports", "more"),
     [
         ("import numpy", {}),
+        ("import numpy  # of an arm, walk", {}),
         ("import sys\nsys.path.append('.')\nimport walk", {}),
         ("import _paths\nimport walk", {"tools/_paths.py": "import sys\nsys.path.insert(0, ROOT)\n"}),
         ("import walk", {"tools/walk.py": ""}),

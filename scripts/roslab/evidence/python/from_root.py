@@ -44,6 +44,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
         return
     run = run_by_pages(mentions)
     places_of = repository.once(places_at_root)
+    beside = {place: tuple(sorted(repository.once(modules_in)[place])) for place in {*places_of.values()}}
     for module in modules(repository) if places_of else ():
         file = module.file
         names = {name: place for name, place in places_of.items() if file.folder or place}
@@ -57,7 +58,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
                 file=file.path,
                 line=line,
                 text=f"import {name}",
-                files=tuple(sorted(repository.once(modules_in)[place])),
+                files=beside[place],
                 inside=place,
             )
 
@@ -109,7 +110,8 @@ def imported_from(module: Module, repository: Repository, names: Mapping[str, st
 
 def _names(line: str) -> Iterator[tuple[str, str | None]]:
     """Yield the first part of each name that a line imports, with what it names in that: ``import gym, net.model``."""
-    parts = [line] if line.startswith("from") else [f"import {part.strip()}" for part in line[6:].split(",")]
+    named = line[6:].partition("#")[0].split(",")
+    parts = [line] if line.startswith("from") else [f"import {part.strip()}" for part in named]
     for match in filter(None, map(_IMPORT.match, parts)):
         yield match[1] or match[4], match[2] or match[3] or match[5]
 
