@@ -16,7 +16,7 @@ CPP = {"CMakeLists.txt": "project(demo)\nadd_executable(demo demo.cpp)\n", "demo
     ("line", "asked"),
     [
         ("pip3 install pre-commit", []),
-        ("pip install black flake8 pytest", ["pytest"]),
+        ("pip install black yapf flake8 pytest", ["pytest"]),
         ("pip install yapf==0.40.1", ["yapf"]),
         ("pip install black==22.3", ["black"]),
     ],
