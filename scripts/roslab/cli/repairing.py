@@ -23,7 +23,7 @@ from roslab.plan.plan import Plan
 from roslab.render.dockerfile import holders as question_of_files
 from roslab.render.dockerfile import wheels
 from roslab.repair import dockerfile, holders, leaving, other_python, words
-from roslab.repair.absent import without_absent
+from roslab.repair.absent import unknown_to_apt, without_absent
 from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
 from roslab.repository import fetching
@@ -82,12 +82,17 @@ class Repairing:
     seen: set[tuple[str, tuple[tuple[str, str], ...]]] = field(default_factory=set)
     kept: tuple[Change, ...] | None = None
     """The changes of the image that has its name, ``None`` before there is one."""
+    before: FailedBuild | None = None
+    """The failure that the last round was to repair."""
 
     def repair(self, error: FailedBuild, *, start: bool = False) -> None:
         """Plan the next round from what the failed one says; ``start``: the image is good, its command does not start.
 
-        Raises ``FailedBuild`` if the rounds are used up, the same cause is back, or nothing certain can be added.
+        Raises ``FailedBuild`` if the rounds are used up, the same cause is back, or nothing certain can be added; where
+        apt does not have what was added, that of the round before, which says what is wrong.
         """
+        if self.before and (absent := self._absent(error)):
+            self._stop(self.before, f"it needs {', '.join(absent)}, which apt does not have here")
         answer = _explained(error)
         found = without_absent(repair(answer, given(self.planned)), error.log)
         found = found.starting if start else found
@@ -105,6 +110,7 @@ class Repairing:
             left = leaving.Left() if self.kept is not None else leaving.left_out(answer, given(self.planned))
             changes = left.changes or self._stop(error, "; ".join(_reasons(found, answer, left.why, again=again)))
         self.seen |= causes
+        self.before = error
         self.rounds += 1
         self.changes = leaving.without_useless(self.changes, answer, given(self.planned)) if again else self.changes
         self.planned = self._with(changes, error)
@@ -161,6 +167,11 @@ class Repairing:
         if _image(planned) == _image(self.planned) and not any(change.key == "submodules" for change in changes):
             self._stop(error, f"the image has {', '.join(map(str, changes))} already, and that did not help")
         return planned
+
+    def _absent(self, error: FailedBuild) -> list[str]:
+        """Return what was added and apt does not have, by the log of a build with it."""
+        unknown = unknown_to_apt(error.log)
+        return [change.value for change in self.changes if change.key == "apt" and change.value in unknown]
 
     def _ask(self, paths: Sequence[str]) -> str:
         say("roslab: asking apt which package holds what is missing")

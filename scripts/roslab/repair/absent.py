@@ -11,6 +11,11 @@ from roslab.values.pattern import pattern
 
 _LEFT_OUT = pattern(r"roslab: left out: (?:apt|rosdep) (\S{1,100})[ \t\r]*$", re.MULTILINE)
 """What the image's scripts say of a package that apt does not have, or of a key that rosdep or apt does not know."""
+_UNKNOWN = pattern(
+    r"\bE: (?:Unable to locate package|Package) '?([^ '\n]{1,100})'?(?: has no installation candidate)?[ \t\r]*$",
+    re.MULTILINE,
+)
+"""What apt says of a package that it does not have."""
 _OF_ROS = pattern(r"ros-[a-z]+-(.+)")
 
 
@@ -27,6 +32,11 @@ def without_absent(found: Repair, log: str) -> Repair:
         changes=tuple(change for change in found.changes if change not in absent),
         refused=(*found.refused, *refused),
     )
+
+
+def unknown_to_apt(log: str) -> set[str]:
+    """Return the packages of which apt says in a log that it does not have them."""
+    return {match[1] for match in _UNKNOWN.finditer(log)} if "E: " in log else set()
 
 
 def _names(package: str) -> Iterator[str]:

@@ -153,3 +153,13 @@ def test_what_the_build_left_out_itself_is_not_added(repairing: Repairing, tmp_p
         repairing.repair(error)
     assert not repairing.changes
     assert "not repaired" in raised.value.problems[-1].message
+
+
+@pytest.mark.parametrize("said", ["E: Unable to locate package {}", "E: Package '{}' has no installation candidate"])
+def test_what_was_added_and_apt_does_not_have_leaves_the_first_failure(repairing: Repairing, said: str) -> None:
+    first = failed("/home/a/main.cpp:1:10: fatal error: zoo.h: No such file or directory")
+    repairing.repair(first)
+    with pytest.raises(FailedBuild) as raised:
+        repairing.repair(failed(said.format("libzoo-dev")))
+    assert raised.value.log == first.log
+    assert "it needs libzoo-dev, which apt does not have here" in raised.value.problems[-1].message
