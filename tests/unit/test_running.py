@@ -119,8 +119,8 @@ def test_why_a_command_does_not_run_on(output: str, base: blame.Base, whose: str
 
 
 def test_the_line_that_asks_for_what_the_stand_in_lacks_is_why() -> None:
-    output = "\x1b[31mResource not found: rviz\nROS path [0]=/opt\x1b[0m\n\x1b[31mThe traceback was written\x1b[0m\n"
-    assert blame.of_run(output, FOCAL) == ("stand-in", "ros-package-not-found", "Resource not found: rviz")
+    output = "\x1b[31mIt wants the package [rviz]\nROS path [0]=/opt\x1b[0m\n\x1b[31mThe traceback was written\x1b[0m\n"
+    assert blame.of_run(output, FOCAL) == ("stand-in", "", "It wants the package [rviz]")
     assert blame.of_run(output, replace(FOCAL, lacking=frozenset()))[2] == "The traceback was written"
 
 
