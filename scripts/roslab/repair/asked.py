@@ -23,7 +23,7 @@ _KINDS = (
     ("tool", (), "the program"),
 )
 """For each name that a failure captures, the kinds of dependencies that it may be, and what it is called."""
-_FRAME = pattern(r'File "(?P<file>[^"\n]{1,300})", line (?P<line>\d{1,6})')
+FRAME = pattern(r'File "(?P<file>[^"\n]{1,300})", line (?P<line>\d{1,6})')
 _CMAKE = pattern(r"(?m)(?:CMake Error at |^ {1,4})(?P<file>[\w./+-]{1,300}):(?P<line>\d{1,6}) \(")
 """The place of an error, or a line of the calls that led to it."""
 _AT = pattern(r"(?P<file>[\w./+-]{1,300}\.\w{1,8}):(?P<line>\d{1,6})\b")
@@ -103,8 +103,8 @@ def in_log(found: Explanation, given: Given) -> Place | None:
     names: Mapping[str, str] = dict(found.names)
     end = found.log[-6000:]
     inside = tuple(f"{folder}/" for folder in package_folders(found, given))
-    said = [*_FRAME.finditer(found.error), *_AT.finditer(found.error)]
-    for places in (said, [*_CMAKE.finditer(end)], [*_FRAME.finditer(end)] if "Traceback" in end else []):
+    said = [*FRAME.finditer(found.error), *_AT.finditer(found.error)]
+    for places in (said, [*_CMAKE.finditer(end)], [*FRAME.finditer(end)] if "Traceback" in end else []):
         for match in reversed(places):
             if file := here(match["file"], given.files, inside):
                 return Place(file=file, line=int(match["line"]))

@@ -10,11 +10,13 @@ from roslab.explain.answer import Explanation
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.python2_packages import system_package
 from roslab.knowledge.released import released
-from roslab.repair.asked import in_log
+from roslab.repair.asked import FRAME, here, in_log
 from roslab.repair.change import Given, Worked
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
 
 _HOME = "/home/jovyan"
+_INSTALLED = pattern(r"/(?:site|dist)-packages/")
 _NO_MODULE = ("setup.py", "package.xml", "CMakeLists.txt")
 """Files of a project's folder, which is no module itself."""
 
@@ -26,7 +28,7 @@ def module(found: Explanation, given: Given) -> Worked:
     known = next((name for name in (said, top) if name in imports()), "")
     pip = (imports().get(known) or ("", ""))[0]
     apt = system_package(known, given.plan.ubuntu)
-    own = _folders(top, given.files)
+    own = () if _by_another(found, given) else _folders(top, given.files)
     nearest = _nearest(own, found, given)
     if own and (nearest or not known):
         return _own(said, own, nearest, found, given)
@@ -103,6 +105,12 @@ def _folders(module: str, files: Iterable[str]) -> tuple[str, ...]:
     found = {each.partition("//")[0] for each in packages if each.partition("//")[2] not in projects}
     kept = (each for each in found if ":" not in each)  # which parts the folders of PYTHONPATH
     return tuple(sorted(each for each in kept if not (places.test(f"{each}/x") or places.documentation(f"{each}/x"))))
+
+
+def _by_another(found: Explanation, given: Given) -> bool:
+    """Tell whether a package from elsewhere imports the module: it means none of the repository."""
+    frames = [match["file"] for match in FRAME.finditer(found.log) if not match["file"].startswith("<")]
+    return bool(frames) and bool(_INSTALLED.search(frames[-1])) and not here(frames[-1], given.files)
 
 
 def _nearest(folders: tuple[str, ...], found: Explanation, given: Given) -> str:

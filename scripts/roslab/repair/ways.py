@@ -135,7 +135,9 @@ def ros(found: Explanation, given: Given) -> Worked:
     if distro and known:
         return Worked(values=tuple(f"ros-{distro}-{word.replace('_', '-')}" for word in known))
     lacking = ", ".join(wanted)
-    known_sources = (source for word in wanted for source in ros_sources(word, _generation(distro), distro or ""))
+    if not distro:
+        return Worked(why=f"{lacking} is of ROS, and this image has none: `base.ros` in roslab.yaml names one")
+    known_sources = (source for word in wanted for source in ros_sources(word, _generation(distro), distro))
     lines = [f"{{name: {each.package}, url: {each.repo}, ref: {each.ref}}}" for each in known_sources]
     where = f": `source: [{', '.join(lines)}]`" if lines else ""
     return Worked(why=f"{lacking} is not released for ROS {distro}: name its repository under `source`{where}")

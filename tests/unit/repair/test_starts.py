@@ -305,6 +305,35 @@ def test_a_module_of_the_repository_is_found_in_its_folder(
 
 
 @pytest.mark.parametrize(
+    ("file", "wanted"),
+    [
+        ("/opt/venv/lib/python3.10/site-packages/boxes/nms.py", []),
+        (
+            "/home/jovyan/ws/install/x/lib/python3.10/site-packages/tools/train.py",
+            ["env.PYTHONPATH: /home/jovyan/x/lib"],
+        ),
+        ("/usr/lib/python3.10/importlib/__init__.py", ["env.PYTHONPATH: /home/jovyan/x/lib"]),
+    ],
+)
+def test_what_a_package_from_elsewhere_imports_is_no_module_of_the_repository(
+    tmp_path: Path, file: str, wanted: list[str]
+) -> None:
+    names = {"lib/utils.py": MAIN, "tools/train.py": MAIN, "requirements.txt": ""}
+    log = UTILS.replace("ModuleNotFound", f'  File "{file}", line 3, in <module>\nModuleNotFound')
+    found = repair(explain(io.BytesIO(log.encode())), given(plan_repository(tree(tmp_path / "x", names))))
+    assert [str(change) for change in found.certain.changes] == wanted
+
+
+def test_an_image_without_ros_is_told_so(tmp_path: Path) -> None:
+    log = f"{FRAME}ModuleNotFoundError: No module named 'cv_bridge'\n".encode()
+    found = repair(explain(io.BytesIO(log)), given(plan_repository(tree(tmp_path / "x", TREES["python"]))))
+    assert found.changes == ()
+    assert [why for _, why in found.refused] == [
+        "cv_bridge is of ROS, and this image has none: `base.ros` in roslab.yaml names one"
+    ]
+
+
+@pytest.mark.parametrize(
     ("line", "wanted"),
     [("pyyaml==6.0", []), ('PyYAML; python_version < "3"', ["pip: [PyYAML]"]), ("six", ["pip: [PyYAML]"])],
 )
