@@ -12,7 +12,7 @@ from roslab.config.node import Mapping, Node, Sequence
 from roslab.config.reader import mapping_of, read
 from roslab.errors import ConfigurationError, Problem
 from roslab.repository.checkout import printable
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -53,7 +53,7 @@ def added(text: str | None, entries: Iterable[Entry], *, file: str = "roslab.yam
         raise ConfigurationError(
             Problem(message="values are added to a file of today's format only", hint=hint, origin=Place(file=file))
         )
-    missing = [entry for entry in entries if not has(config, entry)]
+    missing = [entry for entry in _last(entries) if not has(config, entry)]
     edits = Edits(text=base)
     root = mapping_of(parse(base, file=file))
     groups: dict[str, list[Entry]] = {}
@@ -69,6 +69,17 @@ def added(text: str | None, entries: Iterable[Entry], *, file: str = "roslab.yam
             Problem(message="the values do not fit the layout of this file", hint=hint, origin=Place(file=file))
         )
     return result
+
+
+def _last(entries: Iterable[Entry]) -> list[Entry]:
+    """Return the entries without those that a later one replaces: of a key with one value the last stays."""
+    kept: list[Entry] = []
+    for entry in entries:
+        one = entry.key in SINGLE
+        before = [each for each in kept if each.key == entry.key and (one or each.value == entry.instead)]
+        kept = [each for each in kept if each not in before]
+        kept.append(replace(entry, instead=before[0].instead) if before else entry)
+    return kept
 
 
 def has(config: Config, entry: Entry) -> bool:

@@ -95,6 +95,19 @@ def test_a_command_that_lacks_modules_gets_them_one_after_the_other(make: Make, 
     assert "image rm robot:roslab-before-" in (tmp_path / "called").read_text()
 
 
+def test_a_command_that_lacks_two_folders_gets_both(make: Make) -> None:
+    repairing = make("--write")
+    for module in ("grip", "walk"):
+        (repairing.planned.repository.root / module).mkdir()
+        (repairing.planned.repository.root / module / f"{module}s.py").write_text("print(1)\n")
+    repairing.planned = planned_of(repairing.options)
+    rounds = Rounds(*(made(MISSING.replace("yaml", module)) for module in ("grips", "walks")), made())
+    ran(rounds, repairing)
+    repairing.finish()
+    written = (repairing.planned.repository.root / "roslab.yaml").read_text()
+    assert '  PYTHONPATH: "/home/jovyan/robot/walk:/home/jovyan/robot/grip"' in written
+
+
 def test_what_is_good_enough_is_built_once(make: Make) -> None:
     assert ran(Rounds(made()), make())[1] == []
 

@@ -101,6 +101,32 @@ def test_a_value_is_written_as_its_key_demands(before: str | None, entry: Entry,
     assert added(result, [entry]) == result
 
 
+@pytest.mark.parametrize(
+    ("before", "wanted", "after"),
+    [
+        ("", (("base.python", "3.9", ""), ("base.python", "3.8", "")), 'base:\n  python: "3.8"\n'),
+        (
+            "env:\n  A: b\n",
+            (("env.PYTHONPATH", "/a", ""), ("env.PYTHONPATH", "/b", "")),
+            "env:\n  A: b\n  PYTHONPATH: {}\n",
+        ),
+        (
+            "env: {PYTHONPATH: /c}\n",
+            (("env.PYTHONPATH", "/a", ""), ("env.PYTHONPATH", "/b", "")),
+            'env: {PYTHONPATH: "/b"}\n',
+        ),
+        ("", (("pip", "six==1", ""), ("pip", "six==2", "six==1")), 'pip:\n  - "six==2"\n'),
+        ("pip: [six==1]\n", (("pip", "six==2", "six==1"), ("pip", "six==3", "six==2")), "pip: [six==3]\n"),
+        ("", (("pip", "six==1", ""), ("pip", "attrs", "")), 'pip:\n  - "six==1"\n  - attrs\n'),
+    ],
+)
+def test_of_values_that_replace_each_other_the_last_is_written(
+    before: str, wanted: tuple[tuple[str, str, str], ...], after: str
+) -> None:
+    entries = [Entry(key=key, value=value, instead=instead) for key, value, instead in wanted]
+    assert added(f"format: 3\n{before}", entries) == "format: 3\n" + after.replace("{}", '"/b"')
+
+
 def test_a_note_cannot_begin_a_line_of_its_own() -> None:
     entry = Entry(key="apt", value="git", note="a\nname: other\x1b[31m")
     assert read(added(None, [entry])).name is None
