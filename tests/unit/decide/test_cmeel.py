@@ -29,6 +29,8 @@ USES = "python -m pip install {0}\n      - run: echo CMAKE_PREFIX_PATH=$(cmeel c
     [
         ({CI: JOB.format(USES.format("pin[build]"))}, ["pin[build]"]),
         ({CI: JOB.format(USES.format("'crocoddyl[build]' gcovr"))}, ["crocoddyl[build]"]),
+        ({CI: JOB.format(USES.format("'pin[build]>=3,<4'"))}, ["pin[build]<4,>=3"]),
+        ({CI: JOB.format(USES.format("pin[build]==3.2.0"))}, ["pin[build]==3.2.0"]),
         ({"README.md": "# Walk\nUbuntu 22.04\n```\npip install pin\n```\n"}, ["pin[build]"]),
         ({"README.md": "# Walk\nUbuntu 22.04\n```\nconda install pinocchio -c conda-forge\n```\n"}, ["pin[build]"]),
     ],

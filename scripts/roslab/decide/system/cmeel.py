@@ -37,11 +37,13 @@ def with_wheels(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
     folders = brought.union(*(header_folders()[pip] for pip in wheels))
     if not wheels:
         return evidence
-    first = next(iter(wheels.values()))
+    first, _ = next(iter(wheels.values()))
     projects = (replace(each, dependencies=_without(each.dependencies, brought)) for each in evidence.cmake)
     manifests = (replace(each, dependencies=_without(each.dependencies, brought)) for each in evidence.manifests)
     linked = (each for each in evidence.sources if each.kind != "link" or canonicalize_name(each.name) not in brought)
-    asked = tuple(stated(f"{pip}[{_BUILD}]", "prose", place.file, place.line) for pip, place in wheels.items())
+    asked = tuple(
+        stated(f"{pip}[{_BUILD}]{version}", "prose", place.file, place.line) for pip, (place, version) in wheels.items()
+    )
     others = (each for each in evidence.prose_pip if each.key not in wheels)
     return replace(
         evidence,
@@ -54,20 +56,22 @@ def with_wheels(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
     )
 
 
-def _asked(evidence: Evidence, folder_name: str) -> Mapping[str, Dependency]:
-    """Return the wheels, each with the first place at which CMake asks for what it brings."""
+def _asked(evidence: Evidence, folder_name: str) -> Mapping[str, tuple[Dependency, str]]:
+    """Return the wheels, each with the first place at which CMake asks for what it brings, and the release of pip's."""
     own = {canonicalize_name(name) for name in own_names(evidence, folder_name)}
     required: dict[str, Dependency] = {}
     for project in evidence.cmake:
         for each in project.dependencies:
             if each.namespace == "cmake":
                 required.setdefault(canonicalize_name(each.name), each)
-    found: dict[str, Dependency] = {}
+    found: dict[str, tuple[Dependency, str]] = {}
     for said in evidence.prose_pip:
         pip = _wheel_of(said)
         names = sorted(cmeel_wheels().get(pip, frozenset()) & required.keys())
         if names and own.isdisjoint((pip, *names)):
-            found.setdefault(pip, required[names[0]])
+            version = "" if said.role == "conda" else str(said.specifier)
+            if not found.get(pip, ("", ""))[1]:
+                found[pip] = required[names[0]], version
     return found
 
 
