@@ -65,6 +65,8 @@ Tree = Callable[[dict[str, str]], Decision]
         ("## Overview\n\nPyTorch 1.9.0 and NumPy\n", []),
         ("**Dependencies**\n- torch 1.9\n- numpy\n", ["torch==1.9.*", "numpy"]),
         ("**We like**\n- torch 1.9\n", []),
+        ("**Dependencies**\n- numpy\n\n**We like**\n- torch 1.9\n", ["numpy"]),
+        ("## Dependencies\n**A robot**\n\n- torch 1.9\n", ["torch==1.9.*"]),
         ("The code requires PyTorch (tested with 1.9.0) and numpy.\n", ["torch==1.9.0"]),
         ("## Requirements\n- PyTorch (tested on version 1.9.0)\n", ["torch==1.9.0"]),
         ("We use Python 3.8 and PyTorch 1.9.0 with CUDA 11.1.\n", ["torch==1.9.0"]),

@@ -210,7 +210,7 @@ def _written(item: str, file: str, line: int, *, of_python: bool) -> Iterator[Re
 
 def _lines(text: str) -> Iterator[_Line]:
     """Yield the lines of a page outside of its blocks; of a block below such a title, those of packages, as items."""
-    titled = fenced = of_python = False
+    titled = fenced = of_python = by_bold = False
     lines = text.split("\n")
     for number, line in enumerate(lines, start=1):
         if _fence(line):
@@ -224,7 +224,8 @@ def _lines(text: str) -> Iterator[_Line]:
         bold = _BOLD.match(line)
         if (heading := _HEADING.match(line)) or bold or _UNDERLINE.match(below):
             title = heading[1] if heading else bold[2] if bold else line
-            titled, of_python = bool(_TITLE.search(title)), bool(_PYTHON.search(title))
+            if _TITLE.search(title) or by_bold or not bold:  # below a heading it may be an item, or part the list
+                titled, of_python, by_bold = bool(_TITLE.search(title)), bool(_PYTHON.search(title)), bool(bold)
         elif item is None and not line.startswith((" ", "\t")) and _plain(line).rstrip().endswith(":"):
             titled, of_python = bool(_TITLE.search(line)), bool(_PYTHON.search(line))
         named = item and titled and not _OF_BRANCH.search(line)
