@@ -11,6 +11,12 @@ from roslab.errors import BuildError, Problem, RoslabError
 from roslab.pipeline import Planned
 from roslab.plan.ladder import Ladder, lost
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
+
+_RAISED = pattern(r"(?:\[[^\]\n]{1,100}\] )?(?P<said>[A-Za-z_][\w.]{0,80}(?:Error|Exception)(?:: [^\n]{1,300}|:?$))")
+"""An exception, behind what a launch of ROS 2 writes before the lines of a node."""
+_END, _LAST = 4000, 3
+"""The characters, and of these the last lines, that may hold it: a launch and ros2 run say more after it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -74,10 +80,18 @@ def _after(once: Once, repairing: Repairing, before: Made) -> Made | None:
             remove_image(aside)
 
 
+def _raised(dead: FailedBuild) -> str:
+    """Return the exception of Python with which a command ended: what stood before it in the log, it went on after."""
+    last = [line for line in dead.log[-_END:].splitlines() if line.strip()][-_LAST:]
+    return next((found["said"] for line in reversed(last) if (found := _RAISED.match(line))), "")
+
+
 def _compare(before: Made, now: Made, repairing: Repairing) -> None:
     """Raise ``BuildError`` if an image is no better than the one before the repair."""
     if now.missed and repairing.is_back(now.missed):
         raise BuildError(Problem(message="its command does not start for the same cause"))
+    if now.missed and before.missed and (said := _raised(now.missed)) and said == _raised(before.missed):
+        raise BuildError(Problem(message=f"its command still ends with {said}"))
     had = dict(before.images)
     for name, ladder in now.images:
         old = had.get(name)

@@ -118,13 +118,15 @@ def test_what_is_good_enough_is_built_once(make: Make) -> None:
         (FailedBuild(Problem(message="the build failed"), log="nobody knows"), "the build failed"),
         (BuildError(Problem(message="no space left")), "no space left"),
         (made(MISSING), "its command does not start for the same cause"),
+        (made(MISTAKE), "its command still ends with KeyError: 'speed'"),
+        (made(f"{MISTAKE}[ros2run]: Process exited with failure 1\n"), "its command still ends with KeyError: 'speed'"),
         (made(ladder=LOST), "robot:main loses rung 0, installs: no package robot"),
     ],
 )
 def test_what_is_no_better_leaves_the_image_before_it(
     make: Make, capsys: pytest.CaptureFixture[str], second: Made | BuildError, why: str
 ) -> None:
-    rounds = Rounds(made(MISSING), second)
+    rounds = Rounds(made(f"{MISSING}{MISTAKE}" if "still" in why else MISSING), second)
     found, changes = ran(rounds, make())
     assert (found, changes) == (rounds.named[0], [])
     assert len(rounds.named) == 1
