@@ -389,3 +389,13 @@ def test_a_probe_for_a_program_is_no_failure_where_the_step_goes_on() -> None:
     end = '#8 ERROR: process "/bin/sh -c ./install" did not complete successfully: exit code: 1\n'
     assert said(f"{log}\n{end}").explanations[0].id is None
     assert said(f"#8 [3/4] RUN ./install\n#8 1.0 {probe}\n{end}").explanations[0].id == "program-missing"
+
+
+def test_what_the_build_of_a_wheel_imports_is_not_brought_by_one_more_package() -> None:
+    log = """#8 [3/4] RUN pip install example
+#8 1.0   Building wheel for example (pyproject.toml) did not run successfully.
+#8 1.0   ModuleNotFoundError: No module named 'torch'
+#8 1.1 ERROR: Failed building wheel for example
+#8 ERROR: process "/bin/sh -c pip install example" did not complete successfully: exit code: 1
+"""
+    assert [one.id for one in said(log).explanations] == ["build-needs-module"]
