@@ -22,7 +22,7 @@ _READ = (
     *(".launch", ".xml", ".test", ".xacro", ".urdf", ".sdf", ".world", ".yaml", ".yml", ".rviz", ".msg", ".srv"),
     ".action",
 )
-"""Ends of the names of files that may use another package."""
+"""Ends of the names of files that may use another package; so may those without an end, as scripts are."""
 _MOST = 4000
 """Most files that are read: of more, nothing is certain."""
 _BEFORE = r"""(?:["'<(/]|\$\(find |find-pkg-(?:share|prefix) |package://|\b(?:from|import|rosrun|roslaunch) |: ?|^"""
@@ -62,7 +62,8 @@ def needs(given: Given) -> Needs | None:
     folders = {m.file.rpartition("/")[0]: name for name, m in built.items()}
     texts: dict[str, list[str]] = {}
     for file in sorted(given.files):
-        if file.endswith(_READ) and (name := owner(file, folders)):
+        uses_others = file.endswith(_READ) or "." not in file.rpartition("/")[2]
+        if uses_others and (name := owner(file, folders)):
             texts.setdefault(name, []).append(file)
     if given.read is None or not built or sum(map(len, texts.values())) > _MOST:
         return None

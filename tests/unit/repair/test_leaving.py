@@ -132,6 +132,10 @@ DEEP = {
             "the command needs arm_extra",
         ),
         (
+            {**TWO, **package("arm_demo", files={"scripts/go": "rosrun arm_extra arm_extra_node\n"}), **DEMO},
+            "the command needs arm_extra",
+        ),
+        (
             {**TWO, **package("arm_demo", files={"a.yaml": "type: arm_extra/Controller\n"}), **DEMO},
             "the command needs arm_extra",
         ),
