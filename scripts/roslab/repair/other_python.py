@@ -25,6 +25,7 @@ _FAILED = pattern(
     r"(?m)^\s{0,8}(?:ERROR: )?Failed (?:building wheel for|to build) '?(?P<name>[A-Za-z0-9][\w.-]{0,99}?)'?(?=\s|$)"
     r"|generating package metadata\.\n[^\n]{0,4}\u2570\u2500> (?P<second>[A-Za-z0-9][\w.-]{0,99})\s{0,4}$"
 )
+_INDEX = pattern(r"(?:-i|--index-url)[= ]")
 _NOT = ("installable", "unknown", "UNKNOWN")
 """Words that pip writes in the place of a name."""
 _LINE = pattern(r"(?m)^(?P<name>[A-Za-z0-9][\w.-]{0,99}) (?P<python>\d\.\d{1,2})$")
@@ -36,10 +37,12 @@ class Sought:
 
     found: Explanation
     asked: Requirement
+    release: Version
+    """As its source is called, and the index lists it: ``2.0.0`` for a pin of ``2``."""
     pythons: tuple[str, ...]
 
     def __str__(self) -> str:
-        return f"{self.asked.key} {version_of(self.asked.release or '')} {' '.join(self.pythons)}"
+        return f"{self.asked.key} {self.release} {' '.join(self.pythons)}"
 
 
 def sought(answer: Answer, given: Given) -> tuple[Sought, ...]:
@@ -50,29 +53,35 @@ def sought(answer: Answer, given: Given) -> tuple[Sought, ...]:
     plan, base = given.plan, given.config.base
     fixed = plan.ros_distro or plan.author_dockerfile or plan.python.conda_file or plan.python.conda_specs
     now = minor_of(plan.python.version or "")
-    if fixed or base.python or base.image or now is None:
+    if fixed or base.python or base.image or now is None or _elsewhere(given):
         return ()
     pythons = [each for each in PREFERRED if Version(each) >= Version(OLDEST)]
     pythons = [each for each in pythons if refusing(each, given.evidence.python) is None]
     pythons = [now, *(each for each in pythons if each != now)]
     return tuple(
-        Sought(found=found, asked=asked, pythons=tuple(pythons))
+        Sought(found=found, asked=asked, release=release, pythons=tuple(pythons))
         for found in answer.explanations
         if "pip" in found.step and not by_machine(found)
-        for asked in _unbuilt(found, given)
+        for asked, release in _unbuilt(found, given)
     )
 
 
-def _unbuilt(found: Explanation, given: Given) -> Iterator[Requirement]:
-    """Yield the pins of what pip fetched as a source and did not build."""
+def _elsewhere(given: Given) -> bool:
+    """Tell whether a list names another index in place of pip's own, which is not asked for what that holds."""
+    files = (each for each in given.evidence.requirements if each.file in given.plan.python.requirements)
+    return any(_INDEX.match(option) for file in files for option in file.options)
+
+
+def _unbuilt(found: Explanation, given: Given) -> Iterator[tuple[Requirement, Version]]:
+    """Yield the pins of what pip fetched as a source and did not build, each with its release."""
     names = dict.fromkeys(match["name"] or match["second"] for match in _FAILED.finditer(found.log))
     for name in [name for name in names if name not in _NOT][:3]:
         like = re.sub(r"[-_.]+", "[-_.]", name)
         source = re.search(rf"(?i)(?<![\w.-]){like}-(\d[\w.!+]{{0,60}}?)(?:\.tar\.\w{{2,3}}|\.zip)", found.log)
         release = version_of(source[1]) if source else None
         asked = pinned(given, name, release) if release is not None else None
-        if asked is not None:
-            yield asked
+        if asked is not None and release is not None:
+            yield asked, release
 
 
 def completed(found: Repair, answer: Answer, given: Given, ask: Callable[[Sequence[str]], str]) -> Repair:

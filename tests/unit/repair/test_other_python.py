@@ -91,6 +91,7 @@ def test_a_project_s_own_limit_holds(tmp_path: Path) -> None:
         ({"requirements.txt": "six\nfast-robot>=2\n"}, BUILT),  # pip may take another release
         ({"requirements.txt": "six\n"}, BUILT),
         ({}, BUILT[1:]),
+        ({"requirements.txt": "--index-url https://packages.example/simple\nfast-robot==2.0\n"}, BUILT),
         ({}, (*BUILT, "OSError: [Errno 28] No space left on device")),
         ({"roslab.yaml": "format: 3\nkind: python\nbase: {python: '3.11'}\n"}, BUILT),
         (
@@ -107,6 +108,13 @@ def test_a_project_s_own_limit_holds(tmp_path: Path) -> None:
 def test_nobody_is_asked_where_it_cannot_help(tmp_path: Path, files: dict[str, str], lines: tuple[str, ...]) -> None:
     found, asked = repaired(tmp_path, files, lines, "fast-robot 3.9\n")
     assert (found, asked) == (Repair(), [])
+
+
+def test_a_release_is_asked_for_as_the_index_spells_it(tmp_path: Path) -> None:
+    lines = [line.replace("2.0", "2.0.0") for line in BUILT]
+    found, asked = repaired(tmp_path, {}, lines, "fast-robot 3.9\n")
+    assert asked[0].startswith("fast-robot 2.0.0 ")
+    assert str(found.changes[0].asked) == "the wheel of fast.robot==2.0 (requirements.txt:2)"
 
 
 def test_the_question_is_a_file_of_the_image_s_base(tmp_path: Path) -> None:
