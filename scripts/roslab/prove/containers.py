@@ -167,7 +167,9 @@ def _prove_once(  # noqa: PLR0917 - what one proof is made of
             dead = dead_nodes(said)
             stream.seek(max(0, log.stat().st_size - KEPT_OUTPUT))
             last = _text(stream.read())
-        if dead and log.stat().st_size > KEPT_OUTPUT:  # those that live may have said much since one died
+        if dead and len(said) <= KEPT_BEGINNING + KEPT_OUTPUT:
+            last = said
+        elif dead:  # those that live may have said much since one died
             last = f"{said[:KEPT_BEGINNING].rpartition(chr(10))[0]}\n…\n{last.partition(chr(10))[2]}"
         screenshot = camera.keep(picture) if camera else Screenshot(remark=without) if without else None
     end = End(code=seen.code, seconds=seconds if seen.code is not None else watched, dead=dead)
