@@ -87,19 +87,19 @@ def _packages(found: Explanation, given: Given) -> tuple[str, ...]:
 
 def _kept(needed: Needs, failed: Collection[str], going: Collection[str], before: int) -> str:
     """Return why packages must be built, ``""`` if the image is of use without them."""
-    listed = ", ".join(sorted(failed))
+    stopped = f"{', '.join(sorted(failed))} {'does' if len(failed) == 1 else 'do'} not compile"
     if lost := needed.of(needed.started) & {*going}:
         who = "the page" if needed.shell else "the command"
-        return f"{listed} does not compile, and {who} needs {min(lost & {*failed} or lost)}"
+        return f"{stopped}, and {who} needs {min(lost & {*failed} or lost)}"
     stay = {name for name, m in needed.built.items() if name not in going and not m.metapackage}
     if not stay:
-        return f"{listed} does not compile, and no other package would be left"
+        return f"{stopped}, and no other package would be left"
     if not needed.shell:
         return ""
     if {*going} - {*failed} or needed.of(stay) & {*failed}:
-        return f"{listed} does not compile, and other packages need it"
+        return f"{stopped}, and other packages need it"
     if (before + len(failed)) * _SHARE > before + len(failed) + len(stay):
-        return f"{listed} does not compile, and {before} packages are left out already"
+        return f"{stopped}, and more than half of the packages would be left out"
     return ""
 
 
