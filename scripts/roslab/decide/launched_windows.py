@@ -1,4 +1,4 @@
-"""The windows that nodes in Python open, which a command starts by their package and name."""
+"""The files of nodes in Python, which a command starts by their package and name, and the windows that these open."""
 
 from __future__ import annotations
 
@@ -11,14 +11,20 @@ from roslab.evidence.facts import Evidence
 
 
 def opened_by_nodes(evidence: Evidence, argv: tuple[str, ...]) -> tuple[Dependency, ...]:
-    """Return the calls that open a window in the files of the nodes which a command starts.
+    """Return the calls that open a window in the files of the nodes which a command starts."""
+    calls = [each for each in evidence.code if each.namespace == "call" and each.role != "build"]
+    files = files_of_nodes(evidence, argv) if calls else frozenset()
+    return tuple(each for each in calls if each.file in files)
+
+
+def files_of_nodes(evidence: Evidence, argv: tuple[str, ...]) -> frozenset[str]:
+    """Return the files of the nodes in Python which a command starts.
 
     A node is called like its file, or it is the only program of its package.
     """
-    calls = [each for each in evidence.code if each.namespace == "call" and each.role != "build"]
-    nodes = _nodes(evidence, argv) if calls else frozenset()
+    nodes = _nodes(evidence, argv)
     if not nodes:
-        return ()
+        return frozenset()
     folders = {manifest.name: manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
     programs = [script.file for script in evidence.programs]
     files: set[str] = set()
@@ -26,7 +32,7 @@ def opened_by_nodes(evidence: Evidence, argv: tuple[str, ...]) -> tuple[Dependen
         folder = folders.get(package)
         inside = [file for file in programs if folder is not None and file.startswith(f"{folder}/" if folder else "")]
         files |= {file for file in inside if _stem(file) == _stem(program)} or {*inside[: len(inside) == 1]}
-    return tuple(each for each in calls if each.file in files)
+    return frozenset(files)
 
 
 def switched_on(evidence: Evidence, words: Iterable[str]) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, Download, Warning_
 from roslab.decide.reasons import warn
-from roslab.decide.system.guards import runs
+from roslab.decide.system.guards import runs, starts
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.latex import latex
 from roslab.knowledge.unpackaged_programs import unpackaged_programs
@@ -22,7 +22,7 @@ def decide_opened(
     if config.compatible or config.custom or config.command is not None:
         return Choice(answer=None)
     words = command.split() if isinstance(command, str) else command
-    called = (*_called(evidence, words), *_set_by_latex(evidence, config, words))
+    called = (*_called(evidence, words), *_set_by_latex(evidence, config, command))
     if isinstance(command, str):
         return Choice(answer=None, warnings=called)
     started = {word for word in command if word.endswith(".py")}
@@ -35,7 +35,7 @@ def decide_opened(
     return Choice(answer=None, warnings=(*told, *called))
 
 
-def _set_by_latex(evidence: Evidence, config: Config, words: Sequence[str]) -> Iterator[Warning_]:
+def _set_by_latex(evidence: Evidence, config: Config, command: tuple[str, ...] | str) -> Iterator[Warning_]:
     """Yield a warning for the first program that has text set by LaTeX, unless the default command is one.
 
     Not where a page or roslab.yaml installs LaTeX.
@@ -43,7 +43,8 @@ def _set_by_latex(evidence: Evidence, config: Config, words: Sequence[str]) -> I
     set_by = [mention for mention in evidence.mentions if mention.topic == "usetex" and mention.files]
     by_apt = (*config.apt, *(each.name for each in evidence.prose if each.namespace == "apt"))
     had = any(name.startswith(_TEX) for name in by_apt)
-    if set_by and not had and not any(runs(words, file) for mention in set_by for file in mention.files):
+    started = starts(evidence, command)
+    if set_by and not had and not any(started(file) for mention in set_by for file in mention.files):
         message = "matplotlib has text set by LaTeX here, which is large and, as the default command needs none, not in"
         yield warn(f"{message} the image: name {', '.join(latex())} under `apt` in roslab.yaml", set_by[0])
 

@@ -74,6 +74,20 @@ def test_a_module_that_python_starts(tree: Tree) -> None:
     assert packages(tree(files)) == LATEX
 
 
+@pytest.mark.parametrize("command", ["roslaunch plots draw.launch", "rosrun plots draw.py"])
+def test_a_node_that_the_command_starts(tree: Tree, command: str) -> None:
+    files = {
+        "package.xml": "<package><name>plots</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": "project(plots)\nfind_package(catkin REQUIRED)\n",
+        "scripts/draw.py": MAIN.format("import rospy\nplt.rc('text', usetex=True)"),
+        "launch/draw.launch": "<launch><node pkg='plots' type='draw.py' name='draw'/></launch>",
+        "README.md": f"# A\nROS Noetic\n```\n{command}\n```\n",
+    }
+    decision = tree(files)
+    assert "dvipng" in packages(decision)
+    assert not [each for each in decision.warnings if "LaTeX" in each.message]
+
+
 def test_another_program_is_told(tree: Tree) -> None:
     files = {
         "main.py": MAIN.format(""),

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 from roslab.config.model import Kind
+from roslab.decide.launched_windows import files_of_nodes
 from roslab.decide.programs import compiled
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -27,13 +28,21 @@ def required_by_command(evidence: Evidence, command: tuple[str, ...] | str, kind
     """
     words = command.split() if isinstance(command, str) else command
     if any(each.role in _OF_COMMAND for each in evidence.code):
-        code = tuple(each for each in evidence.code if each.role not in _OF_COMMAND or runs(words, each.file))
+        its_own = starts(evidence, command)
+        code = tuple(each for each in evidence.code if each.role not in _OF_COMMAND or its_own(each.file))
         evidence = replace(evidence, code=code)
     started = {word.rpartition("/")[2] for word in words}
     everywhere = _of_all_programs(evidence) if kind in {"cpp", "cuda"} else frozenset()
     if not everywhere and not any(program in started for project in evidence.cmake for program, _ in project.guards):
         return evidence
     return replace(evidence, cmake=tuple(_required(project, started, everywhere) for project in evidence.cmake))
+
+
+def starts(evidence: Evidence, command: tuple[str, ...] | str) -> Callable[[str], bool]:
+    """Return what tells whether a command names a file of the tree, or starts it as a node in Python."""
+    words = command.split() if isinstance(command, str) else command
+    nodes = files_of_nodes(evidence, command) if command and not isinstance(command, str) else frozenset()
+    return lambda file: file in nodes or runs(words, file)
 
 
 def runs(words: Sequence[str], file: str) -> bool:
