@@ -45,8 +45,10 @@ def _set_by_latex(evidence: Evidence, config: Config, command: tuple[str, ...] |
     had = any(name.startswith(_TEX) for name in by_apt)
     started = starts(evidence, command)
     if set_by and not had and not any(started(file) for mention in set_by for file in mention.files):
-        message = "matplotlib has text set by LaTeX here, which is large and, as the default command needs none, not in"
-        yield warn(f"{message} the image: name {', '.join(latex())} under `apt` in roslab.yaml", set_by[0])
+        message = (
+            "matplotlib has text set by LaTeX here, which is not in the image: it is large, and the default command"
+        )
+        yield warn(f"{message} needs none; name {', '.join(latex())} under `apt` in roslab.yaml", set_by[0])
 
 
 def _called(evidence: Evidence, words: Sequence[str]) -> Iterator[Warning_]:

@@ -42,8 +42,8 @@ class Way:
 def without_lists(evidence: Evidence, kind: Kind) -> Evidence:
     """Return the evidence without what pages list, for packages of ROS: their manifests say what they need.
 
-    Frameworks that code imports stay where no manifest asks for them: of most rosdep has no key, and where no node
-    imports one nothing else does.
+    Frameworks that code imports stay where no manifest asks for them: rosdep has no key for most of them, and nothing
+    else asks for one that only code beside the nodes imports.
     """
     if not (evidence.manifests and kind in {"ros1", "ros2"}):
         return evidence

@@ -29,14 +29,15 @@ def framework_pins(
     pins: Iterable[Pin],
     asked: Iterable[Requirement],
     cuda: str | None,
-    python: str | None = None,
-    day: str | None = None,
+    python: str | None,
+    day: str | None,
 ) -> Choice[Constraints]:
     """Return constraints for frameworks that ``asked`` leaves open, from install lines or a lock that fit the CUDA.
 
     Today's newest release of the framework may fit neither the code and its compiled parts nor the image's CUDA. What
     one manifest pins and another leaves open is pinned for both: what is compiled between them must fit what stays.
-    Alone, tensorflow is one for the image's CUDA: of a ``day`` its newest wheel for the ``python`` may be for another.
+    A tensorflow without torch or jax beside it is kept to releases for the image's CUDA: its newest one of the ``day``
+    that has a wheel for the ``python`` may be for another.
     """
     pins = tuple(pins)
     everything = [each for each in asked if each.name]
