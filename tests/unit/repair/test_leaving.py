@@ -183,7 +183,9 @@ def test_of_a_shell_a_leaf_is_left_out_and_at_most_half(tmp_path: Path) -> None:
     assert [change.why for change in found.changes] == [f"{WHY}nothing else needs it"]
     both = log(ERROR, made("arm_extra"), made("arm_other"))
     found = left(tmp_path, {**TWO, **package("arm_other")}, both)
-    assert found == Left(why="arm_extra, arm_other do not compile, and more than half of the packages would be left out")
+    assert found == Left(
+        why="arm_extra, arm_other do not compile, and more than half of the packages would be left out"
+    )
 
 
 @pytest.mark.parametrize(
