@@ -76,7 +76,7 @@ def _all(
         yield dependency, False
     for dependency in (*_programs(evidence, packages, kind), *started(evidence, kind)):
         yield dependency, False
-    for dependency in without_pythons(_installed(evidence, ros_distro), evidence, kind):
+    for dependency in without_pythons(_installed(evidence, ros_distro), kind):
         yield dependency, False
 
 

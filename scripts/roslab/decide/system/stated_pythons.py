@@ -6,15 +6,12 @@ from collections.abc import Iterator
 
 from roslab.config.model import Kind
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
 
 _PYTHON = pattern(r"python[23]\.\d{1,2}(?:-(?:dev|venv|distutils|full|minimal|lib2to3|tk|gdbm))?")
 _ADDS = pattern(r"\bppa:\S+|\badd-apt-repository\b")
 _PPA = pattern(r"ppa:deadsnakes/\w+")
 """The PPA of Pythons for Ubuntu: https://launchpad.net/~deadsnakes, 2026-11-27."""
-_TOOL = "software-properties-common"
-"""The package of ``add-apt-repository``."""
 _KINDS = frozenset({"python", "cuda"})
 
 
@@ -29,15 +26,8 @@ def only_python(step: str, kind: Kind) -> bool:
     return kind in _KINDS and bool(_PPA.search(step)) and not others
 
 
-def without_pythons(asked: Iterator[Dependency], evidence: Evidence, kind: Kind) -> Iterator[Dependency]:
-    """Leave out the Pythons of one version, and what only adds the source of them."""
-    if kind not in _KINDS:
-        yield from asked
-        return
-    steps = [mention for mention in evidence.mentions if mention.topic == "step" and _ADDS.search(mention.value)]
-    others = {mention.file for mention in steps if not only_python(mention.value, kind)}
-    pages = {mention.file for mention in steps} - others
+def without_pythons(asked: Iterator[Dependency], kind: Kind) -> Iterator[Dependency]:
+    """Leave out the Pythons of one version."""
     for each in asked:
-        needless = _PYTHON.fullmatch(each.name) or (each.name == _TOOL and each.file in pages)
-        if not (each.namespace == "apt" and needless):
+        if not (kind in _KINDS and each.namespace == "apt" and _PYTHON.fullmatch(each.name)):
             yield each

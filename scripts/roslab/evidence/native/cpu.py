@@ -27,7 +27,7 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
 
     Makefiles count where neither CMake nor ROS builds the tree.
     """
-    for file in build_files(repository):
+    for file in repository.once(build_files):
         text = repository.read(file)
         if "=native" in text and (match := _NATIVE.search(text)):
             yield f"{match[1]}{_WHY}", file.path, text.count("\n", 0, match.start(1)) + 1

@@ -20,7 +20,7 @@ https://cmake.org/cmake/help/latest/prop_tgt/COMPILE_WARNING_AS_ERROR.html, 2026
 
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield the first place where a build file has warnings count as errors."""
-    for file in build_files(repository):
+    for file in repository.once(build_files):
         text = repository.read(file)
         if ("error" in text or "ERROR" in text) and (match := _STRICT.search(text)):
             line = text.count("\n", 0, match.start(1)) + 1
