@@ -24,6 +24,7 @@ from roslab.plan.plan import Plan, from_json, image_name, make_plan, to_json
 from roslab.render import image_scripts
 from roslab.render.dockerfile import OLD_FORMATS, TODAY, dockerfile
 from roslab.render.layers import python, python_projects
+from roslab.render.layers.manifests import MOST_COPIES
 from roslab.values.requirement_line import stated
 
 
@@ -245,13 +246,20 @@ def test_manifests_are_copied_by_name_each_step_its_own() -> None:
     assert "manifests AS" not in text
 
 
-def test_many_manifests_are_one_layer() -> None:
-    names = tuple(f"part_{number}/package.xml" for number in range(40))
+@pytest.mark.parametrize(
+    ("count", "stage_of", "first"),
+    [
+        (5, "scratch", "COPY part_0/package.xml /tmp/manifests/part_0/\n"),
+        (50, "scratch", "COPY part_0/package.xml /tmp/manifests/part_0/\n"),
+        # What no build file names repeats nothing here either
+        (51, "base", "RUN --mount=type=bind,from=source,target=/repository "),
+    ],
+)
+def test_many_manifests_are_one_layer(count: int, stage_of: str, first: str) -> None:
+    names = tuple(f"part_{number}/package.xml" for number in range(count))
     text = written(plan(packages=names))
-    stage, image = text.split("\nFROM base AS manifests\n")[1].split("\nFROM base AS dependencies\n")
-    assert stage.startswith("RUN --mount=type=bind,from=source,target=/repository "), (
-        "what no build file names repeats nothing here either"
-    )
+    stage, image = text.split(f"\nFROM {stage_of} AS manifests\n")[1].split("\nFROM base AS dependencies\n")
+    assert stage.startswith(first)
     assert all(name in stage for name in names)
     assert "package.xml" not in image.replace("# What the package.xml files name", "")
     assert "COPY --from=manifests /tmp/manifests/ /tmp/manifests/\n" in image
@@ -428,7 +436,7 @@ HOSTILE = 'x\'; rm -rf ~; $(touch /pwned) `id` "${HOME}" #'
         {"apt": (HOSTILE,)},
         {"apt_guessed": (HOSTILE,)},
         {"skip_keys": (HOSTILE,)},
-        {"packages": (HOSTILE, "a/x", "b/x", "c/x", "d/x")},
+        {"packages": (HOSTILE, *(f"{number}/x" for number in range(MOST_COPIES)))},
         {"source": (Source(name="x", repo=HOSTILE, ref=HOSTILE),)},
         {
             "python": Python(

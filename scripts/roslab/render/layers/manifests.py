@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from roslab.plan.plan import Plan
 from roslab.render import quote
@@ -13,6 +13,9 @@ FOLDER = "/tmp/manifests"  # noqa: S108 - a folder of the image while it is buil
 """Not at the root: BuildKit reads the whole folder around what is copied out of a stage, to know whether it changed."""
 MOST_FOLDERS = 4
 """Each takes a COPY, which is a layer. From more of them the manifests are set apart in a stage and copied at once."""
+MOST_COPIES = 50
+"""In that stage, too, whose layers no image has: what changed is known without the fifth of a second that a container
+takes. Docker's own builder stacks at most 125 layers."""
 
 
 def of_rosdep(plan: Plan) -> tuple[str, ...]:
@@ -37,11 +40,14 @@ def of_conda(plan: Plan) -> tuple[str, ...]:
 def stage(plan: Plan) -> str:
     """Set the manifests apart out of the whole source, where they are too many to be copied by name."""
     files = _all(plan)
-    if len(_folders(files)) <= MOST_FOLDERS:
+    folders = _folders(files)
+    if len(folders) <= MOST_FOLDERS:
         return ""
+    why = "# The manifests alone: what is installed from them is installed again only when one of them changes"
+    if len(folders) <= MOST_COPIES:
+        return f"{why}\nFROM scratch AS manifests\n{_copies(folders)}"
     mount = f"--mount=type=bind,{'from=source,' if plan.compiled_apart else ''}target=/repository"
     copy = f"cp --parents --target-directory={FOLDER}{shell.words(quote.path(name) for name in files)}"
-    why = "# The manifests alone: what is installed from them is installed again only when one of them changes"
     run = shell.run(f"mkdir {FOLDER}", "cd /repository", copy, secrets=secrets.Secrets(mounts=(mount,)))
     return f"{why}\nFROM base AS manifests\n{run}"
 
@@ -53,6 +59,10 @@ def copy(plan: Plan, files: Iterable[str]) -> str:
         return ""
     if len(_folders(_all(plan))) > MOST_FOLDERS:
         return f"COPY --from=manifests {FOLDER}/ {FOLDER}/\n"
+    return _copies(folders)
+
+
+def _copies(folders: Mapping[str, list[str]]) -> str:
     return "".join(
         f"COPY {quote.copy(names, posixpath.normpath(posixpath.join(FOLDER, folder)) + '/')}\n"
         for folder, names in folders.items()
