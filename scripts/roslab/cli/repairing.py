@@ -22,7 +22,7 @@ from roslab.pipeline import Planned
 from roslab.plan.plan import Plan
 from roslab.render.dockerfile import holders as question_of_files
 from roslab.render.dockerfile import wheels
-from roslab.repair import dockerfile, holders, leaving, other_python, words
+from roslab.repair import dockerfile, generated, holders, leaving, other_python, words
 from roslab.repair.absent import unknown_to_apt, without_absent
 from roslab.repair.change import Change, Given, Repair
 from roslab.repair.repair import repair
@@ -100,8 +100,9 @@ class Repairing:
         if self.rounds >= self.options.repair:
             self._stop(error, f"{self.rounds} rounds are used up: --repair=N takes more")
         again = bool(causes & self.seen)
-        if (author := self.planned.plan.author_dockerfile) and not again:
-            self._stop(error, self._own(answer, author.dockerfile))
+        if author := self.planned.plan.author_dockerfile:
+            self._generate(error, answer, author.dockerfile)
+            return
         found = Repair() if again else holders.completed(found, answer, given(self.planned), self._ask)
         found = other_python.completed(found, answer, given(self.planned), self._ask_pip)
         changes = found.certain.changes
@@ -117,6 +118,19 @@ class Repairing:
         self.changes += changes
         for line in leaving.told(changes):
             say(f"roslab: repair {self.rounds} {line}")
+
+    def _generate(self, error: FailedBuild, answer: Answer, file: str) -> None:
+        """Plan the next round with a generated Dockerfile, in place of the author's, which does not build."""
+        own = self._own(answer, file)
+        change = generated.in_place_of(file, answer, given(self.planned))
+        if not change:
+            self._stop(error, f"the image is built from {file}{own or ', and no line is certain to repair it'}")
+        self.planned = self._with(change, error)
+        # What it is for is not seen yet: the cause may come back, and is repaired then
+        self.rounds += 1
+        self.changes += change
+        for line in leaving.told(change):
+            say(f"roslab: repair {self.rounds} {line}{own}".rstrip("\n"))
 
     def start(self, dead: FailedBuild) -> bool:
         """Plan a round with which the command of the named image starts; say why there is none, and return ``False``.
@@ -191,12 +205,10 @@ class Repairing:
         return [change.entry for change in self.changes]
 
     def _own(self, answer: Answer, file: str) -> str:
-        """Return the repair of the author's own Dockerfile, which is shown and never written."""
+        """Return the repair of the author's own Dockerfile, which is shown and never written, if one is certain."""
         text = self.planned.repository.read(file)
         changes = dockerfile.edits(answer, text)
-        if not changes:
-            return f"the image is built from {file}, and no line is certain to repair it"
-        return f"the image is built from {file}; this repairs it:\n{dockerfile.diff(file, text, changes)}"
+        return f"; this repairs it:\n{dockerfile.diff(file, text, changes)}" if changes else ""
 
     def _fetch(self, error: FailedBuild) -> None:
         with fetching.git(fetching.Access()) as git:

@@ -20,7 +20,10 @@ LISTS = ("apt", "pip", "skip_keys", "skip_packages", "build_args")
 """Keys with lists of texts, to which values are added."""
 WORDS = ("cmake_options",)
 """Keys with one text, to whose end values are added."""
-SINGLE = ("base.python", "base.ros", "base.ubuntu", "base.cmake_update", "env.PYTHONPATH", "gui", "submodules")
+SINGLE = (
+    *("base.python", "base.ros", "base.ubuntu", "base.cmake_update", "dockerfile", "env.PYTHONPATH", "gui"),
+    "submodules",
+)
 """Keys with one value, which is set."""
 _PLAIN = pattern(r"[A-Za-z][\w.+-]*")
 """Text that YAML reads as text without quotes in any position; words such as ``yes`` are quoted all the same."""

@@ -61,7 +61,7 @@ def text(repository: Repository, file: str) -> str:
 
 def check_paths(config: Config, repository: Repository) -> None:
     """Raise ``ConfigurationError`` with all files and folders that roslab.yaml names and that do not exist."""
-    files = [("dockerfile", config.dockerfile), ("conda", config.conda)]
+    files = [("dockerfile", config.dockerfile or None), ("conda", config.conda)]
     for key, paths in (("requirements", config.requirements), ("vcs", config.vcs)):
         files += [(f"{key}.{index}", path) for index, path in enumerate(paths or ())]
     missing = [(key, path) for key, path in files if path and not repository.has(posixpath.normpath(path))]

@@ -234,7 +234,8 @@ class Config:
     command: tuple[str, ...] | str | None = None
     """A string runs in ``bash -c`` with the workspace sourced, a tuple is an argv."""
     test: tuple[str, ...] | str | None = None
-    dockerfile: str | None = None
+    dockerfile: str | Literal[False] | None = None
+    """``False``: one is generated, also where the repository has its own."""
     context: str | None = None
     args: tuple[tuple[str, str], ...] = ()
     """Build arguments of the author's own Dockerfile."""

@@ -121,7 +121,7 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         env=running.environment(reading, root),
         command=running.command(reading, root, "command"),
         test=running.command(reading, root, "test"),
-        dockerfile=reading.value(root, "dockerfile", "dockerfile"),
+        dockerfile=_dockerfile(reading, root),
         context=reading.value(root, "context", "context"),
         args=running.environment(reading, root, "args"),
         target=reading.value(root, "target", "target"),
@@ -144,6 +144,13 @@ def config_of(reading: Reading, root: Mapping, generation: Generation, file: str
         origins=tuple(reading.origins.items()),
         warnings=tuple(reading.warnings),
     )
+
+
+def _dockerfile(reading: Reading, root: Mapping) -> str | Literal[False] | None:
+    text = reading.text(root, "dockerfile", "dockerfile")
+    if text is None or text.node.kind != "boolean":
+        return text.value if text else None
+    return False
 
 
 def _advise(reading: Reading, root: Mapping, generation: Generation) -> None:

@@ -146,12 +146,14 @@ class Shape:
     def _scalar(self, node: Scalar, schema: Schema, path: str) -> Scalar | None:
         if node.kind in {"null", "boolean"} and "enum" not in schema:
             return node
-        allowed = [str(value) for value in schema.get("enum", ()) if not isinstance(value, bool)]
+        values = schema.get("enum", ())
+        allowed = [str(value) for value in values if not isinstance(value, bool)]
         if "const" in schema:
             allowed = [str(schema["const"])]
-        if allowed and (node.text in allowed or (node.kind == "boolean" and True in schema["enum"])):
+        truth = node.text.lower() in {"true", "yes", "on"}
+        if node.text in allowed or (node.kind == "boolean" and any(value is truth for value in values)):
             return node
-        if not allowed and _matches(schema, node.text):
+        if not allowed and node.kind != "boolean" and _matches(schema, node.text):
             return node
         title = schema["title"]
         hint = advice(title, node.text)

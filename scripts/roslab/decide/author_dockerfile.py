@@ -63,6 +63,8 @@ def decide_dockerfile(
             context = (authored.context or "") if authored else ""
         told = (*unbounded_jobs(authored, evidence), *without_source(authored)) if authored else ()
         return Choice(answer=Dockerfile(file=config.dockerfile, context=context), reasons=(said,), warnings=told)
+    if config.dockerfile is False:
+        return Choice(answer=None, reasons=(configured(config, "dockerfile", "false", "dockerfile"),))
     locals_ = local_bases(evidence)
     reasons: list[Reason] = []
     warnings: list[Warning_] = []

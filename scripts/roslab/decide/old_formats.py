@@ -28,7 +28,7 @@ def narrowed(evidence: Evidence, config: Config) -> tuple[Evidence, Config]:
     """Return the evidence that an old file allows, and the configuration with the defaults of its format filled in."""
     if not config.compatible:
         return evidence, config
-    files = {*(config.requirements or ()), *(config.vcs or ()), config.conda, config.dockerfile}
+    files = {*(config.requirements or ()), *(config.vcs or ()), config.conda, config.dockerfile or None}
     left = _named(evidence, files)
     sources, warnings = _with_refs(config.source, evidence)
     config = replace(

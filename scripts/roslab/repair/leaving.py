@@ -10,6 +10,7 @@ from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.left_out import SKIP, needing
 from roslab.explain.answer import Answer, Explanation
 from roslab.plan.ros_build import WORKSPACE
+from roslab.repair import generated
 from roslab.repair.alone import alone
 from roslab.repair.asked import asked
 from roslab.repair.change import Asked, Change, Given
@@ -125,6 +126,8 @@ def told(changes: Collection[Change]) -> Iterator[str]:
     for change in changes:
         if change.key == KEY:
             yield f"leaves out {change.value}, which {change.why}"
+        elif change.key == generated.KEY:
+            yield f"generates a Dockerfile: {change.why}"
         else:
             yield f"adds {change}, {change.why or f'for {change.asked}'}"
 
@@ -132,4 +135,6 @@ def told(changes: Collection[Change]) -> Iterator[str]:
 def without_useless(changes: Collection[Change], answer: Answer, given: Given) -> list[Change]:
     """Return the changes without those that were made for what fails still."""
     still = {(found.id, asked(found, given).what) for found in answer.explanations if found.id}
-    return [change for change in changes if (change.failure, change.asked.what) not in still]
+    return [
+        change for change in changes if change.key == generated.KEY or (change.failure, change.asked.what) not in still
+    ]

@@ -163,3 +163,49 @@ def test_what_was_added_and_apt_does_not_have_leaves_the_first_failure(repairing
         repairing.repair(failed(said.format("libzoo-dev")))
     assert raised.value.log == first.log
     assert "it needs libzoo-dev, which apt does not have here" in raised.value.problems[-1].message
+
+
+@pytest.fixture
+def authored(repairing: Repairing, tmp_path: Path) -> Repairing:
+    """Return the same for a tree whose own Dockerfile is built."""
+    robot = tmp_path / "robot"
+    (robot / "roslab.yaml").unlink()
+    (robot / "Dockerfile").write_text("FROM ubuntu:20.04\nCOPY . /src\nRUN make\n")
+    repairing.planned = planned_of(repairing.options)
+    assert repairing.planned.plan.author_dockerfile
+    return repairing
+
+
+def test_a_dockerfile_of_the_tree_that_does_not_build_is_generated(
+    authored: Repairing, capsys: pytest.CaptureFixture[str]
+) -> None:
+    missing = "/src/main.cpp:1:10: fatal error: glog/logging.h: No such file or directory"
+    authored.repair(failed(missing))
+    assert authored.planned.plan.author_dockerfile is None
+    said = capsys.readouterr().err
+    assert "roslab: repair 1 generates a Dockerfile: Dockerfile does not build: " in said
+    assert "; this repairs it:\n" in said
+    assert "+RUN apt-get update" in said
+    authored.repair(failed(missing))
+    assert [str(change) for change in authored.changes] == ["dockerfile: false", "apt: [libgoogle-glog-dev]"], (
+        "the same cause is repaired in the generated one"
+    )
+    with pytest.raises(FailedBuild):
+        authored.repair(failed(missing))
+    assert authored.planned.plan.author_dockerfile is None
+
+
+def test_a_dockerfile_that_is_named_is_built_as_it_is(authored: Repairing, tmp_path: Path) -> None:
+    (tmp_path / "robot" / "roslab.yaml").write_text("format: 3\ndockerfile: Dockerfile\n")
+    authored.planned = planned_of(authored.options)
+    with pytest.raises(FailedBuild) as raised:
+        authored.repair(failed("some program: a message that nobody knows"))
+    said = str(raised.value.problems[-1])
+    assert said == "not repaired: the image is built from Dockerfile, and no line is certain to repair it"
+    assert authored.changes == []
+
+
+def test_no_dockerfile_is_generated_for_what_the_machine_lacks(authored: Repairing) -> None:
+    with pytest.raises(FailedBuild):
+        authored.repair(failed("write /usr/lib/a.so: No space left on device"))
+    assert authored.changes == []

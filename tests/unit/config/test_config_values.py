@@ -86,6 +86,8 @@ def refused(text: str) -> str:
         "dockerfile: /etc/passwd",
         "dockerfile: '-'",
         "dockerfile: a/../../b",
+        "dockerfile: true",
+        "dockerfile: 3",
         "context: ..",
         "context: https://h.org/a.git",
         "requirements: [-r]",

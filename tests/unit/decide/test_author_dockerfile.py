@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from roslab.config.model import Base, Config, Kind
+from roslab.config.reader import read
+from roslab.config.written import written
 from roslab.decide import decide
 from roslab.decide.author_dockerfile import Dockerfile, decide_dockerfile, doubt
 from roslab.evidence.facts import AuthorDockerfile, Evidence, Mention
@@ -114,6 +116,14 @@ def test_the_configuration_wins() -> None:
         Evidence(dockerfiles=(GOOD,)), Config(dockerfile="x/Dockerfile", context="x"), "ros1", "noetic"
     )
     assert choice.answer == Dockerfile(file="x/Dockerfile", context="x")
+
+
+def test_the_configuration_has_one_generated_beside_the_authors() -> None:
+    config = read("format: 3\ndockerfile: false\n", file="roslab.yaml")
+    choice = decide_dockerfile(Evidence(dockerfiles=(GOOD,)), config, "ros1", "noetic")
+    assert choice.answer is None
+    assert [(each.answer, each.reason) for each in choice.reasons] == [("false", "dockerfile says so")]
+    assert "dockerfile: false\n" in written(config), "as roslab migrate writes it"
 
 
 def test_a_dockerfile_in_a_copy_of_another_project_is_not_the_authors(tmp_path: Path) -> None:

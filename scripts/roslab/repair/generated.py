@@ -1,0 +1,30 @@
+"""The author's own Dockerfile that does not build: the next build generates one, by ``dockerfile: false``."""
+
+from __future__ import annotations
+
+from roslab.explain.answer import Answer
+from roslab.repair.change import Asked, Change, Given
+from roslab.repair.said import by_machine, said
+
+KEY = "dockerfile"
+
+
+def in_place_of(file: str, answer: Answer, given: Given) -> tuple[Change, ...]:
+    """Return the change with which a Dockerfile is generated in place of one that was found in the tree.
+
+    None where roslab.yaml names that one, or is of an old format, and where the network or the machine failed: what is
+    generated would fail there, too.
+    """
+    if given.config.dockerfile or given.config.generation != "today" or any(map(by_machine, answer.explanations)):
+        return ()
+    found = next(iter(answer.explanations), None)
+    what, place = said(found, given) if found else ("its build ends with an error", None)
+    change = Change(
+        key=KEY,
+        value="false",
+        failure=(found.id if found else "") or "",
+        certain=True,
+        asked=Asked(what=what, place=place),
+        why=f"{file} does not build: {what}{f' at {place}' if place else ''}",
+    )
+    return (change,)
