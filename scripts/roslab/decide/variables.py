@@ -181,6 +181,8 @@ def _installed(value: str, mention: Mention, evidence: Evidence) -> bool:
 def _why(name: str, value: str, place: Mention) -> str:
     if PREFIX in value:
         return f"{place.text} is in wheels of pip, whose libraries and packages of CMake lie there"
+    if place.source == "code" and place.inside:
+        return f"the tree names its own {place.text} below it"
     if place.file.endswith("CMakeLists.txt"):
         return "CMake stops without it"
     who = "a script of the tree" if place.source == "script" else "a page"

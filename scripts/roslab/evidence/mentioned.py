@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import git_folder, matlab, started_programs, submodules
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import cloned_heads, cuda_paths, shared_objects, templates
+from roslab.evidence.native import cloned_heads, cuda_paths, root_variables, shared_objects, templates
 from roslab.evidence.prose import (
     asked_options,
     branch_tables,
@@ -50,7 +50,7 @@ MENTIONED = (
         libtorch.in_scripts,
         simulator_folders.read,
     ),
-    *(makefile_options.read, system_libraries.read, usetex.read),
+    *(makefile_options.read, root_variables.read, system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read)
