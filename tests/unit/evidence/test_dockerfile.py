@@ -184,6 +184,8 @@ CMD ["bash"]
         ),
         ("ros:humble", "COPY . /ws/src/me\nRUN . /opt/ros/humble/setup.sh && colcon build", False),
         ("ros:humble", "COPY . /ws/src/me\nRUN bash /ws/src/me/compile.sh", False),
+        ("ros:humble", "COPY . /ws/src/me\nRUN chmod +x /ws/src/me/tools.sh && bash /ws/src/me/tools.sh", True),
+        ("ros:humble", "COPY . /ws/src/me\nRUN bash tools.sh && bash gone.sh", False),
         ("ros:humble", 'COPY . /ws/src\nENTRYPOINT ["/ws/src/start.sh"]', False),
         ("ros:humble", "COPY . /opt/me", True),
         ("ros:humble", 'COPY . /opt/me\nCMD ["python3", "/opt/me/a.py"]', False),
@@ -197,7 +199,13 @@ CMD ["bash"]
     ],
 )
 def test_copied_packages_are_built(tmp_path: Path, base: str, text: str, *, problem: bool) -> None:
-    files = {"Dockerfile": f"FROM {base}\n{text}\n", "package.xml": "<package/>", "compile.sh": "", "start.sh": ""}
+    files = {
+        "Dockerfile": f"FROM {base}\n{text}\n",
+        "package.xml": "<package/>",
+        "compile.sh": "colcon build\n",
+        "start.sh": "",
+    }
+    files |= {"tools.sh": "apt-get install -y nano\npip install setuptools==58.2.0\n"}
     files |= {"CMakeLists.txt": "project(me)\n"} if base.startswith("ubuntu") else {}
     found = read(tmp_path, files)["Dockerfile"].problem
     assert (found is not None and "builds none of them" in found) is problem

@@ -16,7 +16,7 @@ _TOOLS = pattern(
     r"\bcolcon[ \t][^;&|\n]*\bbuild\b|\bcatkin_make\w*|\bcatkin[ \t](?:[^;&|\n]*[ \t])?(?:build|b|bt)\b"
     r"|\brosmake\b|\bament[ \t]+build\b"
 )
-_UNREAD = pattern(
+UNREAD = pattern(
     r"\b(?:just|bazel|ansible\w*|nix\w*|pixi|bloom\w*|dpkg-buildpackage|debuild|rosinstall_generator|tox|nox|scons|waf)\b"
     r"|\|[ \t]*(?:sudo[ \t]+)?(?:ba|z|da)?sh\b|<\(",
 )
@@ -40,12 +40,12 @@ def built(repository: Repository, written: Sequence[Instruction]) -> tuple[str, 
     """
     if not (manifests := repository.named("package.xml")):
         return None
-    texts = _texts(repository, [_step(each) for each in written if each.name in _RUNS])
-    if texts is None or any(map(_UNREAD.search, texts)):
+    texts = texts_of(repository, written)
+    if texts is None or any(map(UNREAD.search, texts)):
         return None
-    calls = [call for text in texts for call in _calls(text)]
+    calls = [call for text in texts for call in tools(text)]
     if any(map(_MAKE.search, texts)):
-        calls += [call for file in repository.named("Makefile", "makefile") for call in _calls(repository.read(file))]
+        calls += [call for file in repository.named("Makefile", "makefile") for call in tools(repository.read(file))]
     selected = [match[1].split() if (match := _SELECTED.search(call)) else None for call in calls]
     if None in selected or any("$" in name for names in selected for name in names or ()):
         return None
@@ -55,9 +55,9 @@ def built(repository: Repository, written: Sequence[Instruction]) -> tuple[str, 
     return tuple(dict.fromkeys((*(name for names in selected for name in names or ()), *named)))
 
 
-def _texts(repository: Repository, texts: list[str]) -> list[str] | None:
-    """Return texts with those of the scripts of the tree that they run, ``None`` where one is not there."""
-    found, seen = list(texts), set[str]()
+def texts_of(repository: Repository, written: Sequence[Instruction]) -> list[str] | None:
+    """Return what steps run with the texts of scripts of the tree that they run, ``None`` where one is not there."""
+    found, seen = [_step(each) for each in written if each.name in _RUNS], set[str]()
     for text in found:
         for name in _SCRIPT.findall(text):
             base = posixpath.basename(name)
@@ -81,7 +81,7 @@ def _plain(text: str) -> str:
     return _COMMENT.sub("", _CONTINUED.sub(" ", text))
 
 
-def _calls(text: str) -> list[str]:
+def tools(text: str) -> list[str]:
     """Return the calls of tools that build a workspace, each to its end."""
     return [re.split(r"[;&|\n]", text[match.start() :], maxsplit=1)[0] for match in _TOOLS.finditer(text)]
 

@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Collection, Iterable, Sequence
 
 from roslab.evidence.lex.dockerfile import Instruction
+from roslab.evidence.prose.built_packages import UNREAD, texts_of
 from roslab.evidence.service import Service
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -16,6 +17,12 @@ _BUILDS = pattern(
     r"|scons|meson|conan|cargo|gcc|clang|waf|uv|poetry|conda|mamba)\b|\bg\+\+|\.(?:sh|bash|py)\b|(?:^|\s)\./"
 )
 """What may build packages, itself or by way of a script."""
+_COMPILES = pattern(
+    r"\b(?:catkin\w*[ \t]|catkin_make\w*|colcon[ \t]|rosmake|ament[ \t]|c?make|ninja|setup\.py|scons|meson|conan|cargo"
+    r"|gcc|clang|uv|poetry)\b|\bg\+\+"
+    r"|\bpip[\d.]*[ \t]+install\b[^;&|\n]*(?:[ \t][.~]{0,2}/|[ \t]\.(?:\s|$|\[)|[ \t]-e|--editable)"
+)
+"""What builds packages where the text of each script is known: pip does where it is given a folder."""
 _OF_SYSTEM = pattern(r"\b(?:apt(?:-get)?|rosdep)\b[^;&|]*|\S*/(?:setup|local_setup)\.(?:ba|z)?sh\b")
 """What only installs packages of a system, or reads a workspace that is there."""
 _RELEASED = pattern(r"\bros-[a-z]+-([a-z][a-z0-9-]*)")
@@ -47,9 +54,14 @@ def unbuilt(
     steps = [each for each in written if each.name in _RUNS and (each.line > first or "type=bind" in each.text)]
     if any(_installs(each.text, holding) for each in written if each.name == "RUN"):
         return None
-    texts = [*(each.text for each in steps), *(service.command if service else ())]
-    if any(_BUILDS.search(_OF_SYSTEM.sub(" ", text)) for text in texts):
+    run = [each for each in steps if each.name == "RUN"]
+    started = [*(each.text for each in steps if each.name != "RUN"), *(service.command if service else ())]
+    if any(_BUILDS.search(_OF_SYSTEM.sub(" ", text)) for text in started):
         return None
+    if any(_BUILDS.search(_OF_SYSTEM.sub(" ", each.text)) for each in run):
+        read = texts_of(repository, run) if packages else None
+        if read is None or any(UNREAD.search(text) or _COMPILES.search(_OF_SYSTEM.sub(" ", text)) for text in read):
+            return None
     what = "the packages" if packages else "the project of CMake"
     return f"it copies {what} (line {first}) and builds none of them: it sets up an environment"
 
