@@ -39,6 +39,7 @@ from roslab.decide.launches_without import without_unconfigurable
 from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.lone import alone, behind_others
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, started_below, whole_of
+from roslab.decide.of_clones import first_of_clones
 from roslab.decide.outward import ports_of_page, volumes_of
 from roslab.decide.own_commands import own
 from roslab.decide.reasons import because, configured
@@ -221,7 +222,7 @@ def _obvious(
         argv = given(first, authored) if dockerfile and authored else first.argv
         return argv, because("command", shlex.join(argv), why, first, weight=Weight.FIRST)
     meant = None if dockerfile else only_contained(ours) or pointed_at(evidence, kind) or included(evidence, kind)
-    meant = meant or (None if dockerfile else of_sessions(ours))
+    meant = meant or (None if dockerfile else of_sessions(ours) or first_of_clones(found, evidence, kind))
     if meant and not upkeep(meant):
         return meant.argv, because("command", shlex.join(meant.argv), meant.why, meant, weight=Weight.FIRST)
     ours = [c for c in ours if c.strong or not (c.cut or c.session)]
