@@ -43,6 +43,7 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
     the whole is built. Before them come variables that CMake files use and nothing sets.
     """
     meant = () if config.compatible else tuple(f"-D{name}={value}" for name, value in evidence.misnamed)
+    meant += () if config.compatible else tuple(_handed(evidence))
     if build_tool in _OF_ROS:
         return (*meant, *_of_workspace(evidence, config, build_tool))
     if build_tool != "cmake":
@@ -50,6 +51,11 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
     said = [word for word in _said(evidence, config, folder_name) if word.startswith("-D")]
     own = tuple(word for word in said if _OWN.fullmatch(word)) if said else _by_author(evidence, config)
     return (*meant, *own, *_of_programs(evidence, config, own))
+
+
+def _handed(evidence: Evidence) -> Iterator[str]:
+    """Yield the options that get the folder of an archive which the image unpacks in its user's home: ``-DX=~/sdk``."""
+    yield from (f"-D{mention.value}" for mention in evidence.mentions if mention.topic == "handed_place")
 
 
 def where_built(options: Iterable[str], built: Iterable[Source]) -> Iterator[str]:

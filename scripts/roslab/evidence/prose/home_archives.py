@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, Command, commands, expand, logical_lines
-from roslab.evidence.prose import author_dockerfile
+from roslab.evidence.prose import author_dockerfile, handed_places
 from roslab.evidence.prose.downloads import option, stem_of
 from roslab.evidence.prose.installs import MentionSource
 from roslab.evidence.prose.merged import Prose
@@ -60,6 +60,7 @@ _BELOW = {
     "unzip": ("-d",),
     "tar": ("-C", "--directory"),
 }
+_NAMED = frozenset({"variable", "handed_place"})
 _STRIP = "--strip-components"
 _FEW = pattern(r"[0-9]{1,2}")
 """As many folders as a path has."""
@@ -84,6 +85,8 @@ class _Reader:
     fetched: dict[str, str] = field(default_factory=dict)
     piped: str = ""
     found: list[_Unpacked] = field(default_factory=list)
+    elsewhere: list[_Unpacked] = field(default_factory=list)
+    """What is unpacked outside of the home, as if it went there."""
 
     def command(self, command: Command) -> None:
         """Read one command."""
@@ -112,11 +115,15 @@ class _Reader:
         url = self.fetched.get(posixpath.basename(archive), "") if archive else self.piped
         into = option(command.words, _BELOW[program])
         folder = self._at(into) if into else self.folder
-        if url and _ARCHIVE.search(url.partition("?")[0]) and _BELOW_HOME.match(folder) and UNKNOWN not in folder:
-            below = folder[2:] or "."
-            strip = (option(command.words, (_STRIP,)) if program == "tar" else "") or "0"
-            if not _WORKED_IN.search(below) and _FEW.fullmatch(strip):
+        if not url or not _ARCHIVE.search(url.partition("?")[0]):
+            return
+        strip = (option(command.words, (_STRIP,)) if program == "tar" else "") or "0"
+        below = folder[2:] or "."
+        if _BELOW_HOME.match(folder) and UNKNOWN not in folder and not _WORKED_IN.search(below):
+            if _FEW.fullmatch(strip):
                 self.found.append(_Unpacked(url=url, folder=below, line=command.line, strip=strip))
+        elif strip == "0":
+            self.elsewhere.append(_Unpacked(url=url, folder=".", line=command.line))
 
 
 def read(repository: Repository) -> Prose:
@@ -126,8 +133,11 @@ def read(repository: Repository) -> Prose:
     """
     found: list[Mention] = []
     readers = Readers(repository)
-    for file, source, text in _texts(repository):
-        if not (_FETCHES.search(text) and _UNPACKS.search(text) and _OF_HOME.search(text)):
+    texts = tuple(_texts(repository))
+    fetching = [each for each in texts if _FETCHES.search(each[2]) and _UNPACKS.search(each[2])]
+    handed = handed_places.handed(repository, texts) if fetching else ()
+    for file, source, text in fetching:
+        if not (handed or _OF_HOME.search(text)):
             continue
         reader = _Reader({"HOME": "~", **_assigned(text)})
         for start, line in _lines(text):
@@ -138,21 +148,25 @@ def read(repository: Repository) -> Prose:
             offered = [each for each in reader.found if each.folder == folder]
             variables = tuple(_exported(text, offered, file, source, readers))
             for each, named in _spoken(offered, readers, variables):
-                found.append(
-                    Mention(
-                        topic="home_archive",
-                        value=each.url,
-                        source=source,
-                        file=file.path,
-                        line=each.line,
-                        text=f"{each.url.rpartition('/')[2]} in ~/{each.folder}",
-                        files=(each.folder, each.strip),
-                        inside=named,
-                    )
-                )
-                found += variables
-    first = {(m.topic, m.value.partition("=")[0] if m.topic == "variable" else m.value): m for m in reversed(found)}
+                found += (_archive(each, file, source, named), *variables)
+        for each in (*reader.found, *reader.elsewhere) if handed else ():
+            if said := tuple(handed_places.mentions(handed, name_of(each.url), each.folder, source)):
+                found += (_archive(each, file, source, said[0].inside), *said)
+    first = {(m.topic, m.value.partition("=")[0] if m.topic in _NAMED else m.value): m for m in reversed(found)}
     return Prose((), (), (), tuple(dict.fromkeys(m for m in found if m in first.values())))
+
+
+def _archive(each: _Unpacked, file: File, source: MentionSource, reader: str) -> Mention:
+    return Mention(
+        topic="home_archive",
+        value=each.url,
+        source=source,
+        file=file.path,
+        line=each.line,
+        text=f"{each.url.rpartition('/')[2]} in ~/{each.folder}",
+        files=(each.folder, each.strip),
+        inside=reader,
+    )
 
 
 def name_of(url: str) -> str:

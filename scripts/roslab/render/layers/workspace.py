@@ -281,5 +281,9 @@ def _without_tests(plan: Plan, build: RosBuild) -> list[str]:
 
 
 def words(items: Iterable[str]) -> str:
-    """Return quoted words that go on a line after others."""
-    return "".join(f" {quote.shell(item)}" for item in items)
+    """Return quoted words that go on a line after others, with folders of the home (``-DX=~/sdk``) at their place."""
+    return "".join(f" {_at_home(item) if '=~/' in item else quote.shell(item)}" for item in items)
+
+
+def _at_home(item: str) -> str:
+    return quote.shell_with_user(item.replace("=~/", f"=/home/{quote.USER}/", 1))
