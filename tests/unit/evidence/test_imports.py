@@ -205,3 +205,35 @@ def test_the_imports_of_a_module_are_looked_for_once(tmp_path: Path, monkeypatch
     }
     gather(tree(tmp_path, {**files, "README.md": "```bash\npython a.py\n```\n"}))
     assert sorted(asked) == sorted(files.values())
+
+
+_EXITS = "try:\n    import flask\nexcept ImportError:\n    print('flask is required')\n    exit(1)\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "strength"),
+    [
+        (_EXITS, "used"),
+        (_EXITS.replace("exit(1)", "sys.exit(1)"), "used"),
+        (_EXITS.replace("except ImportError", "except"), "used"),
+        (_EXITS.replace("except ImportError", "except (ImportError, KeyError) as error"), "used"),
+        (_EXITS.replace("print('flask is required')\n    exit(1)", "raise RuntimeError('no flask')"), "used"),
+        (_EXITS.replace(":\n    print('flask is required')\n    exit(1)", ": raise RuntimeError('no flask')"), "used"),
+        (_EXITS.replace("print('flask is required')", "print 'of Python 2'"), "used"),
+        ("x = 1\n# first\ntry:  # last\n\n    # here\n    import flask\nexcept ImportError:\n    quit()\n", "used"),
+        ("try:\n    import flask\nexcept KeyError:\n    pass\nexcept ImportError:\n    exit()\n", "used"),
+        (_EXITS.replace("exit(1)", "flask = None"), "optional"),
+        (_EXITS.replace("exit(1)", "if strict:\n        exit(1)"), "optional"),  # only under a condition
+        (_EXITS.replace("    print", "    import bottle as flask\n    print"), "optional"),  # it has another way
+        (_EXITS.replace("ImportError", "KeyError"), "optional"),
+        (_EXITS + "except Exception:\n    pass\n", "optional"),
+        ("try:\n    if web:\n        import flask\nexcept ImportError:\n    exit(1)\n", "optional"),
+        ("try:\n    import flask\nfinally:\n    exit(1)\n", "optional"),
+        ("def start():\n    try:\n        import flask\n    except ImportError:\n        exit(1)\n", "optional"),
+        ("try:\n    import flask", "optional"),
+    ],
+)
+def test_a_try_that_stops_where_it_fails(text: str, strength: str, tmp_path: Path) -> None:
+    """``import flask`` under ``try`` is no option where the program ends without it."""
+    found = {each.name: each.strength for each in imports.read(tree(tmp_path, {"gui.py": text}))}
+    assert found["flask"] == strength

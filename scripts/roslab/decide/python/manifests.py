@@ -13,6 +13,7 @@ from roslab.decide.python.compiling import COMPILED_ON_IMPORT
 from roslab.decide.python.gpu_projects import only_on_gpu
 from roslab.decide.python.imported_submodules import imported
 from roslab.decide.python.machine_lists import not_installed, of_machines
+from roslab.decide.python.package_folders import around_packages, below
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.ros.workspace import nothing_builds, types
@@ -115,8 +116,11 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
     for file in standard or plain[:3] or ([] if chosen else root[:1]):
         chosen.setdefault(file.file, file)
     if kind in {"ros1", "ros2"} or not (chosen or declares(evidence)):
+        around = around_packages(evidence) if kind in {"ros1", "ros2"} else frozenset()
         nested = [
-            file for path, file in run.items() if not VARIANT.search(path.rpartition(".")[0]) and path.count("/") <= 3
+            file
+            for path, file in run.items()
+            if path.count("/") <= 3 and not VARIANT.search(below(path, around).rpartition(".")[0])
         ]
         depth = min((file.file.count("/") for file in nested), default=0)
         for file in nested if kind in {"ros1", "ros2"} else [f for f in nested if f.file.count("/") == depth][:4]:

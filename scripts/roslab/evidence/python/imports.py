@@ -19,6 +19,7 @@ from roslab.evidence.python.programs import read as programs
 from roslab.evidence.python.rendered import rendered
 from roslab.evidence.python.shown_by_imports import names, shown_by_imports
 from roslab.evidence.python.statements import IMPORT, statements
+from roslab.evidence.python.stopping_tries import starts
 from roslab.evidence.python.through_modules import of_tree
 from roslab.knowledge.frameworks import imports as known_imports
 from roslab.knowledge.standard_modules import standard_modules
@@ -42,7 +43,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return what the tree's Python files import from outside the tree and the standard library.
 
     Each name once, at its first place, one of a script, an example or a test only where no other imports it;
-    ``optional`` if it is only imported inside a function or a ``try``: then it has
+    ``optional`` if it is only imported inside a function or a ``try`` that goes on without it: then it has
     the role ``told`` where the module says how to install it. A framework that a node of ROS imports, by modules of the
     tree too, has the role ``node``; of what messages, services or actions are imported, the role ``messages``.
     Calls that open windows are included, each library's once for a file, and those of the modules that it imports; the
@@ -74,20 +75,22 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         found = {f"{each.name} {each.role}": each for each in of_python3(module, others)} | found
         frameworks[file.path] = [each for each in found_in if not _OF_NODES.isdisjoint(each[1])]
         node = bool(frameworks[file.path]) and _of_node(module)
+        stopped = starts(text) if any(match["indent"] for match, _ in found_in) else frozenset()
         for match, tops in found_in:
+            tried = bool(match["indent"]) and match.start() not in stopped
             for top in tops:
                 inside = top in local and not foreign(match, _whole(match), top, like, file)
                 if _standard(top) or inside or top.startswith("_"):
                     continue
                 known = found.get(top)
-                role = _role(match, top, node=node)
-                if known is not None and (match["indent"] or _stays(known, file)):
+                role = "" if tried else _role(match, top, node=node)
+                if known is not None and (tried or _stays(known, file)):
                     found[top] = replace(known, role=role, strength="used") if role else known
                     continue
                 found[top] = Dependency(
                     namespace="import",
                     name=top,
-                    strength="optional" if match["indent"] else "used",
+                    strength="optional" if tried else "used",
                     file=file.path,
                     line=text.count("\n", 0, match.start()) + 1,
                     role=role or (known.role if known else ""),
@@ -102,8 +105,6 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
 
 def _role(match: re.Match[str], top: str, *, node: bool) -> str:
-    if match["indent"]:
-        return ""
     return "node" if node and top in _OF_NODES else "messages" if any(map(_MESSAGES.match, _whole(match))) else ""
 
 
