@@ -99,7 +99,7 @@ class OwnScript:
     by_compiler: bool = False
     """It is a Makefile that calls compilers alone: CMake has no part in it."""
     copies: bool = False
-    """It compiles nothing, and copies a header from its template, or libraries of the tree into the system."""
+    """It compiles nothing: it copies a header, or libraries of the tree into the system, or writes code."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -154,7 +154,7 @@ class Mention:
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import", "from_above",
         "lost_header", "needs_extension", "unbounded", "optional_ros", "typestore", "cuda_path", "lost_module",
         "screen", "mounted", "argument_count", "copied", "session_loaded", "system_library", "edited", "left_beside",
-        "strict", "shown", "usetex", "handed_place",
+        "strict", "shown", "usetex", "handed_place", "generates",
     ]  # fmt: skip
     value: str
     source: Literal[
@@ -177,7 +177,7 @@ class Mention:
     inside: str = ""
     """Of a command: the folder of the tree that it has to be started in; of what is fetched: the script; of an archive
     for the home and a variable with a place in it: the file of the tree that names or reads it; of a folder of CUDA
-    that CMake names: what says little of the version."""
+    that CMake names: what says little of the version; of what writes code: the folder to start it in."""
     variables: tuple[str, ...] = ()
     """Of a command: the variables that it is started with, ``NAME=VALUE``."""
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import git_folder, matlab, started_programs, submodules
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import cloned_heads, cuda_paths, root_variables, shared_objects, templates
+from roslab.evidence.native import cloned_heads, cuda_paths, generators, root_variables, shared_objects, templates
 from roslab.evidence.prose import (
     asked_options,
     branch_tables,
@@ -53,7 +53,7 @@ MENTIONED = (
     *(makefile_options.read, root_variables.read, system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
-BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read)
+BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, generators.read)
 """What code and files tell beside what pages say."""
 OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""

@@ -84,6 +84,12 @@ def beside(name: str) -> tuple[str, ...]:
     return tuple((_table(name) or {}).get("beside", ()))
 
 
+@cache
+def brings(name: str) -> tuple[str, ...]:
+    """Return the libraries of other names that a library of the table installs with itself."""
+    return tuple((_table(name) or {}).get("brings", ()))
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class OnCuda:
     """How a library is compiled with its parts for CUDA."""

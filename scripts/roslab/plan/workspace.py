@@ -51,7 +51,7 @@ class Script:
     after: bool = False
     """It needs what the program installs."""
     copies: bool = False
-    """It compiles nothing, and copies what is compiled later."""
+    """It compiles nothing, and copies or writes what is compiled later."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -50,7 +50,7 @@ def test_before_a_workspace(tree: Tree) -> None:
 
 def test_the_dockerfile_says_that_it_only_copies(tmp_path: Path) -> None:
     tree_of(tmp_path, {**FILES, "README.md": f"# A\n`{COPY}`\n"})
-    assert "# What is copied before it is compiled" in dockerfile(plan_repository(tmp_path).plan)
+    assert "# What is copied or written before it is compiled" in dockerfile(plan_repository(tmp_path).plan)
 
 
 def test_a_template_in_a_folder_whose_name_has_a_space(tree: Tree) -> None:

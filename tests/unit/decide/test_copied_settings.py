@@ -59,7 +59,7 @@ def test_the_command_names_the_copy(tmp_path: Path) -> None:
     plan = plan_repository(tmp_path).plan
     assert plan.run.command == tuple(RUN.split())
     assert not plan.warnings
-    assert "# What is copied before it is compiled or run" in dockerfile(plan)
+    assert "# What is copied or written before it is compiled or run" in dockerfile(plan)
 
 
 def test_a_file_of_the_folder_that_a_page_goes_to_and_not_its_namesake(tree: Tree) -> None:

@@ -47,6 +47,7 @@ from roslab.decide.system.too_old import too_old
 from roslab.decide.system.tried_headers import without_tried
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.recipes import brings
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
@@ -255,6 +256,7 @@ def provided(
     yield from (each.key for each in installed if each.name)
     yield from names_at_home(evidence)
     yield from of_majors(evidence, sources.sources)
+    yield from (name for source in sources.sources for name in brings(source.name))
 
 
 def _there(name: str, target: Target) -> bool:

@@ -17,6 +17,7 @@ from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.copied_files import with_copied_files
+from roslab.decide.system.generated_code import with_generated_code
 from roslab.decide.system.inside import meant
 from roslab.decide.system.made_by_pages import with_made_by_pages
 from roslab.decide.system.names import Target
@@ -64,6 +65,8 @@ def decide_scripts(
         return Choice(answer=())
     compiled = frozenset((*(folder for folder, _ in inside.answer), *(reason.file for reason in inside.reasons)))
     choice = _compiling(evidence, config, kind, compiled, projects, target=target)
+    if kind != "python":
+        choice = with_generated_code(choice, evidence)
     choice = with_copied_files(choice, evidence)
     return choice if kind == "python" else with_system_libraries(choice, evidence)
 

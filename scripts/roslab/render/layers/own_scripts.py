@@ -18,7 +18,7 @@ def before_program(plan: Plan) -> str:
     if any(script.required for script in scripts):
         head = "# What the script of the repository compiles"
     if scripts and all(script.copies for script in scripts):
-        head = "# What is copied before it is compiled or run, as a page or a script says"
+        head = "# What is copied or written before it is compiled or run, as a page, a script or CMake says"
     return _run(plan, scripts, head)
 
 
