@@ -11,6 +11,7 @@ from roslab.decide.decision import Decision
 Tree = Callable[[dict[str, str]], Decision]
 READS = "import os\nprint(int(os.environ['LOCAL_RANK']))\n"
 GUARDED = "import os\nif 'LOCAL_RANK' in os.environ:\n    print(os.environ['LOCAL_RANK'])\n"
+JOINS = "import torch.distributed as dist\nif gpus > 1:\n    dist.init_process_group({})\n"
 OF_TORCHPACK = "from torchpack import distributed as dist\ndist.init()\n"
 ONE = "--nproc_per_node=1"
 
@@ -28,6 +29,19 @@ ONE = "--nproc_per_node=1"
         ),
         (OF_TORCHPACK, "torchpack dist-run -np 8 python train.py", "torchpack dist-run -np 1 python train.py"),
         (READS, "python train.py", "python train.py"),
+        (
+            JOINS.format("'nccl', init_method='env://'"),
+            "python -m torch.distributed.run --nnodes=1 --nproc_per_node=8 train.py a.yaml",
+            f"python -m torch.distributed.run {ONE} train.py a.yaml",
+        ),
+        (JOINS.format("backend=choose('nccl')"), "torchrun --nproc_per_node=8 train.py", f"torchrun {ONE} train.py"),
+        (JOINS.format("'nccl', rank=0, world_size=2"), "torchrun --nproc_per_node=8 train.py", "python train.py"),
+        (JOINS.format("'nccl', init_method=url"), "torchrun --nproc_per_node=8 train.py", "python train.py"),
+        (
+            JOINS.format("'nccl'").replace("gpus > 1", "args.local_rank != -1"),
+            "torchrun --nproc_per_node=8 train.py",
+            "python train.py",
+        ),
     ],
 )
 def test_a_launcher(tree: Tree, code: str, line: str, command: str) -> None:

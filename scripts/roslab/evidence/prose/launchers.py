@@ -19,6 +19,12 @@ _LAUNCHER = pattern(
 )
 _READ = pattern(r"\bos\.environ\[[\"'](?:LOCAL_RANK|RANK|WORLD_SIZE)[\"']\](?![ \t]*=[^=])")
 """https://docs.pytorch.org/docs/stable/elastic/run.html#environment-variables, read 2026-11-26."""
+_JOINS = pattern(r"\binit_process_group\(([^()]{0,300}(?:\([^()]{0,100}\)[^()]{0,300}){0,5})\)")
+"""The arguments of a call that joins the other processes; by default, what a launcher sets tells it where they are.
+https://docs.pytorch.org/docs/stable/distributed.html#torch.distributed.init_process_group, read 2026-11-28."""
+_OTHERWISE = pattern(r"\b(?:rank|store)[ \t]*=|\binit_method[ \t]*=[ \t]*(?![\"']env://)")
+_ALONE = pattern(r"\blocal_rank\W{0,4}(?:[=!]=[ \t]*-1|>=[ \t]*0|<[ \t]*0|>[ \t]*-1)")
+"""The file tells whether a launcher gave it the number of its process: it goes on without one."""
 _GUARDED = pattern(r"\bin os\.environ\b|\bos\.environ\.setdefault\(|os\.environ\[[\"']\w*RANK[\"']\][ \t]*=[^=]")
 """The file does without them, or sets them itself."""
 _TORCHPACK = pattern(r"^from torchpack import distributed\b|^import torchpack\.distributed\b", re.MULTILINE)
@@ -48,7 +54,12 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
 
 
 def _reads(text: str) -> bool:
-    return bool(_READ.search(text)) and not _GUARDED.search(text)
+    if _GUARDED.search(text):
+        return False
+    if _READ.search(text):
+        return True
+    joins = _JOINS.finditer(text) if "init_process_group(" in text and not _ALONE.search(text) else ()
+    return any(not _OTHERWISE.search(match[1]) for match in joins)
 
 
 def _texts(program: str, repository: Repository) -> Iterator[str]:
