@@ -86,6 +86,21 @@ def test_arguments_that_a_program_takes_by_twos(tree: Tree, given: str, kept: in
     assert found.command == ("python", "run.py", *given.split()[:kept])
 
 
+@pytest.mark.parametrize(
+    ("default", "whole"),
+    [("confs/a.conf", False), ("./confs/missing.conf", True), ("missing.yaml", True), ("out/missing.txt", False)],
+)
+def test_a_default_that_is_no_file_of_the_tree(tree: Tree, default: str, *, whole: bool) -> None:
+    code = f"import argparse\np = argparse.ArgumentParser()\np.add_argument('--conf', type=str, default='{default}')\n"
+    blank, whole_one = (f"``` python run.py --conf confs/{name}.conf ```\n" for name in ("<name>", "a"))
+    page = f"# Usage\n{blank}\nExample:\n{whole_one}"
+    files = {"run.py": code, "confs/a.conf": "", "requirements.txt": "numpy\n"}
+    given = ("--conf", "confs/a.conf") if whole else ()
+    assert tree({**files, "README.md": page}).command == ("python", "run.py", *given)
+    page = page.partition("Example")[0]
+    assert bool(told(tree({**files, "README.md": page}))) is whole
+
+
 def test_what_hydra_takes_and_refuses(tree: Tree) -> None:
     page = "# Usage\n```\npython train.py trainer.devices-1 data.root=path/to/data model=small\n```\n"
     found = tree({"train.py": HYDRA, "requirements.txt": "hydra-core\n", "README.md": page})

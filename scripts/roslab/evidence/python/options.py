@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
@@ -31,13 +32,16 @@ _DEMANDED = pattern(r"\brequired\s?=\s?True\b")
 _GIVEN = pattern(
     r"\bdefault\s?=\s?(?!None\b)|\bis_flag\s?=\s?True\b|\baction\s?=\s?[\"'](?:store_|append|count|help|version)"
 )
+_SETTINGS = pattern(r"\bdefault\s?=\s?[\"']([\w./-]+\.(?:ya?ml|json|toml|conf|cfg|ini|xml|gin))[\"']")
+"""A default that is a file of settings, which is read; other files may be written."""
 
 
 def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mention]:
     """Yield each option with which a page starts a file of Python, with ``required``, ``open`` or ``default``.
 
-    ``open`` has neither a value of its own nor is it required: the program may go on without, or stop. Nothing of an
-    option that the file itself does not define. https://docs.python.org/3/library/argparse.html, read 2026-11-25
+    ``open`` has neither a value of its own nor is it required, or its value is a file of settings that the tree lacks:
+    the program may go on without, or stop. Nothing of an option that the file itself does not define.
+    https://docs.python.org/3/library/argparse.html, read 2026-11-25
     click asks for an option with a ``prompt`` where it is not given, and nobody answers in an image:
     https://click.palletsprojects.com/en/stable/options/#prompting, read 2026-11-26
     The arguments without a dash that the program requires are ``positional``, and one that Hydra refuses is
@@ -55,7 +59,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
         for word in _refused(mention.value, program) if _HYDRA in text else ():
             yield replace(mention, topic="refused", value=word, text=mention.value, inside="")
         given = {word.partition("=")[0] for word in mention.value.split() if word.startswith("-")}
-        told = _options(text) if given else {}
+        told = _options(text, program, repository) if given else {}
         for name in sorted(given & told.keys()):
             yield replace(mention, topic="option", value=name, text=told[name], file=program, files=(), inside="")
 
@@ -115,13 +119,23 @@ def _refused(command: str, program: str) -> Iterator[str]:
             yield word
 
 
-def _options(text: str) -> dict[str, str]:
+def _options(text: str, program: str, repository: Repository) -> dict[str, str]:
     found: dict[str, str] = {}
     for match in matches_at(_CALL, text, "add_argument(", "click.option("):
         rest = _until_closed(text[match.end() : match.end() + MAX_CALL])
-        told = "required" if _REQUIRED.search(rest) else "default" if _GIVEN.search(rest) else "open"
+        given = _GIVEN.search(rest) and not _lacks(rest, program, repository)
+        told = "required" if _REQUIRED.search(rest) else "default" if given else "open"
         found |= dict.fromkeys(_NAME.findall(match[1]), told)
     return found
+
+
+def _lacks(rest: str, program: str, repository: Repository) -> bool:
+    """Tell whether the default is a file of settings that neither the root nor the program's folder has."""
+    match = _SETTINGS.search(rest)
+    folders = ("", posixpath.dirname(program))
+    return match is not None and not any(
+        repository.has(posixpath.normpath(posixpath.join(folder, match[1]))) for folder in folders
+    )
 
 
 def _until_closed(text: str) -> str:
