@@ -244,7 +244,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         by_links=by_links(evidence, config, of.build_tool.answer),
         workspace=of.layout.answer.workspace,
         set_up_links=of.layout.answer.set_up_links,
-        git_folder=not config.compatible and any(m.topic == "git_folder" for m in evidence.mentions),
+        git_folder=not config.compatible and any(m.topic in {"git_folder", "own_history"} for m in evidence.mentions),
         cmake_folder=of.layout.answer.cmake_folder,
         program_folders=of.layout.answer.program_folders,
         installed=of.layout.answer.installed,

@@ -13,7 +13,8 @@ XML = (
     "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend>"
     "<export><build_type>ament_cmake</build_type></export></package>"
 )
-MADE = "RUN git init --quiet --template= /home/${NB_USER}/ws/src/demo\n"
+FOLDER = "/home/${NB_USER}/ws/src/demo"
+MADE = f"RUN git init --quiet --template= {FOLDER} \\\n && GIT_AUTHOR_DATE="
 
 
 @pytest.mark.parametrize(
@@ -25,6 +26,7 @@ MADE = "RUN git init --quiet --template= /home/${NB_USER}/ws/src/demo\n"
         ("core/a.py", "repo = git.Repo(__file__)", False),
         ("core/a.py", "# git rev-parse --show-toplevel", False),
         ("core/a.py", "commit = os.popen('git rev-parse HEAD').read()", False),
+        ("core/a.py", "import subprocess\ncommit = subprocess.check_output(['git', 'rev-parse', 'HEAD'])", True),
         ("test/a.py", "top = os.popen('git rev-parse --show-toplevel').read()", False),
     ],
 )

@@ -141,10 +141,10 @@ def _tried(chosen: Chosen) -> Iterator[Warning_]:
 
 
 def without_history(evidence: Evidence) -> Iterator[Warning_]:
-    """Yield a warning for the first place where the code opens the git repository that it lies in."""
+    """Yield a warning for the first place where the code asks the git repository that it lies in."""
     for mention in (m for m in evidence.mentions if m.topic == "own_history"):
-        why = "the code opens its own git repository, and an image has no .git: it stops here"
-        yield warn(f"{why}, unless `custom` in roslab.yaml makes one with `git init` and a commit", mention)
+        why = "the code asks its own git repository, and an image has no .git: one with an empty commit is made"
+        yield warn(f"{why}, so what it writes down names no commit of the source", mention)
         return
 
 

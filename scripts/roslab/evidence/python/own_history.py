@@ -1,4 +1,4 @@
-"""Code that opens the git repository that it lies in: an image has the files of a checkout, not its history."""
+"""Code that asks the git repository that it lies in: an image has the files of a checkout, not its history."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _IMPORT = pattern(r"^[ \t]*(?:import git\b|from git(?:\.repo)? import [^\n]*\bRepo\b)", re.MULTILINE)
+_WORDS = frozenset({"Repo", "subprocess"})
 _OPENS = pattern(
     r"(?<![\w.])(?:git\.)?Repo\(\s*(?:path=)?"
     r"(?:\)|search_parent_directories=True|[\"']\.{1,2}/?[\"']|os\.getcwd\(\)|Path\.cwd\(\)|[^\n)]{0,80}\b__file__\b)"
@@ -19,32 +20,63 @@ _OPENS = pattern(
 """``git.Repo()`` without a path, or with that of the code itself; a path that is a variable may be another one's.
 https://gitpython.readthedocs.io/en/stable/reference.html#git.repo.base.Repo"""
 
+_CALLS = pattern(
+    r"(?<!\w)check_output\(\s{0,40}[\[(]?\s{0,40}[\"']git[\"',\s]{1,9}(?:rev-parse|log|show|status|diff|branch|symbolic-ref)\b"
+    r"(?![^\n]{0,200}\bcwd[ \t]*=(?![^\n]{0,80}__file__))"
+)
+"""What fails where there is no repository, and raises then; not in the folder of another one.
+https://docs.python.org/3/library/subprocess.html#subprocess.check_output, read 2026-11-28."""
+_WITHOUT_MODULE = pattern(r"except\s*\(?\s*(?:(?:ImportError|ModuleNotFoundError)\s*,?\s*)+\)?\s*(?:as\s+\w+\s*)?:")
+"""It goes on without GitPython, not without a repository."""
+
 
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield the first such call of each module that goes on to ``except`` nowhere around it."""
     for module in modules(repository):
-        text = module.text if "Repo" in module.words else ""
-        if "Repo(" not in text or places.aside(module.file.path) or not _IMPORT.search(text):
+        text = "" if module.words.isdisjoint(_WORDS) or places.aside(module.file.path) else module.text
+        opens = "Repo(" in text and _IMPORT.search(text)
+        if not opens and "check_output(" not in text:
             continue
         lines = text.split("\n")
-        for number, line in enumerate(lines, start=1):
-            code = line.partition("#")[0]
-            if (found := _OPENS.search(code)) and not _tried(lines, number - 1):
+        found = (
+            *(_by_line(lines) if opens else ()),
+            *((text.count("\n", 0, match.start()), match[0]) for match in _CALLS.finditer(text)),
+        )
+        for index, said in sorted(found):
+            if "#" not in lines[index].partition(said[:12])[0] and not _tried(lines, index):
                 yield Mention(
-                    topic="own_history", value="git", source="code", file=module.file.path, line=number, text=found[0]
+                    topic="own_history", value="git", source="code", file=module.file.path, line=index + 1, text=said
                 )
                 break
 
 
+def _by_line(lines: Sequence[str]) -> Iterator[tuple[int, str]]:
+    for index, line in enumerate(lines):
+        if found := _OPENS.search(line.partition("#")[0]):
+            yield index, found[0]
+
+
 def _tried(lines: Sequence[str], index: int) -> bool:
-    """Tell whether a line stands in a ``try`` of its own function."""
+    """Tell whether a line stands in a ``try`` of its own function that goes on without a repository."""
     depth = _depth(lines[index])
-    for line in reversed(lines[:index]):
+    for number, line in reversed([*enumerate(lines[:index])]):
         if line.strip() and _depth(line) < depth:
             depth = _depth(line)
-            if line.strip().startswith("try:"):
+            if line.strip().startswith("try:") and _caught(lines[number + 1 :], depth):
                 return True
             if line.strip().startswith("def "):
+                return False
+    return False
+
+
+def _caught(rest: Sequence[str], depth: int) -> bool:
+    """Tell whether what follows on a ``try`` catches more than a module that is not there."""
+    for line in rest:
+        if line.strip() and _depth(line) <= depth:
+            said = line.strip()
+            if said.startswith("except") and not _WITHOUT_MODULE.match(said):
+                return True
+            if not said.startswith(("except", "else", "finally", "#")):
                 return False
     return False
 
