@@ -25,6 +25,8 @@ from roslab.values.specifier import specifiers
 MAX_FILES = 60
 """Most requirement files that are considered, those nearest to the root first."""
 _NOT_OURS = frozenset({"vendored", "documentation", "ci"})
+_DEVCONTAINER = pattern(r"(?:^|/)\.devcontainer/")
+"""What the author works in."""
 DEVELOPMENT = pattern(r"(?:^|/)(?:\.github|\.circleci|\.ci|ci)(?:/|$)|(?:^|/)docs?/(?!.*\.(?:md|rst)$)")
 """Files that build the documentation or run in CI; a documentation page on how to install is not one of them."""
 
@@ -125,10 +127,15 @@ def _imported(evidence: Evidence) -> set[str]:
 
 
 def _images(evidence: Evidence) -> Iterator[AuthorDockerfile]:
-    """Yield the Dockerfiles that may say what the project needs: one of an example only where nothing else says it."""
+    """Yield the Dockerfiles that may say what the project needs.
+
+    One of an example, and that of the container that it is developed in, only where nothing else says it.
+    """
     listed = bool(evidence.requirements or evidence.conda or evidence.python)
     for authored in evidence.dockerfiles:
-        if authored.purpose not in _NOT_OURS and not (listed and places.example(authored.file)):
+        developed = authored.purpose == "ci" and _DEVCONTAINER.search(authored.file)
+        ours = authored.purpose not in _NOT_OURS or developed
+        if ours and not (listed and (developed or places.example(authored.file))):
             yield authored
 
 
