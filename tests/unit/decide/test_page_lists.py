@@ -8,7 +8,8 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
-from roslab.evidence.prose.page_lists import blocks, bounded, said
+from roslab.evidence.prose.limits_in_sentences import bounded
+from roslab.evidence.prose.page_lists import blocks, said
 
 ROWS = "| Python | 3.8 |\n| [PyTorch](https://pytorch.org) | 1.9.0 |\n"
 TABLE = f"## Requirements\n\n| Package | Version |\n|---|---|\n{ROWS}"
@@ -120,6 +121,15 @@ def test_a_block_that_pip_is_to_be_given(text: str, found: list[str]) -> None:
         ("You should call `check(gym<0.20)`, then `x<1`-like.\n", ["x<1"]),
         ("```\nuse `gym<0.20`\n```\n", []),
         ("Please use `gym>=0.20`.\n", []),
+        (
+            "It uses a simulator. Please install iSim==2.2.0 and Stable-baseline3==1.4.0\n",
+            ["iSim==2.2.0", "stable-baselines3==1.4.0"],
+        ),
+        ("Please install gym==0.19.0.\n", ["gym==0.19.0"]),
+        ("We had gym==0.19.0 there.\n", []),
+        ("To use it, pip install torch==1.9.0\n", []),
+        ("Please use torch==1.9.0+cu111 here.\n", []),
+        ("Do not use gym==0.19.0.\n", []),
     ],
 )
 def test_a_limit_in_a_sentence(text: str, found: list[str]) -> None:

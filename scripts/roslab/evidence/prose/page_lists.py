@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
+from roslab.evidence.prose.limits_in_sentences import MAX_LINE, MAX_PARAGRAPH, MEANT, NOT, SENTENCE, bounded, fence
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.prose.said_releases import release_of
 from roslab.knowledge.prose_names import package_of, said_names
@@ -51,17 +52,6 @@ _MORE = r"(\.x|\+|\s*(?:or|and)\s+(?:newer|later|above|higher|greater|up))?"
 _LISTED = pattern(
     rf"^([A-Za-z][\w.-]*?(?:\s[A-Za-z][\w-]+)?)[\s(]*(?:{_VERSION}{_MORE})?(?=$|[\s),.;:])", re.IGNORECASE
 )
-_SENTENCE = pattern(r"(?<=[.!?;])\s+(?=[A-Z\[(])")
-"""Where one ends; a page may have a whole paragraph on one line."""
-_MEANT = pattern(
-    r"\b(?:tested|require[sd]?|needs?|develop(?:ed|ment)|depends?|works?|verified|implemented|written|using|runs?|we\s+used?)\b",
-    re.IGNORECASE,
-)
-"""A sentence about what the code itself runs with."""
-_NOT = pattern(
-    r"\b(?:not|n't|instead|other|another|older|old|previous|before|branch|port|convert\w*|newer versions?)\b",
-    re.IGNORECASE,
-)
 _BY_PIP = pattern(
     r"^(?![\s>|#]).*\binstall\b.*\b(?:with|using|by|via|through)\s+[`*_(\"]*pip3?\b[^.]*:\s*$", re.IGNORECASE
 )
@@ -73,16 +63,6 @@ _EXACT = pattern(
     r"^([A-Za-z][\w.-]*(?:\[[\w,-]+\])?)(\s?(?:[<>=!~]=|[<>])\s?\d[\d.*]*(?:,\s?(?:[<>=!~]=|[<>])\s?\d[\d.*]*)*)$"
 )
 _PYTHON = pattern(r"\b(?:python|pip)\b", re.IGNORECASE)
-_BOUNDED = pattern(r"`([A-Za-z][\w.-]*\s?(?:<=|==|~=|<)\s?\d+(?:\.\d+)*)`")
-"""A requirement that is all there is between backticks."""
-_TO_USE = pattern(
-    r"\b(?:us(?:e|ing)|must|should|please|make sure|ensure|install(?:ed|ing)?|downgrad(?:e|ing)|pin(?:ned)?)\b",
-    re.IGNORECASE,
-)
-_TROUBLE = pattern(
-    r"\b(?:if|alternatively|optional(?:ly)?|bugs?|issues?|errors?|fail\w*|broken?|warnings?|deprecated)\b",
-    re.IGNORECASE,
-)
 _PARTS = pattern(r",\s*(?:and\s+)?|\s+and\s+|\s*;\s*|\s+/\s+")
 _REQUIRED = pattern(r"^[A-Za-z][\w.-]*(?:\[[\w,-]+\])?(?:\s?(?:[<>=!~]?=|[<>])\s?\d[\w.*]*)?$")
 """A package with or without a version; conda writes one ``=``."""
@@ -90,8 +70,6 @@ _REMARK = pattern(r"\s+[%#].*$")
 FEWEST = 2
 """Fewest names of a list in one line."""
 _AT_LEAST = frozenset({">=", "≥", ">"})
-MAX_LINE = 400
-MAX_PARAGRAPH = 4000
 
 
 class _Line(NamedTuple):
@@ -125,30 +103,13 @@ def blocks(text: str, file: str) -> Iterator[Requirement]:
             yield from (stated(words.strip("'\""), "prose", file, at) for at, words in block)
 
 
-def bounded(text: str, file: str) -> Iterator[Requirement]:
-    """Yield each requirement in a sentence that tells to use it: "it is important to use `gym<=0.19.0`".
-
-    It has the role ``bounded``: it only counts for a package that something else asks for.
-    """
-    fenced = False
-    for number, line in enumerate(text.split("\n"), start=1):
-        fenced = fenced != _fence(line)
-        if fenced or "`" not in line or len(line) > MAX_PARAGRAPH or not _BOUNDED.search(line):
-            continue
-        for sentence in _SENTENCE.split(line):
-            meant = _MEANT.search(sentence) or _TO_USE.search(sentence)
-            if len(sentence) <= MAX_LINE and meant and not (_NOT.search(sentence) or _TROUBLE.search(sentence)):
-                for match in _BOUNDED.finditer(sentence):
-                    yield stated(match[1], "prose", file, number, role="bounded")
-
-
 def _block(lines: list[str], number: int) -> Iterator[tuple[int, str]]:
     """Yield the lines of the code block that begins below a line, with their numbers."""
     while number < len(lines) and not lines[number].strip():
         number += 1
-    fenced = number < len(lines) and _fence(lines[number])
+    fenced = number < len(lines) and fence(lines[number])
     for at, line in enumerate(lines[number + fenced :], start=number + fenced + 1):
-        if _fence(line) or not (fenced or not line.strip() or line.startswith(("    ", "\t"))):
+        if fence(line) or not (fenced or not line.strip() or line.startswith(("    ", "\t"))):
             return
         if line.strip():
             yield at, line.strip()
@@ -169,11 +130,11 @@ def said(text: str, file: str) -> Iterator[Requirement]:
         if line.titled and (found := tuple(_row(plain, file, line.number) or _whole(plain, file, line.number))):
             yield from found
             continue
-        for sentence in _SENTENCE.split(plain):
+        for sentence in SENTENCE.split(plain):
             listed = _NAMED.match(sentence[:MAX_LINE])
             if listed and (line.titled or not listed[1]):
                 yield from _listed(listed[2], file, line.number)
-            elif len(sentence) <= MAX_LINE and _MEANT.search(sentence) and not _NOT.search(sentence):
+            elif len(sentence) <= MAX_LINE and MEANT.search(sentence) and not NOT.search(sentence):
                 for match in _said().finditer(sentence):
                     yield from _asked(match[1], match, file, line.number)
 
@@ -213,7 +174,7 @@ def _lines(text: str) -> Iterator[_Line]:
     titled = fenced = of_python = by_bold = False
     lines = text.split("\n")
     for number, line in enumerate(lines, start=1):
-        if _fence(line):
+        if fence(line):
             fenced = not fenced
             if fenced and titled:
                 yield from (_Line(at, words, words, titled, of_python) for at, words in _of_block(lines, number - 1))
@@ -243,11 +204,6 @@ def _of_block(lines: list[str], number: int) -> tuple[tuple[int, str], ...]:
         return ()
     packages = [(at, words) for at, words in found if not _SYSTEM.fullmatch(words)]
     return tuple(packages) if any(_EXACT.match(words) for _, words in packages) else ()
-
-
-def _fence(line: str) -> bool:
-    """Tell whether a line begins or ends a code block."""
-    return line.lstrip()[:3] in {"```", "~~~"}
 
 
 def _plain(words: str) -> str:
