@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Collection, Iterator
 
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
-from roslab.decide.chores import prepared_before
+from roslab.decide.chores import made_before, prepared_before
 from roslab.decide.decision import Warning_
 from roslab.decide.demanded_arguments import filled_in
 from roslab.decide.filled_in import filled
@@ -34,7 +34,8 @@ def left_to_reader(page: Candidate, evidence: Evidence, there: Collection[str] =
     told = _told(said, page, evidence) if said else _required(page, evidence)
     absent = (warn(f"{_NAMES} {path}, {_NOWHERE}", page) for path in _settings(page))
     counted, outside = _counted(page, evidence), _outside(page, there)
-    return (*told, *counted, *outside, *absent, *_weights(page, evidence), *prepared_before(page, evidence))
+    before = (*prepared_before(page, evidence), *made_before(page, evidence))
+    return (*told, *counted, *outside, *absent, *_weights(page, evidence), *before)
 
 
 def _outside(page: Candidate, there: Collection[str]) -> Iterator[Warning_]:

@@ -33,3 +33,23 @@ def test_the_other_call_is_meant(tree: Tree, lines: tuple[str, ...], command: st
     assert found.command == ("python", *command.split())
     said = [each for each in found.warnings if "before the default command" in each.message]
     assert [(each.file, each.line) for each in said] == [("README.md", 4)] * told
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        (("tools/generate_paths.py", "train.py"), 4),
+        (("tools/preprocess.py --all", "train.py --fast"), 4),
+        (("other.py", "tools/generate_paths.py", "train.py"), 0),  # the first of them is the command
+        (("tools/create_env.py", "train.py"), 0),
+        (("tools/generate_paths.py",), 0),
+        (("train.py", "tools/generate_paths.py"), 0),
+    ],
+)
+def test_what_a_section_runs_to_make_something_first(tree: Tree, lines: tuple[str, ...], told: int) -> None:
+    page = "".join(f"python {line}\n" for line in lines)
+    programs = ("tools/generate_paths.py", "tools/preprocess.py", "tools/create_env.py", "other.py", "train.py")
+    files = dict.fromkeys(programs, f"import numpy\n{MAIN}")
+    found = tree({**files, "requirements.txt": "numpy\n", "README.md": f"# Lab\n## Train\n```\n{page}```\n"})
+    said = [each.line for each in found.warnings if "before the default command" in each.message]
+    assert said == [told] * bool(told)
