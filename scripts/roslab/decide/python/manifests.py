@@ -167,8 +167,8 @@ def projects(
 ) -> tuple[PythonProject, ...]:
     """Return the folders to install: the root, what a README or the given files install, else the nearest.
 
-    A README that installs its own folder says nothing of the folders beside it. Those that are ``compiled`` otherwise
-    are left out.
+    A README that installs its own folder says nothing of the folders beside it. Beside a program of C++ that is the
+    only project below the root, where the root is none. Those that are ``compiled`` otherwise are left out.
     """
     ros = kind in {"ros1", "ros2"}
     by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
@@ -194,7 +194,8 @@ def projects(
         if folder and folder not in manifests - by_cmake_alone:  # plain CMake leaves the Python part to pip
             chosen.setdefault(folder, usable[folder])
             alone = alone and asked.file.rpartition("/")[0] == folder
-    if alone and kind != "cpp":
+    here = kind == "cpp" and "" not in usable and _installs_here(evidence)
+    if alone and (here or kind != "cpp"):
         own = [
             folder
             for folder in usable
@@ -206,11 +207,18 @@ def projects(
         ]
         depth = min((folder.count("/") for folder in own), default=0)
         near = [folder for folder in own if folder.count("/") == depth and depth <= 1]
+        near = near if not here or len(near) == 1 else []
         chosen |= {folder: usable[folder] for folder in near[:MAX_PROJECTS]}
     chosen |= {folder: usable[folder] for folder in imported(usable.values())}
     chosen |= {} if ros else {project.folder: project for project in usable.values() if _unpacked(project)}
     siblings = [m for m in evidence.mentions if m.topic == "sibling" and m.value in usable.keys() - manifests]
     return tuple(_with_needed(list(chosen.values()), usable, manifests, siblings)[:MAX_NAMED])
+
+
+def _installs_here(evidence: Evidence) -> bool:
+    """Tell whether a page at the root has pip install the folder that the reader is in."""
+    asked = (each for each in _prose(evidence) if each.role == "project" and "/" not in each.file)
+    return any(each.written in {".", "./"} for each in asked)
 
 
 def _unpacked(project: PythonProject) -> bool:
