@@ -19,6 +19,7 @@ from roslab.decide.ros.without_manifest import CLIENTS, by_cmake, client_of, ins
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import run_by_page, wraps
+from roslab.decide.stopped_cmake import left_to_python, told_of_stop
 from roslab.decide.without_optional_ros import called_optional, told_of_optional_ros
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
@@ -95,7 +96,8 @@ def decide_kind(evidence: Evidence, config: Config, folder_name: str = "") -> Ch
         reasons.append(because("kind", "cpp" if code else "python", why, code, weight=Weight.DEFAULT))
     best = strongest(reasons)
     kind = cast("Kind", best.answer)
-    return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=_warnings(evidence, kind, best.weight))
+    told = (*_warnings(evidence, kind, best.weight), *told_of_stop(evidence, kind))
+    return Choice(answer=kind, reasons=ranked(reasons, kind), warnings=told)
 
 
 def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
@@ -281,7 +283,7 @@ def _cpp(evidence: Evidence) -> list[Reason]:
         ]
     most = (mostly_cpp(evidence) or with_helpers(evidence)) and not places.sample(top.file)
     below = Weight.CMAKE_BELOW if most else Weight.CMAKE_PART
-    weight = Weight.CMAKE if root else below
+    weight = Weight.CMAKE if root and not left_to_python(evidence) else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]
 
 

@@ -1,7 +1,7 @@
 """Packages that CMake cannot configure.
 
-They compile files of code which the tree does not have, or add a folder of their author's computer, or link a library
-in one.
+They compile files of code which the tree does not have, or add a folder that it does not have or that is one of their
+author's computer, or link a library in such a one.
 """
 
 from __future__ import annotations
@@ -60,6 +60,8 @@ def stopping(project: CMakeProject) -> tuple[str, int, str] | None:
         return f"CMake compiles {path}, which the tree does not have", line, "add the file, or correct the path"
     if project.parts:
         path, line = project.parts[0]
+        if not path.startswith("/"):
+            return f"CMake adds {path}, which the tree does not have", line, "add the folder, or correct the path"
         if LIBRARY.fullmatch(path):
             return f"CMake links {path}, a file of its author's computer", line, "add the library to the tree"
         return f"CMake adds {path}, a folder of its author's computer", line, "add the folder to the tree"

@@ -17,6 +17,7 @@ from roslab.evidence.native import (
     linker_flags,
     own_project,
 )
+from roslab.evidence.native.absent_folders import absent_folders
 from roslab.evidence.native.added import Added
 from roslab.evidence.native.authors_parts import authors_parts
 from roslab.evidence.native.bare_links import with_bare
@@ -228,7 +229,9 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
         settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
         lacks=_lacks(repository, file.folder, reading),
-        parts=authors_parts(text, repository) if above.always or file.folder not in added else (),
+        parts=(*authors_parts(text, repository), *absent_folders(text, file.path, repository))
+        if above.always or file.folder not in added
+        else (),
         without=code_not_there(reading.always, text, file.folder, repository)
         if above.always or file.folder not in added
         else (),

@@ -1,0 +1,44 @@
+"""A plain CMake project that cannot be configured: it is no reason for what is Python beside it."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from roslab.config.model import Kind
+from roslab.decide.beside_cpp import mostly_cpp
+from roslab.decide.decision import Warning_
+from roslab.decide.programs import top_of
+from roslab.decide.reasons import warn
+from roslab.decide.ros.without_code import stopping
+from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.facts import Evidence
+from roslab.values.origin import Place
+
+
+def left_to_python(evidence: Evidence) -> bool:
+    """Tell whether CMake stops while most of the code is Python, pip installs some of it and a page starts Python."""
+    if not any(project.installable for project in evidence.python) or mostly_cpp(evidence) or not _stopped(evidence):
+        return False
+    said = (m for m in evidence.mentions if m.topic == "command" and m.source == "readme")
+    return any(m.value.startswith("python") for m in said)
+
+
+def told_of_stop(evidence: Evidence, kind: Kind) -> Iterator[Warning_]:
+    """Yield a warning for the folder that a plain project adds and the tree does not have."""
+    stopped = _stopped(evidence) if kind not in {"ros1", "ros2"} else None
+    if stopped and (kind == "cpp" or left_to_python(evidence)):
+        project, (lacks, line, hint) = stopped
+        then = "cmake will stop" if kind == "cpp" else "nothing is compiled"
+        yield warn(f"{lacks}: {then}; {hint}", Place(file=project.file, line=line))
+
+
+def _stopped(evidence: Evidence) -> tuple[CMakeProject, tuple[str, int, str]] | None:
+    top = top_of(evidence)
+    folder = posixpath.dirname(top.file) if top else ""
+    for project in evidence.cmake if top else ():
+        ours = project is top or (project.always and project.top == folder)
+        absent = any(not path.startswith("/") for path, _ in project.parts)
+        if ours and absent and (found := stopping(project)):
+            return project, found
+    return None
