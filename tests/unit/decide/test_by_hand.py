@@ -345,8 +345,8 @@ unzip wire.zip && cd "wire-${WIRE}"
 mkdir build && cd build
 cmake .. && sudo make -j4 install
 cd ../..
-wget https://github.com/zeromq/cppzmq/archive/v4.4.1.zip
-unzip v4.4.1.zip && cd cppzmq-4.4.1
+wget https://github.com/open-source-parsers/jsoncpp/archive/1.9.4.zip
+unzip 1.9.4.zip && cd jsoncpp-1.9.4
 mkdir build && cd build
 cmake .. && sudo make install
 """
@@ -357,11 +357,11 @@ cmake .. && sudo make install
     [
         ("wire 1.4.2 REQUIRED", ["https://github.com/lab/libwire v1.4.2"]),
         (
-            "cppzmq 4.4.1 REQUIRED EXACT",
-            ["https://github.com/lab/libwire v1.4.2", "https://github.com/zeromq/cppzmq v4.4.1"],
+            "jsoncpp 1.9.4 REQUIRED EXACT",
+            ["https://github.com/lab/libwire v1.4.2", "https://github.com/open-source-parsers/jsoncpp 1.9.4"],
         ),
-        ("cppzmq 4.3 REQUIRED", []),
-        ("cppzmq REQUIRED", []),
+        ("jsoncpp 1.7 REQUIRED", []),
+        ("jsoncpp REQUIRED", []),
     ],
 )
 def test_the_release_that_cmake_asks_for_is_built_where_a_script_builds_it(
@@ -369,6 +369,18 @@ def test_the_release_that_cmake_asks_for_is_built_where_a_script_builds_it(
 ) -> None:
     files = {**ros1(f"find_package({asked})\n", ""), "scripts/install/bridge.sh": RELEASED}
     assert [f"{source.repo} {source.ref}" for source in tree(files).source] == built
+
+
+def test_the_header_of_zeromq_is_built_where_ubuntu_has_it_without_its_package_of_cmake(tree: Tree) -> None:
+    """https://github.com/zeromq/cppzmq/issues/620"""
+    wants = {"CMakeLists.txt": "project(demo)\nfind_package(cppzmq REQUIRED)\nadd_executable(demo a.cpp)\n"}
+    header = {"a.cpp": "#include <zmq.hpp>\n"}
+    older = tree({**wants, **header, "README.md": "Tested on Ubuntu 20.04\n"})
+    assert [(source.name, source.ref) for source in older.source] == [("cppzmq", "v4.7.1")]
+    assert {"libzmq3-dev", "pkg-config"} <= {*older.apt, *older.apt_guessed}
+    newer = tree({**wants, **header, "README.md": "Tested on Ubuntu 24.04\n"})
+    assert newer.source == ()
+    assert "cppzmq-dev" in newer.apt
 
 
 SOCKETS = {
