@@ -117,6 +117,8 @@ class GitSource:
 
     forked: bool = False
     """A link to what a page calls a fork, or a version of its author's own: what others released is not the same."""
+    release: str = ""
+    """The one release that a page names where it links to it; ``ref`` is its tag where the link leads to that."""
     doubt: str = ""
     """What a page says beside a link, where that is that the code is not public or may not work."""
 

@@ -129,6 +129,20 @@ def releases(name: str) -> tuple[str, ...]:
     return tuple((_table(name) or {}).get("releases", {}))
 
 
+def release_of(name: str, ref: str) -> str:
+    """Return the number of the release that a tag is of, the tag without a ``v`` where the table does not know it."""
+    refs: dict[str, str] = (_table(name) or {}).get("releases", {})
+    return next((release for release, tag in refs.items() if tag == ref), ref.removeprefix("v"))
+
+
+def tag_of(name: str, release: str) -> str | None:
+    """Return the tag of a release of a library, written as its usual tag is; ``None`` where that is no number."""
+    found = _table(name) or {}
+    match = _TAG.fullmatch(found.get("ref", ""))
+    tag: str | None = found.get("releases", {}).get(release, match and match["before"] + release)
+    return tag
+
+
 def has_release(name: str, oldest: str, end: str | None) -> bool:
     """Tell whether the table knows how to build a release of a library within these bounds."""
     known = (Version(release) for release in releases(name))

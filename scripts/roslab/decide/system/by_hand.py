@@ -16,6 +16,7 @@ from roslab.decide.system.bare_names import bare, offered_name, with_joined, wit
 from roslab.decide.system.by_everybody import BARE, built_by_everybody, headers_of, includes, includes_inside, named_in
 from roslab.decide.system.compiled_libraries import looked_for
 from roslab.decide.system.lies_beside import with_beside
+from roslab.decide.system.linked_releases import linked_releases, of_release
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.decide.system.switches import given, waits
@@ -41,16 +42,15 @@ SHORTEST = 3
 def as_written(
     sources: Iterable[tuple[Source, Dependency]], evidence: Evidence
 ) -> tuple[tuple[Source, Dependency], ...]:
-    """Give the libraries of the table the ref of a list, or the ref and the options with which a page builds them."""
-    by_url = {address(git.url): git for git in evidence.sources if git.kind == "vcs"}
-    by_url |= {address(git.url): git for git in built_by_hand(evidence)}
-    date = dated(evidence)
+    """Give the libraries of the table the ref of a list or a link, or ref and options with which a page builds them."""
+    listed = (git for git in evidence.sources if git.kind == "vcs")
+    by_url = {address(git.url): git for group in (listed, built_by_hand(evidence)) for git in group}
+    links, date = linked_releases(evidence), dated(evidence)
     day = date.value if date else ""
-    found: list[tuple[Source, Dependency]] = []
-    for source, asked in sources:
-        git = by_url.get(address(source.repo or ""))
-        found.append((with_beside(_like(source, git, day), git, evidence) if git else source, asked))
-    return tuple(found)
+    named = ((by_url.get(address(each.repo or "")) or of_release(each, links), each, asked) for each, asked in sources)
+    return tuple(
+        (with_beside(_like(source, git, day), git, evidence) if git else source, asked) for git, source, asked in named
+    )
 
 
 def built_by_hand(evidence: Evidence) -> Iterator[GitSource]:

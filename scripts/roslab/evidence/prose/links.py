@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence.dependency import GitSource
+from roslab.evidence.prose import release_links
 from roslab.evidence.prose.headings import lines_of
 from roslab.evidence.prose.needed_items import LISTS, needed_items
 from roslab.evidence.prose.said_of_links import doubt, forked
@@ -17,9 +18,10 @@ MAX_LINKS = 100
 MAX_DEPTH = 3
 """Of a page whose links count: that of a package may name the library that it alone needs."""
 _LINK = pattern(
-    r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/tree/([\w.-]*\w))?(?:/(?![\w.?#/-]))?(?!\.?[\w/-])"
+    r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/tree/([\w.-]*\w)|/releases/tag/([\w.-]*\w))?"
+    r"(?:/(?![\w.?#/-]))?(?!\.?[\w/-])"
 )
-"""A page of a repository itself or of its branch, not of a file in it."""
+"""A page of a repository itself, of its branch or of a release, not of a file in it."""
 _FOLDER = pattern(
     r"(https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w))(?:/-)?/tree/([\w.-]*\w)/(?:[\w.-]+/){0,3}[a-z]\w*/?(?![\w./-])"
 )
@@ -92,38 +94,67 @@ def read(text: str, file: File, cloned: Iterable[GitSource]) -> list[GitSource]:
     for git in cloned:
         refs.setdefault(git.url.rstrip("/").removesuffix(".git"), set()).add(git.ref)
     found: dict[str, GitSource] = {}
+    releases: dict[str, set[tuple[str, str | None]]] = {}
     thanked = _thanked(text)
     at_root = "" if "/" in file.path else text
     listed = _listed(at_root)
     installing = _below(at_root, _INSTALLING)
     beside = _below(at_root, _PACKAGES, nearest=True)
     for match in _LINK.finditer(text) if file.path.count("/") <= MAX_DEPTH else ():
-        url = match[0].partition("/tree/")[0].rstrip("/").removesuffix(".git")
-        name = match[1].removesuffix(".git").rstrip(".")
+        url = match[0].partition("/tree/")[0].partition("/releases/")[0].rstrip("/").removesuffix(".git")
         line = text.count("\n", 0, match.start()) + 1
-        if line in thanked:
+        if line in thanked or (match[3] and not release_links.meant(text, *match.span())):
             continue
         pinned = _pinned(text, match.end())
         if url not in found or (pinned and not found[url].ref):
-            said = refs.get(url, set())
-            branch = match[2] or _on_line(_NAMED_BRANCH, text, match.end())
-            branch = branch if branch not in _DEFAULT else None
-            ref = pinned or (next(iter(said)) if len(said) == 1 else branch)
-            found[url] = GitSource(
-                name=name, url=url, ref=ref, strength="prose", file=file.path, line=line, kind="link"
+            found[url] = _first(
+                match,
+                text,
+                GitSource(
+                    name=match[1].removesuffix(".git").rstrip("."),
+                    url=url,
+                    ref=pinned,
+                    strength="prose",
+                    file=file.path,
+                    line=line,
+                    kind="link",
+                ),
+                refs.get(url, set()),
             )
+        if release := (match[3] or "").removeprefix("v") or release_links.named(text, *match.span()):
+            releases.setdefault(url, set()).add((release, match[3]))
         if not found[url].holds and (line in listed or _holds(text, match.start())):
             found[url] = replace(found[url], holds=True)
         if _INSTALLS.search(text[max(0, match.start() - BEFORE) : match.start()]):
             found[url] = replace(found[url], told=True)
-        if line in installing:
-            found[url] = replace(found[url], to_install=True)
-        if line in beside:
-            found[url] = replace(found[url], of_packages=True)
+        found[url] = replace(
+            found[url],
+            to_install=found[url].to_install or line in installing,
+            of_packages=found[url].of_packages or line in beside,
+        )
         found[url] = _judged(found[url], _before(text, match.start()), text, match.end())
+    for url, said_of in releases.items():
+        found[url] = _of_release(found[url], said_of)
     for git in _folders(text, file, listed - thanked):
         found.setdefault(git.url, git)
     return list(found.values())[:MAX_LINKS]
+
+
+def _first(match: re.Match[str], text: str, git: GitSource, cloned: Collection[str | None]) -> GitSource:
+    """Return what a page links to, at its commit, else at the one ref at which it is ``cloned``, else as linked."""
+    if git.ref:
+        return git
+    branch = match[2] or _on_line(_NAMED_BRANCH, text, match.end())
+    branch = branch if branch not in _DEFAULT else None
+    return replace(git, ref=next(iter(cloned)) if len(cloned) == 1 else branch or match[3])
+
+
+def _of_release(git: GitSource, said: Collection[tuple[str, str | None]]) -> GitSource:
+    """Return a repository with the release that a page names for it, without the tag of one where it names several."""
+    tags = {tag for _, tag in said if tag}
+    if len({release for release, _ in said}) == 1:
+        return replace(git, release=next(iter(said))[0], ref=git.ref or next(iter(tags), None))
+    return replace(git, ref=None) if git.ref in tags else git
 
 
 def _folders(text: str, file: File, listed: Collection[int]) -> Iterator[GitSource]:

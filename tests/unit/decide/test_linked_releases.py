@@ -1,0 +1,53 @@
+"""The release of a library that a page names where it links to it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+GTSAM = "https://github.com/borglab/gtsam"
+CODE = {"CMakeLists.txt": "project(demo)\nfind_package(GTSAM REQUIRED)\nadd_executable(demo a.cpp)\n", "a.cpp": ""}
+
+
+@pytest.mark.parametrize(
+    ("page", "ref"),
+    [
+        (f"- Download [GTSAM version 4.2a8]({GTSAM}/releases/tag/4.2a8)\n", "4.2a8"),
+        (f"- [GTSAM]({GTSAM}) @ `4.2a9`\n", "4.2a9"),
+        (f"- [GTSAM]({GTSAM}) (version 4.3a0)\n", "4.3a0"),
+        (f"- [GTSAM]({GTSAM}): v4.2.1\n", "4.2.1"),
+        # An older one of which the table has a newer that compiles
+        (f"- [GTSAM]({GTSAM}/releases/tag/4.0.2)\n", "4.2"),
+        (f"- [GTSAM]({GTSAM}) 4.2a8\n", "4.2"),  # nothing says that this is its release
+        (f"- [GTSAM]({GTSAM}) version 4.2a8 or newer\n", "4.2"),
+        (f"- [GTSAM]({GTSAM}) version 4.2a8+\n", "4.2"),
+        (f"The fix is included in GTSAM [4.2a8]({GTSAM}/releases/tag/4.2a8)\n", "4.2"),
+        (f"- Newer GTSAM, [4.2a8+]({GTSAM}/releases/tag/4.2a8)\n", "4.2"),
+        (f"- [one]({GTSAM}/releases/tag/4.2a7), [two]({GTSAM}/releases/tag/4.2a8)\n", "4.2"),
+        (f"- [our version of GTSAM]({GTSAM}/releases/tag/4.2a8)\n", "4.2"),
+        (f"- [GTSAM]({GTSAM}/releases/tag/nightly)\n", "4.2"),
+    ],
+)
+def test_the_release_that_a_page_links_to_is_built(tree: Tree, page: str, ref: str) -> None:
+    decision = tree({**CODE, "README.md": f"Tested on Ubuntu 22.04\n# Installation\n{page}"})
+    assert [(source.name, source.ref) for source in decision.source] == [("gtsam", ref)]
+
+
+def test_the_page_that_builds_it_knows_better(tree: Tree) -> None:
+    built = f"```\ngit clone -b 4.1.1 {GTSAM}\nmkdir gtsam/build && cd gtsam/build\ncmake ..\nsudo make install\n```\n"
+    decision = tree({**CODE, "README.md": f"Ubuntu 22.04\n[GTSAM]({GTSAM}/releases/tag/4.2a8)\n{built}"})
+    assert [(source.name, source.ref) for source in decision.source] == [("gtsam", "4.1.1")]
+
+
+def test_a_library_that_no_table_has_is_built_at_the_tag_that_is_linked(tree: Tree) -> None:
+    code = {
+        "CMakeLists.txt": "project(demo)\nfind_package(acmelib REQUIRED)\nadd_executable(demo a.cpp)\n",
+        "a.cpp": "",
+    }
+    page = "Install [acmelib 1.2](https://github.com/lab/acmelib/releases/tag/v1.2) first.\n"
+    decision = tree({**code, "README.md": page})
+    assert [(source.name, source.ref) for source in decision.source] == [("acmelib", "v1.2")]
