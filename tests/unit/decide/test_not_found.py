@@ -87,6 +87,14 @@ def test_what_is_linked_and_included_and_nothing_brings_is_told(
     assert said == lines
 
 
+@pytest.mark.parametrize(("folder", "told"), [("third/Acme-SDK", False), ("third/other", True)])
+def test_a_submodule_may_write_its_name_with_a_dash(tree: Tree, folder: str, *, told: bool) -> None:
+    module = f'[submodule "{folder}"]\npath = {folder}\nurl = https://github.com/lab/{folder.rpartition("/")[2]}.git\n'
+    files = {"a.cpp": "#include <AcmeSDK/acme.h>\nint main() {}\n", ".gitmodules": module}
+    decision = tree(project("target_link_libraries(a AcmeSDK)\n", **files))
+    assert any("CMake links AcmeSDK" in w.message for w in decision.warnings) == told
+
+
 ADDRESS = "https://github.com/lab/acme"
 
 

@@ -228,6 +228,32 @@ def test_the_image_calls_it_between_the_clone_and_cmake(tmp_path: Path, asked: s
         assert f"roslab: {which} compiled: the build stops" in after
 
 
+MODULES = """\
+[submodule "third/acme"]
+path = third/acme
+url = https://github.com/lab/acme.git
+"""
+
+
+@pytest.mark.parametrize(
+    ("made", "reads"),
+    [("project(demo)\nadd_subdirectory(third/acme)\nadd_executable(a a.cpp)\n", True), (None, False)],
+)
+def test_the_image_calls_it_for_submodules_that_it_clones_where_cmake_compiles_the_tree(
+    tmp_path: Path, made: str | None, reads: bool
+) -> None:
+    files = {".gitmodules": MODULES, "a.py": "import numpy\n", "README.md": "Run `python a.py`\n"}
+    for name, text in (files | ({"CMakeLists.txt": made, "a.cpp": "int main() {}\n"} if made else {})).items():
+        (tmp_path / name).write_text(text)
+    (tmp_path / "third/acme").mkdir(parents=True)
+    text = dockerfile(plan_repository(tmp_path).plan)
+    folder = f"/home/${{NB_USER}}/{tmp_path.name}/third/acme"
+    assert (f"install-required third-acme {folder}\n" in text) == reads
+    if reads:
+        assert text.index("git clone https://github.com/lab/acme.git") < text.index("install-required third-acme")
+        assert text.index("install-required third-acme") < text.index("# The program")
+
+
 def test_the_folder_of_a_project_below_its_root_is_to_be_written_too() -> None:
     told = next(line for line in library_names("noble").splitlines() if line.startswith("argos = "))
     assert '"cmake_options": "-DARGOS_DOCUMENTATION=OFF", "cmake_folder": "../src"' in told

@@ -62,6 +62,7 @@ def not_found(
         there = names if looked else compiled
         alike = len(word) >= SHORTEST and not asked.name.lower().endswith(_BY_HAND) and similar(word, there)
         alike = alike or any(plain(each.rpartition("/")[2]) in built for each in asked.below)
+        alike = alike or similar(_joined(own), map(_joined, there))
         if not (alike or similar(own, there) or resolve(asked, target).known):
             told.add(asked.name)
             why = "which find_library looks for and" if looked else f"of which the code includes {shown}, and which"
@@ -87,6 +88,11 @@ def shown_by(asked: Dependency, headers: Mapping[str, tuple[int, str]]) -> str:
         return ""
     names = (asked.name.lower(), f"lib{asked.name.lower()}")
     return min((headers[name] for name in names if name in headers), default=(0, ""))[1]
+
+
+def _joined(name: str) -> str:
+    """Return a name without what separates its words: ``KimeraRPGO`` lies in ``Kimera-RPGO``."""
+    return re.sub(r"[-_.]", "", name)
 
 
 def _tool(build_tool: BuildTool) -> str:

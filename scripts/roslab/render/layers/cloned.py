@@ -7,7 +7,7 @@ import posixpath
 from roslab.config.model import Source
 from roslab.plan.plan import Plan
 from roslab.render import quote
-from roslab.render.layers import locks, secrets, shell
+from roslab.render.layers import locks, required, secrets, shell
 from roslab.render.layers.called import PACKAGES, with_called
 from roslab.render.layers.system import BRANCH, CONFIGURE, LENIENT, fetch, prepared
 from roslab.render.layers.workspace import HOLDING, WS, completes, source_folder, words
@@ -157,7 +157,8 @@ def submodules(plan: Plan) -> str:
     """Clone what lies in the tree and is not checked out into the folder that the source is copied to afterwards.
 
     What is private or gone is told and left out, as where the workflows fetch submodules; of a commit that is gone,
-    what is there instead is told. A repository that is only tried is left out with its commit.
+    what is there instead is told. A repository that is only tried is left out with its commit. What their own
+    CMakeLists.txt requires is installed where CMake compiles the tree.
     """
     if not plan.workspace.submodules:
         return ""
@@ -169,7 +170,8 @@ def submodules(plan: Plan) -> str:
         commands = (f"mkdir --parents {folder}", _or_left_out(fetched, source, folder))
         runs.append(shell.run(*commands, secrets=secrets.for_git(plan, "user")))
     head = "# What belongs in the tree and is not checked out: submodules at the commits that the repository records"
-    return "\n".join([head, "USER ${NB_USER}", *runs, "USER root"])
+    needed = required.in_tree(plan, source_folder(plan))
+    return "\n".join([head, "USER ${NB_USER}", *runs, "USER root", *([needed] if needed else [])])
 
 
 def _at_commit(source: Source, folder: str) -> list[str]:

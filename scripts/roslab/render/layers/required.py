@@ -1,6 +1,6 @@
-"""What libraries require of which nothing could be read when the image was planned: their own CMakeLists.txt tells it.
+"""What libraries and submodules require that could not be read when the image was planned: their CMake tells it.
 
-It is installed where a library is built, and in the image, for what is linked with the library needs the same.
+Of a library it is installed where that is built, and in the image, for what is linked with it needs the same.
 """
 
 from __future__ import annotations
@@ -23,10 +23,29 @@ def of_library(plan: Plan, library: Source, folder: str) -> str:
     below = posixpath.normpath(posixpath.join(folder, "build", library.cmake_folder or ".."))
     options = [word for word in shlex.split(library.cmake_options) if word.startswith("-D")]
     arguments = "".join(f" {quote.shell(word)}" for word in (library.name, below, *options))
+    return f"{_tools(plan)}{shell.run(f'{INSTALL}{arguments}', secrets=secrets.for_apt(plan))}"
+
+
+def in_tree(plan: Plan, folder: str) -> str:
+    """Return the instructions that install what submodules require that the image clones into the source's ``folder``.
+
+    ``""`` where CMake does not compile the tree itself; what of it is no project of CMake's requires nothing.
+    """
+    if plan.workspace.program is None or plan.compatible:
+        return ""
+    named = (source.name for source in plan.workspace.submodules if not source.unasked)
+    calls = [
+        f"{INSTALL} {quote.shell(name.replace('/', '-'))} {quote.shell_with_user(f'{folder}/{name}')}" for name in named
+    ]
+    around = locks.apt(plan, "libraries", "rosdep", "custom")
+    return f"{_tools(plan)}{shell.run(*calls, secrets=secrets.for_apt(plan), around=around)}" if calls else ""
+
+
+def _tools(plan: Plan) -> str:
+    """Return the instructions that bring the scripts that read a CMakeLists.txt, and what they know of its names."""
     ubuntu = plan.ubuntu or "other"
     tables = shell.copy_data((f"cmake-{ubuntu}.txt", f"libraries-{ubuntu}.txt"))
-    scripts = f"{tables}{shell.copy_script('required-by-cmake')}{_SCRIPTS}"
-    return f"{scripts}{shell.run(f'{INSTALL}{arguments}', secrets=secrets.for_apt(plan))}"
+    return f"{tables}{shell.copy_script('required-by-cmake')}{_SCRIPTS}"
 
 
 def in_image(plan: Plan) -> str:
