@@ -1,4 +1,4 @@
-"""The release of a library that a page names where it links to it."""
+"""The release of a library that a page names where it links to it, and what the image has beside a library."""
 
 from __future__ import annotations
 
@@ -51,3 +51,11 @@ def test_a_library_that_no_table_has_is_built_at_the_tag_that_is_linked(tree: Tr
     page = "Install [acmelib 1.2](https://github.com/lab/acmelib/releases/tag/v1.2) first.\n"
     decision = tree({**code, "README.md": page})
     assert [(source.name, source.ref) for source in decision.source] == [("acmelib", "v1.2")]
+
+
+@pytest.mark.parametrize(("asked", "eigen"), [("GTSAM", True), ("sophus", True), ("osqp", False)])
+def test_the_image_has_eigen_where_the_headers_of_a_library_include_it(tree: Tree, asked: str, *, eigen: bool) -> None:
+    made = f"project(demo)\nfind_package({asked} REQUIRED)\nadd_executable(demo a.cpp)\n"
+    decision = tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n"})
+    assert [source.name for source in decision.source] == [asked.lower()]
+    assert ("libeigen3-dev" in {*decision.apt, *decision.apt_guessed}) == eigen

@@ -19,6 +19,9 @@ from roslab.knowledge.recipes import beside
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name
 
+EIGEN = ("eigen3", "libeigen3-dev")
+"""Eigen's row of the table, and its package: headers alone, and in those of what is compiled with it."""
+
 
 def with_libraries(
     choice: Choice[SystemPackages],
@@ -38,7 +41,8 @@ def with_libraries(
     tabled = frozenset(source.name for source, _ in libraries if source.tabled)
     doubles = frozenset[str]() if config.compatible else _doubles(tabled, evidence, config, target)
     kept = {name for name in choice.answer.apt_guessed if twin is None or not twin.fullmatch(name)}
-    kept |= {name for library in built for name in beside(library) if name not in choice.answer.apt}
+    needed = {*(name for library in built for name in beside(library)), *_of_headers(libraries)}
+    kept |= needed.difference(choice.answer.apt)
     components = {each.name for made in evidence.cmake for each in made.dependencies if each.namespace == "ros"}
     skip = [name for name in choice.answer.rosdep if key and key.fullmatch(name) and name not in components]
     answer = replace(
@@ -54,6 +58,16 @@ def with_libraries(
     told = compiled_without((source for source, _ in libraries), evidence, sources)
     of_page = told_of_page(tuple(too_old_for_page(evidence, target)), {*map(str.lower, built), *sources}, target)
     return replace(choice, answer=answer, warnings=(*choice.warnings, *filter(None, (told,)), *of_page))
+
+
+def _of_headers(libraries: Sequence[tuple[Source, Dependency]]) -> frozenset[str]:
+    """Return Eigen's package where a library of the table is compiled with it, for the headers of that include its own.
+
+    Not where Eigen itself is built: code that includes such a library's headers alone looks for it nowhere.
+    """
+    tabled = [source for source, _ in libraries if source.tabled]
+    other = any(source.name == EIGEN[0] for source in tabled)
+    return frozenset(EIGEN[1:] if not other and any(EIGEN[1] in source.depends for source in tabled) else ())
 
 
 def _doubles(built: Collection[str], evidence: Evidence, config: Config, target: Target) -> frozenset[str]:
