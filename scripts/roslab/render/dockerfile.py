@@ -65,6 +65,7 @@ END: tuple[Block, ...] = (
     workspace.set_up_inside,
     program.compile_program,
     program.install_program,
+    program.where_pages_have_it,
     own_scripts.after_program,
     git_folder.made,
     final.custom,  # 7.
@@ -75,6 +76,7 @@ AFTER: tuple[Block, ...] = (
     workspace.folders_of_data,
     workspace.set_up_inside,
     program.install_program,
+    program.where_pages_have_it,
     git_folder.made,
 )
 """What needs what was compiled, where that comes from a stage of its own."""

@@ -107,7 +107,9 @@ RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib
 # Read in code or prose, declared nowhere: none of them stops the build
 COPY --from=scripts /install-optional-apt /usr/local/bin/
 RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
-    install-optional-apt libglew-dev
+    install-optional-apt \
+      libeigen3-dev \
+      libglew-dev
 
 # Libraries built from their source
 COPY --from=library-1-pangolin /installed/ /
@@ -133,6 +135,9 @@ USER ${NB_USER}
 WORKDIR /home/${NB_USER}/source_library
 COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/source_library-build/ /home/${NB_USER}/source_library-build/
 COPY --chown=${NB_UID}:${NB_UID} . .
+
+# The build folder, where a README has it
+RUN [ -e /home/${NB_USER}/source_library/build ] || ln --symbolic --relative /home/${NB_USER}/source_library-build /home/${NB_USER}/source_library/build
 
 ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 ENV PATH="/home/${NB_USER}/source_library-build:${PATH}"

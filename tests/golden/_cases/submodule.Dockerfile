@@ -27,6 +27,22 @@ COPY --chmod=755 <<'EOF' /checkout-commit
 @@ _constant/checkout-commit @@
 EOF
 
+COPY <<'EOF' /cmake-focal.txt
+@@ _constant/cmake-focal.txt @@
+EOF
+
+COPY <<'EOF' /libraries-focal.txt
+@@ _constant/libraries-focal.txt @@
+EOF
+
+COPY --chmod=755 <<'EOF' /required-by-cmake
+@@ _constant/required-by-cmake @@
+EOF
+
+COPY --chmod=755 <<'EOF' /install-required
+@@ _constant/install-required @@
+EOF
+
 COPY --chmod=755 <<'EOF' /compile-jobs
 @@ _constant/compile-jobs @@
 EOF
@@ -76,6 +92,11 @@ RUN mkdir --parents /home/${NB_USER}/submodule/third_party/nanoflann \
    && { git -C /home/${NB_USER}/submodule/third_party/nanoflann submodule update --init --recursive || echo 'roslab: left out: submodules of third_party/nanoflann cannot be cloned'; }; } \
  || echo 'roslab: left out: third_party/nanoflann cannot be cloned'
 USER root
+COPY --from=scripts /cmake-focal.txt /libraries-focal.txt /usr/local/share/roslab/
+COPY --from=scripts /required-by-cmake /usr/local/bin/
+COPY --from=scripts /install-required /usr/local/bin/
+RUN --mount=type=cache,id=apt-lists-submodule-${TARGETARCH},target=/var/lib/apt/lists,sharing=locked \
+    install-required third_party-nanoflann /home/${NB_USER}/submodule/third_party/nanoflann
 
 # The source
 USER ${NB_USER}
@@ -89,6 +110,9 @@ RUN mkdir --parents /home/${NB_USER}/submodule-build \
  && cmake -DCMAKE_BUILD_TYPE=Release /home/${NB_USER}/submodule \
  && make --jobs="$(compile-jobs)" \
  && find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
+
+# The build folder, where a README has it
+RUN [ -e /home/${NB_USER}/submodule/build ] || ln --symbolic --relative /home/${NB_USER}/submodule-build /home/${NB_USER}/submodule/build
 
 ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 ENV PATH="/home/${NB_USER}/submodule-build:${PATH}"

@@ -315,6 +315,11 @@ def test_programs_that_are_written_into_the_source_are_compiled_where_it_stays(p
     text = dockerfile(made)
     assert "cmake -D" in text
     assert ("AS compiled" in text) == apart
+    link = "/home/${NB_USER}/paper/build"
+    linked = f"RUN [ -e {link} ] || ln --symbolic --relative /home/${{NB_USER}}/paper-build {link}\n"
+    assert linked in text
+    assert text.index("cmake -D") < text.index(linked), "CMake lists no file twice"
+    assert text.index("COPY --chown=${NB_UID}:${NB_UID} . .") < text.index(linked)
 
 
 @pytest.mark.parametrize(

@@ -50,3 +50,17 @@ def install_program(plan: Plan) -> str:
         return ""
     installed = shell.run(f"{INSTALL} {quote.shell_with_user(f'{workspace.HOME}/{program.build}')}")
     return f"USER root\n{shell.copy_script(INSTALL)}{installed}\nUSER ${{NB_USER}}"
+
+
+def where_pages_have_it(plan: Plan) -> str:
+    """Link the build folder as ``build`` in the source, where a README has it: commands and scripts start from there.
+
+    After the compilation, which may list the source's files, and not where the repository has such a folder itself.
+    """
+    program = plan.workspace.program
+    if program is None or plan.compatible:
+        return ""
+    link = quote.shell_with_user(f"{workspace.source_folder(plan)}/{program.folder}".rstrip("/") + "/build")
+    build = quote.shell_with_user(f"{workspace.HOME}/{program.build}")
+    run = shell.run(f"[ -e {link} ] || ln --symbolic --relative {build} {link}")
+    return f"# The build folder, where a README has it\n{run}"
