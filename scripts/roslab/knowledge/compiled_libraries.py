@@ -11,3 +11,9 @@ from roslab.knowledge.table import rows
 def compiled_libraries() -> dict[str, tuple[str, ...]]:
     """Return the apt packages for each by its name in lower case, as its repository or its folder is called."""
     return {row["library"]: tuple(row["apt"].split()) for row in rows("compiled_libraries")}
+
+
+@cache
+def required_by() -> dict[str, tuple[str, ...]]:
+    """Return the names that the CMake of each gives ``find_package`` and stops without."""
+    return {row["library"]: tuple(row["requires"].split()) for row in rows("compiled_libraries") if row["requires"]}

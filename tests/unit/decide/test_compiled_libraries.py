@@ -71,3 +71,21 @@ def test_a_library_of_the_recipes_keeps_its_own_list(tree: Tree) -> None:
     page = BY_HAND.replace("libsdl-org/SDL", "stevenlovegrove/Pangolin").replace("cd SDL", "cd Pangolin")
     files = {"CMakeLists.txt": SDL3.replace("SDL3", "Pangolin"), "main.cpp": "int main() {}\n", "README.md": page}
     assert "libxkbcommon-dev" not in {*tree(files).apt_guessed}
+
+
+HYPER = "FetchContent_Declare(v GIT_REPOSITORY https://github.com/VIS4ROB-lab/HyperVariables.git GIT_TAG e46e67af)\n"
+
+
+@pytest.mark.parametrize(("ubuntu", "built"), [("20.04", ["glog"]), ("22.04", [])])
+def test_what_the_cmake_of_a_fetched_library_stops_without_is_there(tree: Tree, ubuntu: str, built: list[str]) -> None:
+    made = (
+        f"project(demo)\ninclude(FetchContent)\n{HYPER}FetchContent_MakeAvailable(v)\nadd_executable(demo main.cpp)\n"
+    )
+    files = {"CMakeLists.txt": made, "main.cpp": "int main() {}\n", "README.md": f"Tested on Ubuntu {ubuntu}\n"}
+    decision = tree(files)
+    assert [source.name for source in decision.source] == built
+    assert {"libeigen3-dev", "libgtest-dev"} <= {*decision.apt}
+    assert ("libgoogle-glog-dev" in decision.apt) == (not built)
+    other = tree({**files, "CMakeLists.txt": made.replace("HyperVariables", "other")})
+    assert not other.source
+    assert "libgtest-dev" not in other.apt

@@ -73,7 +73,7 @@ def _all(
     for dependency in _made(evidence) if kind in {"cpp", "cuda"} else ():
         yield dependency, dependency.strength == "declared"
     for dependency in needs_of_libraries(evidence) if kind != "python" else ():
-        yield dependency, False
+        yield dependency, dependency.required
     for dependency in (*_programs(evidence, packages, kind), *started(evidence, kind)):
         yield dependency, False
     for dependency in without_pythons(_installed(evidence, ros_distro), kind):
