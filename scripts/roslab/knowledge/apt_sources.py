@@ -24,6 +24,8 @@ class AddedSource:
     key: str
     base: re.Pattern[str]
     """The names of images that have the source; the empty pattern for none."""
+    folder: str
+    """Where its packages have their ``bin``, ``lib`` and ``include``, ``""`` where that is Ubuntu's own place."""
 
 
 @cache
@@ -45,3 +47,15 @@ def added_sources() -> tuple[AddedSource, ...]:
         record(AddedSource, row, packages=pattern(row["packages"]), base=pattern(row["base"]))
         for row in rows("added_sources")
     )
+
+
+def folder_of_source(line: str) -> str:
+    """Return the folder in which the packages of a line of apt's sources lie, ``""`` for Ubuntu's own."""
+    known = (each for each in added_sources() if each.folder and f" {each.url} " in f" {line} ")
+    return next((each.folder for each in known), "")
+
+
+def folder_of_package(name: str) -> str:
+    """Return the folder in which a package of an added source lies, ``""`` for Ubuntu's own."""
+    known = (each for each in added_sources() if each.folder and each.packages.fullmatch(name))
+    return next((each.folder for each in known), "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslab.config.model import Config, Kind, Source
@@ -31,6 +32,7 @@ from roslab.decide.system.without_cuda import without_cuda
 from roslab.decide.system.wrapped import wrapped
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.apt_sources import folder_of_package
 from roslab.knowledge.libraries import packaged
 from roslab.values.dataclass import replace
 
@@ -88,8 +90,13 @@ def decide_libraries(
 
 
 def with_packages(library: Source, evidence: Evidence, system: SystemPackages) -> Source:
-    """Return a library with the packages of it that a page installs from a source of apt which it adds before."""
-    names = [name for name in installed_beside(library.name, evidence) if name in system.installed]
+    """Return a library with the packages of it that a page installs from a source of apt which it adds before.
+
+    Or from one that is added for them, whose packages are called after it (``robotpkg-py38-pinocchio``).
+    """
+    beside = installed_beside(library.name, evidence)
+    named = re.compile(rf"[a-z]+-(?:py\d+-)?{re.escape(library.name)}")
+    names = [name for name in system.installed if name in beside or (named.fullmatch(name) and folder_of_package(name))]
     return replace(library, instead=tuple(names))
 
 

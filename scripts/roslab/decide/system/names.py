@@ -6,7 +6,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.native.cmake_needs import COMPONENT
 from roslab.evidence.native.searched import SEARCHED
 from roslab.knowledge.code_limits import satisfies
-from roslab.knowledge.distros import distro, ever
+from roslab.knowledge.distros import distro, ever, python_of_ubuntu
 from roslab.knowledge.libraries import Library, header, library
 from roslab.knowledge.released import released
 from roslab.knowledge.table import rows
@@ -16,6 +16,8 @@ from roslab.values.pattern import pattern
 MOST_OF_A_PATTERN = 30
 """Most packages that are taken for one pattern of names: more hold drivers and tools that nobody meant."""
 APT_NAME = pattern(r"^[a-z0-9][a-z0-9.+-]+$")
+ANY_PYTHON = "-py3*-"
+"""In a name of apt, for the Python of whichever Ubuntu: ``robotpkg-py3*-pinocchio``."""
 _PLACEHOLDER = pattern(r"^ros-(\{distro\}|[a-z]+)-(.+)$")
 
 
@@ -150,6 +152,9 @@ def _apt(name: str, target: Target) -> tuple[str, ...]:
         if _of_the_other_ros(match[1], target) and not target.knows(match[2].replace("-", "_")):
             return ()
         name = f"ros-{target.ros_distro}-{match[2]}"
+    if ANY_PYTHON in name:
+        python = python_of_ubuntu().get(target.ubuntu or "", "*")
+        name = name.replace(ANY_PYTHON, f"-py{python.replace('.', '')}-")
     return (name,) if APT_NAME.match(name) else ()
 
 

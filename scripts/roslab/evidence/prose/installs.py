@@ -28,7 +28,7 @@ MentionSource = Literal["dockerfile", "ci", "readme", "script"]
 _APT = frozenset({"apt", "apt-get", "aptitude", "apt-fast", "nala"})
 _APT_VALUED = frozenset({"-t", "-o", "--target-release", "-c", "--option", "--default-release"})
 _APT_NAME = pattern(  # a name has a letter; at the end of one a hyphen has apt remove the package
-    r"^(?![\d.+-]+$)(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]*[a-z0-9+.]|ros-(?:\{distro\}|[a-z]+)-[a-z0-9][a-z0-9-]{2,}\*)$"
+    r"^(?![\d.+-]+$)(?:ros-\{distro\}-[a-z0-9][a-z0-9+.-]*|[a-z0-9][a-z0-9+.-]*[a-z0-9+.]|ros-(?:\{distro\}|[a-z]+)-[a-z0-9][a-z0-9-]{2,}\*|[a-z][a-z0-9+.-]*-py3\*-[a-z0-9+.-]*[a-z0-9+.])$"
 )
 _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from roslab.knowledge.apt_sources import folder_of_source
+from roslab.knowledge.distros import python_of_ubuntu
 from roslab.plan.package_sources import PackageSources, RosSource
 from roslab.plan.plan import Plan
 from roslab.render import quote
@@ -93,4 +97,29 @@ def repositories(plan: Plan) -> str:
     names = shell.words(plan.repositories)
     comment = "Package sources of roslab.yaml, or of the page that installs from them"
     given, around = secrets.for_apt(plan), locks.apt(plan, "repositories")
-    return shell.call("add-package-sources", names, comment=comment, secrets=given, around=around)
+    called = shell.call("add-package-sources", names, comment=comment, secrets=given, around=around)
+    return "\n".join((called, *_where_packages_lie(plan)))
+
+
+def python_folders(plan: Plan) -> tuple[str, ...]:
+    """Return the folders of Python modules that packages of added sources have, where these do not lie in Ubuntu's."""
+    python = python_of_ubuntu().get(plan.ubuntu or "")
+    return tuple(f"{each}/lib/python{python}/site-packages" for each in _folders(plan) if python)
+
+
+def _where_packages_lie(plan: Plan) -> Iterator[str]:
+    """Yield the variables by which programs, CMake, pkg-config, the linker and Python find what lies elsewhere."""
+    for folder in _folders(plan):
+        values = {
+            "PATH": f"{folder}/sbin:{folder}/bin:${{PATH}}",
+            "CMAKE_PREFIX_PATH": f"{folder}${{CMAKE_PREFIX_PATH:+:${{CMAKE_PREFIX_PATH}}}}",
+            "PKG_CONFIG_PATH": f"{folder}/lib/pkgconfig${{PKG_CONFIG_PATH:+:${{PKG_CONFIG_PATH}}}}",
+            "LD_LIBRARY_PATH": f"{folder}/lib${{LD_LIBRARY_PATH:+:${{LD_LIBRARY_PATH}}}}",
+        }
+        if python := ":".join(python_folders(plan)):
+            values["PYTHONPATH"] = python
+        yield "ENV " + " \\\n    ".join(f"{name}={value}" for name, value in values.items())
+
+
+def _folders(plan: Plan) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(filter(None, map(folder_of_source, plan.repositories))))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import locks, secrets, shell
+from roslab.render.layers.base import python_folders
 from roslab.render.layers.owners import own_home
 from roslab.render.layers.workspace import HOME, setups, source_folder
 
@@ -72,7 +73,8 @@ def _variables(plan: Plan) -> str:
     if path != "${PATH}":
         pairs.append(("PATH", f'"{path}"', False))
     if plan.workspace.python_path:
-        own = (f"{source_folder(plan)}/{folder}".removesuffix("/.") for folder in plan.workspace.python_path)
+        own = [f"{source_folder(plan)}/{folder}".removesuffix("/.") for folder in plan.workspace.python_path]
+        own += python_folders(plan)
         pairs.append(("PYTHONPATH", f'"{quote.docker_path(":".join(own))}"', False))
     pairs += [(name, value, True) for name, value in plan.env]
     body = " \\\n    ".join(f"{name}={quote.docker(value) if literal else value}" for name, value, literal in pairs)
