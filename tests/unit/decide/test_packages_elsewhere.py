@@ -69,3 +69,22 @@ def test_no_other_source_sets_a_variable(tree: Tree, tmp_path: Path) -> None:
     assert "CMAKE_PREFIX_PATH" not in dockerfile(plan_repository(tmp_path).plan).partition("FROM ubuntu")[2]
     decision = tree({**CODE, "README.md": "```\nsudo apt install acme-py3*-tool\n```\n"})
     assert not [name for name in decision.apt_guessed if "*" in name]
+
+
+def test_what_only_that_source_may_have_is_asked_of_it(tree: Tree) -> None:
+    cmake = CODE["CMakeLists.txt"].replace("find_package", "find_package(eigenpy REQUIRED)\nfind_package", 1)
+    decision = tree({**CODE, "CMakeLists.txt": cmake, "README.md": PAGE.format("20.04")})
+    assert {"robotpkg-py38-eigenpy", "robotpkg-eigenpy"} <= {*decision.apt_guessed}
+    assert "robotpkg-pinocchio" not in decision.apt_guessed, "the page installs it for Python"
+    assert not [warning for warning in decision.warnings if "eigenpy" in warning.message]
+    without = tree({**CODE, "CMakeLists.txt": cmake, "README.md": "Tested on Ubuntu 20.04\n"})
+    assert not [name for name in without.apt_guessed if "robotpkg" in name]
+    assert [warning for warning in without.warnings if "eigenpy" in warning.message]
+
+
+def test_a_library_that_the_page_links_to_is_compiled_only_where_that_source_has_it_not(tree: Tree) -> None:
+    cmake = CODE["CMakeLists.txt"].replace("pinocchio", "acme-legs")
+    link = "Needs [acme-legs](https://github.com/lab/acme-legs)\n"
+    page = PAGE.format("20.04").replace("py3*-pinocchio", "py3*-acme-legs")
+    decision = tree({**CODE, "CMakeLists.txt": cmake, "README.md": link + page})
+    assert [(each.name, each.instead) for each in decision.source] == [("acme-legs", ("robotpkg-py38-acme-legs",))]

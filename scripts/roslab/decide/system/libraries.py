@@ -83,6 +83,7 @@ def decide_libraries(
     needing = (
         (replace(each, depends=tuple(dict.fromkeys((*depends, *each.depends)))), asked) for each, asked in linked
     )
+    needing = ((each if config.compatible else with_packages(each, evidence, system), asked) for each, asked in needing)
     built = with_offered((*tabled, *torch, *needing), built_by_hand(evidence), evidence, system.installed)
     if not (cuda or TOOLKIT in system.apt):
         return without_cuda(built)

@@ -24,6 +24,7 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.asked_how import how_asked
 from roslab.decide.system.by_pip import imported_from_pip, only_imported
 from roslab.decide.system.carried import brought, held
+from roslab.decide.system.companions import with_companions
 from roslab.decide.system.compiled_with import compiled_with
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import ON_CUDA, compiler_of_cuda, needs, of_another_python
@@ -162,7 +163,7 @@ def decide_system(
     dropped = _drop(found, kept, target, [key.name for key in keys if key.name not in found.skip], variant)
     wanted = [name for name in requested(config, target.ubuntu) if name not in found.declared]
     said = (configured(config, "dependencies", name, f"apt.{index}") for index, name in enumerate(config.apt))
-    return Choice(
+    chosen = Choice(
         answer=SystemPackages(
             rosdep=tuple(key.name for key in keys if key.name not in found.skip),
             skip_keys=tuple(found.skip),
@@ -174,6 +175,7 @@ def decide_system(
         reasons=(*said, *_explained(found.declared, kept, keys)),
         warnings=tuple(together(found.warnings)),
     )
+    return with_companions(chosen, evidence, packages, target)
 
 
 def _drop(

@@ -24,7 +24,9 @@ def run(plan: Plan, library: Source, commands: list[str], others: secrets.Secret
 
 def _unless_packaged(library: Source, commands: list[str]) -> tuple[str, str]:
     names = shell.words(library.instead)
-    said = quote.shell(f"roslab: {library.name} is not compiled: apt has{names} of a source that the page adds")
+    said = quote.shell(
+        f"roslab: {library.name} is not compiled: apt has {' '.join(library.instead)} of a source that the page adds"
+    )
     built = " \\\n && ".join(commands)
     asked = f"apt-get install --simulate --yes --no-install-recommends{names} >/dev/null"
     return "apt-get update", f"if {asked}; then echo {said}; else {built}; fi"
