@@ -74,6 +74,10 @@ def test_other_names(tmp_path: Path, path: str) -> None:
         ("deploy/Dockerfile", "FROM nvcr.io/nvidia/l4t-base:r32\n", "deploy"),
         ("Dockerfile", "FROM ubuntu\nRNU x\n", "broken"),
         ("Dockerfile", "RUN x\n", "broken"),
+        ("Dockerfile", "FROM ubuntu\nCOPY start\nRUN mv /start /usr/bin\n", "broken"),
+        ("Dockerfile", "FROM ubuntu\nADD --chmod=755 start\n", "broken"),
+        ("Dockerfile", 'FROM ubuntu\nCOPY ["a b","/b"]\n', "project"),
+        ("Dockerfile", "FROM ubuntu\nCOPY <<EOF /a\nb\nEOF\n", "project"),
         ("Dockerfile", "# nothing\n", "broken"),
     ],
 )

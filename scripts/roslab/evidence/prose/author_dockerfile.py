@@ -171,6 +171,8 @@ class _Reading:
         self.start.kept = None if copied else kept(body, self.start, self.starts)
         self.copied += [(source, line) for source in copied]
         words = [word for word in body.split() if not word.startswith("--")]
+        if len(words) < 2 and not body.lstrip().startswith("["):
+            self.problem = self.problem or f"line {line} names nothing to copy, or no place to copy it to"
         if copied in ([""], ["."]) and len(words) == 2:
             self.start.source = posixpath.normpath(posixpath.join(self.start.workdir, expand(words[1], self.known)))
 
