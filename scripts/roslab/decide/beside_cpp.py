@@ -11,6 +11,9 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import framework_on_cuda
 from roslab.knowledge.guesses import tooling
 
+MEX = "mex.h"
+"""The header of C++ that MATLAB compiles and loads: https://www.mathworks.com/help/matlab/ref/mex.html, 2026-11-28"""
+
 
 def to_compile(evidence: Evidence, environment: CondaEnvironment) -> bool:
     """Tell whether an environment lies with CI, or brings compilers, beside a repository of C++."""
@@ -64,12 +67,18 @@ def built_otherwise(evidence: Evidence) -> tuple[Warning_, ...]:
 
 
 def uncompiled(evidence: Evidence) -> tuple[Warning_, ...]:
-    """Warn about C++ of a repository of which nothing shows how it is compiled."""
+    """Warn about C++ of a repository of which nothing shows how it is compiled.
+
+    What is written for MATLAB, its own ``mex`` compiles.
+    """
     included = [found for found in evidence.code if found.namespace == "include"]
-    if not included:
-        return ()
+    of_matlab = {found.file for found in included if found.name == MEX}
+    others = [found for found in included if found.file not in of_matlab]
+    if not others:
+        message = "the C++ is MATLAB's, whose mex compiles it: nothing is compiled in the image"
+        return tuple(warn(message, found) for found in included[:1])
     message = (
         "there is C++, and nothing shows how it is compiled, so nothing is compiled; "
         "write the build under `custom` in roslab.yaml"
     )
-    return (warn(message, included[0]),)
+    return (warn(message, others[0]),)

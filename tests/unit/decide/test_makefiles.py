@@ -196,6 +196,16 @@ def test_c_and_cpp_alone_are_no_python(tree: Tree) -> None:
     assert any("nothing shows how it is compiled" in each.message for each in decision.warnings)
 
 
+@pytest.mark.parametrize(
+    ("more", "told"), [({}, "mex compiles it"), ({"b.cpp": "#include <odd/motor.h>\n"}, "nothing shows")]
+)
+def test_what_matlab_compiles_is_no_code_without_a_build(tree: Tree, more: dict[str, str], told: str) -> None:
+    decision = tree(
+        {"utils/read.cpp": '#include "mex.h"\nvoid mexFunction() {}\n', "utils/make.m": "mex read.cpp", **more}
+    )
+    assert [told in each.message for each in decision.warnings if "nothing is compiled" in each.message] == [True]
+
+
 def test_a_makefile_is_something_to_build_whatever_the_code_includes(tmp_path: Path) -> None:
     for name, text in {"main.c": "#include <stdio.h>\nint main(void) {}\n", "Makefile": MADE}.items():
         (tmp_path / name).write_text(text)
