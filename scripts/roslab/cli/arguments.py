@@ -125,6 +125,11 @@ def _explain(commands: Commands) -> None:
     _repository(explain, default=None)
     _format(explain)
     explain.add_argument(
+        "--ask",
+        action="store_true",
+        help="with the engine, ask the image's apt which package holds what is missing, and pip's index for wheels",
+    )
+    explain.add_argument(
         "--apply",
         action="store_true",
         help="show what is certainly missing in roslab.yaml, and add it; the old one is kept as FILE.old",

@@ -6,6 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from roslab.cli.asking import asking
 from roslab.cli.planning import planned_of
 from roslab.cli.repairing import configuration, given
 from roslab.config.addition import added
@@ -17,8 +18,8 @@ from roslab.files import write_configuration
 from roslab.pipeline import Planned
 from roslab.repair import dockerfile
 from roslab.repair import words as repair_words
+from roslab.repair.chain import NOBODY, proposed, unasked
 from roslab.repair.change import Repair
-from roslab.repair.repair import repair
 
 
 def explain(options: argparse.Namespace) -> int:
@@ -31,8 +32,8 @@ def explain(options: argparse.Namespace) -> int:
                 answer = explained(stream)
     except OSError as error:
         raise ConfigurationError(Problem(message=f"cannot read {options.log}: {error.strerror}")) from None
-    planned = planned_of(options) if options.path or options.apply else None
-    found = repair(answer, given(planned)) if planned else Repair()
+    planned = planned_of(options) if options.path or options.apply or options.ask else None
+    found = _proposed(answer, planned, options) if planned else Repair()
     if options.format == "json":
         sys.stdout.write(words.as_json(answer, repair_words.data(found) if planned else None))
     else:
@@ -41,6 +42,10 @@ def explain(options: argparse.Namespace) -> int:
     if options.apply and planned:
         _apply(options, planned, found)
     return 0
+
+
+def _proposed(answer: Answer, planned: Planned, options: argparse.Namespace) -> Repair:
+    return proposed(answer, given(planned), asking=asking(planned, options) if options.ask else NOBODY)
 
 
 def _alone(answer: Answer) -> str:
@@ -55,7 +60,9 @@ def _lines(answer: Answer, planned: Planned, found: Repair, options: argparse.Na
         text = planned.repository.read(author.dockerfile)
         changes = dockerfile.edits(answer, text)
         return dockerfile.diff(author.dockerfile, text, changes) if changes else ""
-    return repair_words.text(found, begin=configuration(planned, options)[1] is None)
+    said = repair_words.text(found, begin=configuration(planned, options)[1] is None)
+    others = () if options.ask else unasked(found, answer, given(planned))
+    return said + "".join(f"--ask asks {each}\n" for each in others)
 
 
 def _apply(options: argparse.Namespace, planned: Planned, found: Repair) -> None:
@@ -69,7 +76,7 @@ def _apply(options: argparse.Namespace, planned: Planned, found: Repair) -> None
             )
         )
     if not changes.changes:
-        why = "; ".join(reason for _, reason in found.refused)
+        why = "; ".join([*(reason for _, reason in found.refused), *map(repair_words.without, found.left)])
         raise BuildError(
             Problem(
                 message="nothing is written: no cause here has lines for roslab.yaml that are certain", hint=why or None

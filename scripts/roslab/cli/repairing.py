@@ -4,50 +4,48 @@ from __future__ import annotations
 
 import argparse
 import io
-import os
 from collections.abc import Sequence
 from typing import NoReturn
 
+from roslab.cli.asking import asking
 from roslab.cli.planning import named, planned_of
 from roslab.config import locate
 from roslab.config.addition import Entry, added
-from roslab.engine.asking import ask
-from roslab.engine.docker import FailedBuild, native_platform, say
-from roslab.engine.secrets import of_environment
+from roslab.engine.docker import FailedBuild, say
 from roslab.errors import ConfigurationError, Problem, RoslabError
 from roslab.explain import words as words_of_log
 from roslab.explain.answer import Answer, explain
 from roslab.files import write_configuration
 from roslab.pipeline import Planned
 from roslab.plan.plan import Plan
-from roslab.render.dockerfile import holders as question_of_files
-from roslab.render.dockerfile import wheels
-from roslab.repair import dockerfile, generated, holders, leaving, other_python, words
-from roslab.repair.absent import unknown_to_apt, without_absent
+from roslab.repair import dockerfile, generated, leaving, words
+from roslab.repair.absent import unknown_to_apt
+from roslab.repair.chain import proposed
 from roslab.repair.change import Change, Given, Repair
-from roslab.repair.repair import repair
 from roslab.repository import fetching
 from roslab.values.dataclass import dataclass, field, replace
 
 
-def given(planned: Planned) -> Given:
-    """Return what a repair is made from, besides the log."""
+def given(planned: Planned, added: Sequence[Change] = ()) -> Given:
+    """Return what a repair is made from, besides the log; ``added``: the changes of repairs before it."""
     return Given(
         plan=planned.plan,
         evidence=planned.evidence,
         config=planned.config,
         files=frozenset(file.path for file in planned.repository.files),
         read=planned.repository.read,
+        added=frozenset(change.key for change in added),
     )
 
 
-def _reasons(found: Repair, answer: Answer, kept: str, *, again: bool) -> list[str]:
-    """Return why a failure is not repaired; ``kept``: why the build does not go on without the package it is in."""
+def _reasons(found: Repair, answer: Answer, *, again: bool) -> list[str]:
+    """Return why a failure is not repaired."""
+    kept = [*filter(None, [found.kept])]
     if again:
-        return ["the same cause is back, so what was added does not repair it", *filter(None, [kept])]
+        return ["the same cause is back, so what was added does not repair it", *kept]
     said = {one.fix for one in answer.explanations}  # the build's own error says it
-    maybe = [f"it may need {change}, for {change.asked}" for change in found.changes]
-    return [*(maybe or (why for failure, why in found.refused if failure and why not in said)), *filter(None, [kept])]
+    maybe = [f"it may need {change.told}" for change in found.changes]
+    return [*(maybe or (why for failure, why in found.refused if failure and why not in said)), *kept]
 
 
 def configuration(planned: Planned, options: argparse.Namespace) -> tuple[str, str | None]:
@@ -93,9 +91,7 @@ class Repairing:
         """
         if self.before and (absent := self._absent(error)):
             self._stop(self.before, f"it needs {', '.join(absent)}, which apt does not have here")
-        answer = _explained(error)
-        found = without_absent(repair(answer, given(self.planned)), error.log)
-        found = found.starting if start else found
+        answer, before = _explained(error), given(self.planned, self.changes)
         causes = _causes(answer)
         if self.rounds >= self.options.repair:
             self._stop(error, f"{self.rounds} rounds are used up: --repair=N takes more")
@@ -103,17 +99,21 @@ class Repairing:
         if author := self.planned.plan.author_dockerfile:
             self._generate(error, answer, author.dockerfile)
             return
-        found = Repair() if again else holders.completed(found, answer, given(self.planned), self._ask)
-        found = other_python.completed(found, answer, given(self.planned), self._ask_pip)
-        changes = found.certain.changes
+        found = proposed(
+            answer,
+            before,
+            asking=asking(self.planned, self.options, self.arguments),
+            start=start,
+            again=again,
+            whole=self.kept is not None,  # what an image has that is named already is not given up for its command
+        )
+        changes = found.certain.changes or found.left
         if not changes:
-            # What an image has that is named already is not given up for its command
-            left = leaving.Left() if self.kept is not None else leaving.left_out(answer, given(self.planned))
-            changes = left.changes or self._stop(error, "; ".join(_reasons(found, answer, left.why, again=again)))
+            self._stop(error, "; ".join(_reasons(found, answer, again=again)))
         self.seen |= causes
         self.before = error
         self.rounds += 1
-        self.changes = leaving.without_useless(self.changes, answer, given(self.planned)) if again else self.changes
+        self.changes = leaving.without_useless(self.changes, answer, before) if again else self.changes
         self.planned = self._with(changes, error)
         self.changes += changes
         for line in leaving.told(changes):
@@ -186,20 +186,6 @@ class Repairing:
         """Return what was added and apt does not have, by the log of a build with it."""
         unknown = unknown_to_apt(error.log)
         return [change.value for change in self.changes if change.key == "apt" and change.value in unknown]
-
-    def _ask(self, paths: Sequence[str]) -> str:
-        say("roslab: asking apt which package holds what is missing")
-        return self._answer(question_of_files(self.planned.plan, paths))
-
-    def _ask_pip(self, lines: Sequence[str]) -> str:
-        say("roslab: asking pip's index for which Python it has a wheel")
-        return self._answer(wheels(self.planned.plan, lines))
-
-    def _answer(self, question: str) -> str:
-        plan = self.planned.plan
-        platforms = plan.platforms if self.options.platforms else (native_platform(),)
-        secrets = of_environment(plan.secrets, os.environ)
-        return ask(question, platforms, secrets=secrets, arguments=self.arguments)
 
     def _entries(self) -> list[Entry]:
         return [change.entry for change in self.changes]

@@ -11,13 +11,13 @@ from roslab.config.model import Config
 from roslab.config.node import Mapping, Node, Sequence
 from roslab.config.reader import mapping_of, read
 from roslab.errors import ConfigurationError, Problem
+from roslab.knowledge.distros import ubuntus
+from roslab.knowledge.repairs import LISTS
 from roslab.repository.checkout import printable
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
-LISTS = ("apt", "pip", "skip_keys", "skip_packages", "build_args")
-"""Keys with lists of texts, to which values are added."""
 WORDS = ("cmake_options",)
 """Keys with one text, to whose end values are added."""
 SINGLE = (
@@ -87,15 +87,21 @@ def _last(entries: Iterable[Entry]) -> list[Entry]:
 
 def has(config: Config, entry: Entry) -> bool:
     """Return whether a configuration has a value."""
-    top, _, key = entry.key.partition(".")
-    if top == "env":
-        return dict(config.env).get(key) == entry.value
-    said = getattr(config.base, key) if key else getattr(config, top)
     if entry.key in LISTS:
+        said = getattr(config, entry.key)
         return entry.value in said and not (entry.instead and entry.instead in said)
     if entry.key in WORDS:
-        return entry.value in said.split()
-    return said is not None and str(said).lower() == entry.value
+        return entry.value in getattr(config, entry.key).split()
+    return value_of(config, entry.key) == entry.value
+
+
+def value_of(config: Config, name: str) -> str:
+    """Return the value of a key of ``SINGLE`` as it is written, ``""`` if it has none."""
+    top, _, key = name.partition(".")
+    said = dict(config.env).get(key) if top == "env" else getattr(config.base, key) if key else getattr(config, top)
+    if name == "base.ubuntu" and said:  # kept by its name
+        return next((version for version, codename in ubuntus().items() if codename == said), str(said))
+    return "" if said is None else str(said).lower() if isinstance(said, bool) else str(said)
 
 
 def _group(edits: Edits, root: Mapping, key: str, entries: list[Entry]) -> str:

@@ -16,6 +16,8 @@ KEPT = 60_000
 """Characters of a failed step that are kept for its repair."""
 _AGAIN = pattern(r"roslab: .{1,300}: once more\b")
 """What a script of a generated image says before it tries again: it failed by what comes after."""
+_LEFT_OUT = pattern(r"roslab: left out: (?:apt|rosdep) (\S{1,100})[ \t\r]*$")
+"""What the image's scripts say of a package that apt does not have, or of a key that rosdep or apt does not know."""
 _IMAGE = pattern(r" ---> ([0-9a-f]{12})$")
 
 
@@ -62,6 +64,8 @@ class Answer:
     lines: int
     succeeded: bool
     """Whether the log is that of a successful build."""
+    left_out: tuple[str, ...] = ()
+    """Packages and keys of rosdep that the build itself has left out, as none of its sources has them."""
 
 
 def explain(stream: IO[bytes]) -> Answer:
@@ -72,7 +76,17 @@ def explain(stream: IO[bytes]) -> Answer:
     for step in failed:
         step.lines = _last_attempt(step.lines)
     found = tuple(_step(log, step, image) for step in failed)
-    return Answer(explanations=_distinct(found), lines=log.lines, succeeded=log.succeeded and not log.failed)
+    return Answer(
+        explanations=_distinct(found),
+        lines=log.lines,
+        succeeded=log.succeeded and not log.failed,
+        left_out=_left_out(log),
+    )
+
+
+def _left_out(log: Log) -> tuple[str, ...]:
+    said = (line.text for step in (*log.steps, log.rest) for line in step.lines if line.text.startswith("roslab: left"))
+    return tuple(dict.fromkeys(found[1] for text in said if (found := _LEFT_OUT.match(text))))
 
 
 def _context(log: Log) -> str:
@@ -157,7 +171,7 @@ def reproduce(log: Log, step: Step) -> str:
     """
     if not step.command.startswith("RUN"):
         return ""
-    if not step.name.startswith("["):
+    if not step.name.startswith("[") or "] STEP " in step.name:
         lines = (line.text for earlier in log.before(step) for line in reversed(earlier.lines))
         image = next((found[1] for text in lines if (found := _IMAGE.match(text))), "")
         return f"docker run --rm -it {image} /bin/sh" if image else ""

@@ -8,6 +8,7 @@ from typing import Any
 
 from roslab.errors import Problem
 from roslab.explain.answer import Answer, Explanation
+from roslab.knowledge.repairs import LISTS
 from roslab.values.dataclass import asdict
 
 
@@ -42,10 +43,6 @@ def _one(found: Explanation, *, lines: bool) -> str:
         if found.reproduce:
             out.append(f"To try this step in a shell: {found.reproduce}")
     return "\n".join(out) + "\n"
-
-
-LISTS = ("apt", "pip", "skip_keys", "skip_packages", "build_args")
-"""The keys of roslab.yaml that hold lists; the others have one value each."""
 
 
 def _line(key: str, values: tuple[str, ...]) -> str:

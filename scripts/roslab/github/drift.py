@@ -23,7 +23,7 @@ from roslab.github import checkout, event, inputs, issues, secrets, tags, workfl
 from roslab.github import run as runs
 from roslab.github.blame import by_machine
 from roslab.github.event import Event
-from roslab.github.explaining import Mending, mend
+from roslab.github.explaining import Mending, asking, mend
 from roslab.github.inputs import Inputs
 from roslab.github.run import Folder, Run
 from roslab.lock import comparison, inventory, rot
@@ -163,7 +163,7 @@ def _today(watch: Watch) -> tuple[Side, Mending]:
                 output="\n".join(each.log for each in answer.explanations) or error.log,
             )
             if not side.by_machine or attempt == ATTEMPTS:
-                return side, mend(answer, watch.run, watch.root)
+                return side, mend(answer, watch.run, watch.root, asking(watch.folder, watch.environment, watch.run))
             workflow.say("the network, a server or this machine was to blame: once more")
             time.sleep(PAUSE)
     return _proved(watch, watch.candidate), Mending(problems=())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import posixpath
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from roslab.config import Config, locate
@@ -19,13 +19,13 @@ from roslab.explain.answer import explain as explained
 from roslab.github import access, builder, checkout, event, kept, secrets, suggestion, workflow
 from roslab.github.run import Folder, Run
 from roslab.render.dockerfile import holders as question_of_files
+from roslab.render.dockerfile import wheels as question_of_wheels
 from roslab.render.outcome import Repair as Lines
-from roslab.repair import dockerfile, holders
+from roslab.repair import dockerfile
 from roslab.repair import words as repair_words
-from roslab.repair.absent import without_absent
+from roslab.repair.chain import NOBODY, Asking, proposed
 from roslab.repair.change import Given, Repair
 from roslab.repair.hunk import Hunk, hunk
-from roslab.repair.repair import repair
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
@@ -52,7 +52,7 @@ def explain(environment: Mapping[str, str]) -> None:
         access.require(refused, image=run.image, event=what)
     if not log:
         raise BuildError(Problem(message="the build failed", hint="the log of the step above says why"))
-    mending = mend(_answer(log), run, _root(run, environment), _asking(folder, environment), log=log)
+    mending = mend(_answer(log), run, _root(run, environment), asking(folder, environment))
     _hand_over(folder, mending, environment)
     raise BuildError(*mending.problems)
 
@@ -66,7 +66,7 @@ def explain_proof(folder: Folder, failure: Problem, output: str, environment: Ma
     if not answer.explanations or answer.explanations[0].id is None:
         return failure
     run = folder.run
-    mending = mend(answer, run, _root(run, environment), _asking(folder, environment))
+    mending = mend(answer, run, _root(run, environment), asking(folder, environment))
     _hand_over(folder, mending, environment)
     first = mending.problems[0]
     return replace(first, message=f"{failure.message}: {first.message}")
@@ -81,7 +81,7 @@ def explain_start(folder: Folder, platform: str, output: str, environment: Mappi
     if not answer.explanations or answer.explanations[0].id is None:
         return
     run = folder.run
-    mending = mend(answer, run, _root(run, environment), _asking(folder, environment), start=True)
+    mending = mend(answer, run, _root(run, environment), asking(folder, environment), start=True)
     for problem in mending.problems:
         workflow.warn(replace(problem, message=f"the default command does not start on {platform}: {problem.message}"))
     if mending.repairs:
@@ -92,16 +92,22 @@ def _answer(log: str) -> Answer:
     return explained(io.BytesIO(log.encode("utf-8", errors="replace")))
 
 
-def _asking(folder: Folder, environment: Mapping[str, str]) -> Callable[[Sequence[str]], str]:
-    """Return what asks the apt of the image's base which packages hold files."""
+def asking(folder: Folder, environment: Mapping[str, str], run: Run | None = None) -> Asking:
+    """Return who is asked: the apt of the image's base, and pip's index."""
+    run = run or folder.run
 
-    def asking(paths: Sequence[str]) -> str:
+    def answered(question: str) -> str:
+        return ask(question, run.here(environment), secrets=secrets.held(folder, run, environment))
+
+    def files(paths: Sequence[str]) -> str:
         workflow.say("asking apt which package holds what is missing")
-        run = folder.run
-        given = secrets.held(folder, run, environment)
-        return ask(question_of_files(run.plan, paths), run.here(environment), secrets=given)
+        return answered(question_of_files(run.plan, paths))
 
-    return asking
+    def wheels(lines: Sequence[str]) -> str:
+        workflow.say("asking pip's index for which Python it has a wheel")
+        return answered(question_of_wheels(run.plan, lines))
+
+    return Asking(files=files, wheels=wheels)
 
 
 def _root(run: Run, environment: Mapping[str, str]) -> Path:
@@ -119,14 +125,13 @@ def mend(
     answer: Answer,
     run: Run,
     root: Path,
-    asking: Callable[[Sequence[str]], str] | None = None,
+    asking: Asking = NOBODY,
     *,
-    log: str = "",
     start: bool = False,
 ) -> Mending:
     """Return what an explained log says about the checkout it was built from.
 
-    ``asking`` asks apt's index of files, see ``repair.holders``; ``None`` asks nothing. ``log``: of the whole build.
+    What the image could be built without is told, and among no lines: only who knows what the image is for can say.
     ``start``: the answer is that to the default command's log.
     """
     try:
@@ -134,10 +139,8 @@ def mend(
         text = locate.text(repository, run.config) if run.config else None
         config = read_configuration(text, file=run.config) if text is not None else Config()
         files = frozenset(file.path for file in repository.files)
-        given = Given(plan=run.plan, evidence=gather(repository), config=config, files=files)
-        found = without_absent(repair(answer, given), log)
-        found = found.starting if start else found
-        found = holders.completed(found, answer, given, asking) if asking else found
+        given = Given(plan=run.plan, evidence=gather(repository), config=config, files=files, read=repository.read)
+        found = proposed(answer, given, asking=asking, start=start)
         problems = tuple(_problems(answer, found, run))
         if run.plan.author_dockerfile:
             return _own(answer, problems, repository, run)
@@ -153,6 +156,8 @@ def _problems(answer: Answer, found: Repair, run: Run) -> Iterator[Problem]:
     for explanation, problem, place in zip(answer.explanations, known, found.places, strict=True):
         changes = [str(change) for change in found.changes if change.failure == explanation.id]
         lines = f" In roslab.yaml: `{'; '.join(changes)}`." if changes and not run.plan.author_dockerfile else ""
+        left = [change for change in found.left if change.failure == (explanation.id or "")]
+        lines += "".join(f" It could be built {repair_words.without(each)}: `{each}` in roslab.yaml." for each in left)
         origin = Place(file=posixpath.join(run.path, place.file), line=place.line) if place else None
         yield replace(problem, hint=f"{problem.hint}{lines}", origin=origin)
     if not known:

@@ -31,6 +31,11 @@ from pathlib import Path
 from roslab.values import toml
 from roslab.values.dataclass import dataclass
 
+SKIP = "skip_packages"
+"""The key of packages that are left out."""
+LISTS = ("apt", "pip", "skip_keys", SKIP, "build_args")
+"""The keys of roslab.yaml with lists of texts to which repairs add; the others have one value each."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Repair:

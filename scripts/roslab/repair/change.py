@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from roslab.config.addition import LISTS, Entry
+from roslab.config.addition import Entry
 from roslab.config.model import Config
 from roslab.evidence.facts import Evidence
+from roslab.knowledge.repairs import LISTS
 from roslab.plan.plan import Plan
 from roslab.values.dataclass import dataclass, replace
-from roslab.values.origin import Place
+from roslab.values.origin import Origin, Place
 
 STARTING = ("apt", "pip", "gui", "env.PYTHONPATH", "submodules")
 """Keys that give a program what it lacks at its start; the others change how the image is compiled."""
@@ -26,6 +27,8 @@ class Given:
     """Paths of the repository's files."""
     read: Callable[[str], str] | None = None
     """Returns the text of one of them, ``""`` of what is no text."""
+    added: frozenset[str] = frozenset()
+    """Keys of roslab.yaml that a repair before this one set."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -66,6 +69,14 @@ class Change:
     asked: Asked
     why: str = ""
     """What is said in place of who asked."""
+    written: Origin | None = None
+    """Where somebody gave the key, which has one value, the value that ``instead`` holds."""
+
+    @property
+    def told(self) -> str:
+        """The change and what it is for; where somebody gave another value, who has to exchange it."""
+        yours = f"; {self.written} says {self.instead}, which is yours to exchange" if self.written else ""
+        return f"{self}, {self.why or f'for {self.asked}'}{yours}"
 
     @property
     def entry(self) -> Entry:
@@ -88,6 +99,10 @@ class Repair:
     """Why nothing can be written for a failure: its id (``""`` for an unknown one) and the reason."""
     places: tuple[Place | None, ...] = ()
     """For each explanation of the answer, the place in the repository that asked for what failed."""
+    left: tuple[Change, ...] = ()
+    """Changes with which the image is built without something that fails, where nothing that is added is certain."""
+    kept: str = ""
+    """Why nothing is left out, of what could be."""
 
     @property
     def certain(self) -> Repair:

@@ -43,6 +43,12 @@ def sought(answer: Answer) -> tuple[Sought, ...]:
     )
 
 
+def sought_for(answer: Answer, given: Given) -> tuple[Sought, ...]:
+    """Return what apt is asked for of a repository, whose own programs no package holds."""
+    found = sought(answer) if not given.plan.author_dockerfile else ()
+    return tuple(one for one in found if not missing.is_own(dict(one.found.names).get("program", ""), given))
+
+
 def _paths(templates: tuple[str, ...], names: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
     """Yield the paths of each of several names, of which a failure captures all at once."""
     used = {name for name in names if name != "low" and any(f"{{{name}}}" in template for template in templates)}
@@ -60,8 +66,7 @@ def completed(found: Repair, answer: Answer, given: Given, ask: Callable[[Sequen
 
     ``ask`` gives the answer that ``changes`` reads for the paths in their order, and raises ``BuildError``.
     """
-    wanted = sought(answer) if not found.certain.changes and not given.plan.author_dockerfile else ()
-    wanted = tuple(one for one in wanted if not missing.is_own(dict(one.found.names).get("program", ""), given))
+    wanted = sought_for(answer, given) if not found.certain.changes else ()
     if not wanted:
         return found
     try:
@@ -83,8 +88,8 @@ def completed(found: Repair, answer: Answer, given: Given, ask: Callable[[Sequen
 
 def _refused(found: Repair, wanted: tuple[Sought, ...], refused: list[tuple[str, str]]) -> Repair:
     """Return a repair with these reasons for what was sought, and with its own for all other failures."""
-    sought_for = {one.found.id for one in wanted}
-    others = (each for each in found.refused if each[0] not in sought_for)
+    named = {one.found.id for one in wanted}
+    others = (each for each in found.refused if each[0] not in named)
     return replace(found, refused=(*refused, *others))
 
 

@@ -9,6 +9,7 @@ from roslab.decide.programs import owner
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.left_out import SKIP, needing
 from roslab.explain.answer import Answer, Explanation
+from roslab.knowledge.repairs import SKIP as KEY
 from roslab.plan.ros_build import WORKSPACE
 from roslab.repair import generated
 from roslab.repair.alone import alone
@@ -18,7 +19,6 @@ from roslab.repair.needs import Needs, needs
 from roslab.repair.said import by_machine, said
 from roslab.values.dataclass import dataclass
 
-KEY = "skip_packages"
 _SHARE = 2
 """Where a shell is started, one of so many packages may be left out: of more, something else is wrong."""
 
@@ -129,7 +129,7 @@ def told(changes: Collection[Change]) -> Iterator[str]:
         elif change.key == generated.KEY:
             yield f"generates a Dockerfile: {change.why}"
         else:
-            yield f"adds {change}, {change.why or f'for {change.asked}'}"
+            yield f"adds {change.told}"
 
 
 def without_useless(changes: Collection[Change], answer: Answer, given: Given) -> list[Change]:

@@ -9,6 +9,7 @@ from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.requires import refusing
 from roslab.errors import BuildError
 from roslab.explain.answer import Answer, Explanation
+from roslab.repair.by_hand import yielding
 from roslab.repair.change import Asked, Change, Given, Repair
 from roslab.repair.releases import pinned
 from roslab.repair.said import by_machine
@@ -48,12 +49,13 @@ class Sought:
 def sought(answer: Answer, given: Given) -> tuple[Sought, ...]:
     """Return the pinned releases that did not build in a step of pip, where the image may have another Python.
 
-    The image's own Python is asked for, too: what has a wheel for it fails for another reason.
+    The image's own Python is asked for, too: what has a wheel for it fails for another reason. One that a repair took
+    is not exchanged again.
     """
-    plan, base = given.plan, given.config.base
+    plan = given.plan
     fixed = plan.ros_distro or plan.author_dockerfile or plan.python.conda_file or plan.python.conda_specs
     now = minor_of(plan.python.version or "")
-    if fixed or base.python or base.image or now is None or _elsewhere(given):
+    if fixed or KEY in given.added or given.config.base.image or now is None or _elsewhere(given):
         return ()
     pythons = [each for each in PREFERRED if Version(each) >= Version(OLDEST)]
     pythons = [each for each in pythons if refusing(each, given.evidence.python) is None]
@@ -116,7 +118,7 @@ def completed(found: Repair, answer: Answer, given: Given, ask: Callable[[Sequen
         certain=True,
         asked=Asked(what=f"the wheel of {first.written}", place=place),
     )
-    return replace(found, changes=(*found.changes, change))
+    return replace(found, changes=(*found.changes, yielding(change, given)))
 
 
 def _refused(found: Repair, each: Sought, why: str) -> Repair:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslab.config.addition import LISTS, SINGLE, WORDS, has
+from roslab.config.addition import SINGLE, WORDS, has
 from roslab.explain.answer import Answer, Explanation
 from roslab.explain.signatures import filled
-from roslab.knowledge.repairs import repairs
+from roslab.knowledge.repairs import LISTS, repairs
 from roslab.repair import ways
 from roslab.repair.asked import asked, in_log
+from roslab.repair.by_hand import yielding
 from roslab.repair.change import Change, Given, Repair, Worked
 from roslab.repair.ways import WAYS
 
@@ -47,13 +48,16 @@ def _changes(found: Explanation, given: Given) -> Iterator[Change | str]:
     certain = worked.certain and (found.certainty == "certain" or key == "submodules" or _settled(found))
     new = 0
     for value in worked.values:
-        change = Change(
-            key=key,
-            value=value,
-            instead=worked.instead,
-            failure=found.id or "",
-            certain=certain,
-            asked=asked(found, given, value),
+        change = yielding(
+            Change(
+                key=key,
+                value=value,
+                instead=worked.instead,
+                failure=found.id or "",
+                certain=certain,
+                asked=asked(found, given, value),
+            ),
+            given,
         )
         if not has(given.config, change.entry):
             new += 1

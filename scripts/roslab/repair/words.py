@@ -8,6 +8,7 @@ from typing import Any
 
 from roslab.config.addition import added
 from roslab.errors import ConfigurationError
+from roslab.knowledge.repairs import SKIP
 from roslab.repair.change import Change, Repair
 
 
@@ -31,26 +32,47 @@ def diff(old: str | None, repair: Repair, file: str) -> str:
 
 
 def data(repair: Repair) -> dict[str, Any]:
-    """Return a repair for JSON: ``{"changes": [{key, value, …}], "refused": {failure: reason}}``."""
-    changes = [
-        {
-            "key": change.key,
-            "value": change.value,
-            "instead": change.instead or None,
-            "failure": change.failure,
-            "certain": change.certain,
-            "what": change.asked.what,
-            "file": change.asked.place.file if change.asked.place else None,
-            "line": change.asked.place.line if change.asked.place else None,
-        }
-        for change in repair.changes
-    ]
-    return {"changes": changes, "refused": dict(repair.refused)}
+    """Return a repair for JSON: ``{"changes": [{key, value, …}], "left": […], "refused": {failure: reason}}``.
+
+    ``left`` are changes that leave something out of the image, where nothing that is added is certain.
+    """
+    return {
+        "changes": [_change(change) for change in repair.changes],
+        "left": [{**_change(change), "why": change.why} for change in repair.left],
+        "refused": dict(repair.refused),
+    }
+
+
+def _change(change: Change) -> dict[str, Any]:
+    return {
+        "key": change.key,
+        "value": change.value,
+        "instead": change.instead or None,
+        "failure": change.failure,
+        "certain": change.certain,
+        "what": change.asked.what,
+        "file": change.asked.place.file if change.asked.place else None,
+        "line": change.asked.place.line if change.asked.place else None,
+    }
 
 
 def text(repair: Repair, *, begin: bool) -> str:
-    """Return a repair for a person: each change with who asked for it, then the lines to paste."""
-    out = [f"{'adds' if change.certain else 'may need'} {change}, for {change.asked}" for change in repair.changes]
+    """Return a repair for a person: each change with who asked for it, then the lines to paste.
+
+    What would be left out comes with its price: ``roslab build`` tries it and looks at the image, nobody else can.
+    """
+    out = [f"{'adds' if change.certain else 'may need'} {change.told}" for change in repair.changes]
     if repair.changes:
         out += ["In roslab.yaml:", *(f"  {line}" for line in lines(repair.changes, begin=begin).splitlines())]
+    out += [f"could be built {without(change)}" for change in repair.left]
+    if repair.left:
+        out += ["In roslab.yaml, if nothing that you start needs what is left out:"]
+        out += [f"  {line}" for line in lines(repair.left, begin=begin).splitlines()]
+    out += [f"nothing is left out: {repair.kept}"] if repair.kept else []
     return "".join(f"{line}\n" for line in out)
+
+
+def without(change: Change) -> str:
+    """Return what the image lacks with a change that leaves something out, and why it may."""
+    left = f"without {change.value}, which" if change.key == SKIP else f"with nothing but {change.value},"
+    return f"{left} {change.why}"

@@ -105,6 +105,9 @@ def test_a_value_is_written_as_its_key_demands(before: str | None, entry: Entry,
     ("before", "wanted", "after"),
     [
         ("", (("base.python", "3.9", ""), ("base.python", "3.8", "")), 'base:\n  python: "3.8"\n'),
+        ("", (("base.ubuntu", "24.04", ""),), 'base:\n  ubuntu: "24.04"\n'),
+        ("base: {ubuntu: jammy}\n", (("base.ubuntu", "24.04", ""),), 'base: {ubuntu: "24.04"}\n'),
+        ("base: {ubuntu: noble}\n", (("base.ubuntu", "24.04", ""),), "base: {ubuntu: noble}\n"),
         (
             "env:\n  A: b\n",
             (("env.PYTHONPATH", "/a", ""), ("env.PYTHONPATH", "/b", "")),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 
-from roslab.config import addition
 from roslab.engine.docker import why
 from roslab.explain import words
 from roslab.explain.answer import explain
@@ -39,10 +38,6 @@ def test_a_step_of_the_classic_builder_is_tried_in_the_image_before_it() -> None
     log += "odd: it is odd\nThe command '/bin/sh -c ./odd' returned a non-zero code: 1\n"
     (found,) = explain(io.BytesIO(log.encode())).explanations
     assert found.reproduce == "docker run --rm -it 0123456789ab /bin/sh"
-
-
-def test_the_keys_with_lists_are_those_of_the_configuration() -> None:
-    assert words.LISTS == addition.LISTS
 
 
 def test_a_key_with_one_value_is_shown_without_a_list() -> None:

@@ -16,6 +16,7 @@ from roslab.github.run import Folder, Run, to_line
 from roslab.pipeline import plan_repository
 from roslab.render.outcome import Report
 from roslab.render.summary import summary
+from roslab.repair.chain import Asking
 
 LOG = b"""\
 #6 [3/4] RUN make
@@ -64,7 +65,7 @@ def test_the_place_and_the_lines(checkout: Path, config: str | None, lines: str,
 
 def test_a_package_that_the_build_has_left_out_is_not_asked_for(checkout: Path) -> None:
     log = f"#5 [2/4] RUN x\n#5 1.2 roslab: left out: apt libgoogle-glog-dev\n{LOG.decode()}"
-    mending = mend(explain(io.BytesIO(log.encode())), run_of(checkout), checkout, log=log)
+    mending = mend(explain(io.BytesIO(log.encode())), run_of(checkout), checkout)
     assert (mending.repairs, mending.hunk) == ((), None)
 
 
@@ -76,12 +77,12 @@ def test_what_no_table_knows_apt_is_asked_for(checkout: Path) -> None:
         return "1 libzoo-dev\n"
 
     log = LOG.replace(b"glog/logging.h", b"zoo/arm.h")
-    mending = mend(explain(io.BytesIO(log)), run_of(checkout), checkout, asking)
+    mending = mend(explain(io.BytesIO(log)), run_of(checkout), checkout, Asking(files=asking))
     assert asked[0].endswith(r"zoo/arm\.h")
     assert "In roslab.yaml: `apt: [libzoo-dev]`." in str(mending.problems[0])
     assert mending.repairs[0].text == "format: 3\napt:\n  - libzoo-dev  # for the header zoo/arm.h (src/main.cpp:1)\n"
     asked.clear()
-    mend(explain(io.BytesIO(LOG)), run_of(checkout), checkout, asking)
+    mend(explain(io.BytesIO(LOG)), run_of(checkout), checkout, Asking(files=asking))
     assert not asked, "a table knows it"
 
 

@@ -51,8 +51,9 @@ def test_what_apt_did_not_have_is_not_added(tmp_path: Path, said: str, values: l
         (tmp_path / name).write_text(text)
     (tmp_path / "roslab.yaml").write_text("format: 3\nbase: {ros: noetic}\n")
     log = LOG.format(said=said)
-    first = repair(explain(io.BytesIO(log.encode())), given(plan_repository(tmp_path)))
-    found = without_absent(first, log)
+    answer = explain(io.BytesIO(log.encode()))
+    first = repair(answer, given(plan_repository(tmp_path)))
+    found = without_absent(first, answer.left_out)
     assert [change.value for change in first.certain.changes] == [PACKAGE]
     assert [change.value for change in found.changes] == values
     whys = [why for _, why in found.refused]

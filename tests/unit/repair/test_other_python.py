@@ -93,7 +93,7 @@ def test_a_project_s_own_limit_holds(tmp_path: Path) -> None:
         ({}, BUILT[1:]),
         ({"requirements.txt": "--index-url https://packages.example/simple\nfast-robot==2.0\n"}, BUILT),
         ({}, (*BUILT, "OSError: [Errno 28] No space left on device")),
-        ({"roslab.yaml": "format: 3\nkind: python\nbase: {python: '3.11'}\n"}, BUILT),
+        ({"roslab.yaml": "format: 3\nkind: python\nbase: {image: 'example/robot:1'}\n"}, BUILT),
         (
             {
                 "roslab.yaml": "format: 3\nbase: {ros: noetic}\n",

@@ -119,7 +119,7 @@ def test_what_newer_pythons_no_longer_have_takes_an_older_one(
     files = {"roslab.yaml": config, **({"pyproject.toml": own} if own else {})}
     found = repaired(tmp_path, {**files, "requirements.txt": "attrs\n"}, GONE.format(line))
     assert [(each.key, each.value) for each in found.changes] == ([("base.python", taken)] if taken else [])
-    assert all(each.certain and each.asked.what.startswith(f"{what}") for each in found.changes)
+    assert all(each.certain == (not project) and each.asked.what.startswith(f"{what}") for each in found.changes)
 
 
 def test_ros_keeps_its_python(tmp_path: Path) -> None:

@@ -151,13 +151,13 @@ CATKIN = 'By not providing "Findcatkin.cmake" in CMAKE_MODULE_PATH'
 @pytest.mark.parametrize(
     ("yaml", "text", "wanted"),
     [
-        ("base: {ros: humble}", log("colcon build", CATKIN), "base.ros: noetic"),
+        ("base: {ros: humble}", log("colcon build", CATKIN), "base.ros: humble becomes noetic"),
         (
             "base: {ros: noetic}",
             log("rosdep install -y", "arm: No definition of [ament_cmake] for OS version [jammy]"),
-            "base.ros: humble",
+            "base.ros: noetic becomes humble",
         ),
-        ("base: {ubuntu: '22.04'}", log("./tool", GLIBC), "base.ubuntu: 24.04"),
+        ("base: {ubuntu: '22.04'}", log("./tool", GLIBC), "base.ubuntu: 22.04 becomes 24.04"),
     ],
 )
 def test_another_base_is_likely_and_never_certain(tmp_path: Path, yaml: str, text: str, wanted: str) -> None:
