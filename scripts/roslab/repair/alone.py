@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.explain.answer import Answer, Explanation
 from roslab.repair.change import Asked, Change, Given
+from roslab.repair.linked import linked
 from roslab.repair.said import by_machine, said
 from roslab.values.pattern import pattern
 from roslab.values.words import line_of
@@ -24,8 +25,8 @@ _CMAKE = ("CMakeLists.txt", ".cmake")
 def alone(answer: Answer, given: Given) -> tuple[Change, ...]:
     """Return what has make build the default command's program, with what that links, and nothing else.
 
-    Where make stopped at another target alone, nothing is installed or tested, and CMake makes nothing but libraries
-    and programs.
+    Where make stopped at other targets alone, none of which the program links or waits for, nothing is installed or
+    tested, and CMake makes nothing but libraries and programs.
     """
     program = given.plan.workspace.program
     name = line_of(given.plan.run.command).partition(" ")[0].rpartition("/")[2]
@@ -35,7 +36,9 @@ def alone(answer: Answer, given: Given) -> tuple[Change, ...]:
         return ()
     failed = [(target, found) for found in answer.explanations for target in _targets(found)]
     wrong = any(by_machine(found) or not _targets(found) for found in answer.explanations)
-    if wrong or not failed or any(target == name for target, _ in failed):
+    if wrong or not failed or given.read is None:
+        return ()
+    if linked(name, _files(given), given.read).intersection(target for target, _ in failed):
         return ()
     target, found = failed[0]
     what, place = said(found, given)
@@ -60,5 +63,8 @@ def _tested(given: Given) -> bool:
 
 
 def _more(given: Given) -> bool:
-    files = (file for file in given.files if file.endswith(_CMAKE))
-    return given.read is None or any(_ALL.search(given.read(file)) for file in files)
+    return given.read is None or any(_ALL.search(given.read(file)) for file in _files(given))
+
+
+def _files(given: Given) -> Iterator[str]:
+    return (file for file in given.files if file.endswith(_CMAKE))

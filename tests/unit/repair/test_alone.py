@@ -23,6 +23,18 @@ FILES = {
     "extra/main.cpp": "int main() { return grip(); }\n",
     "README.md": "# Arm\n\n```\nmkdir build && cd build && cmake .. && make\n./app/arm_app\n```\n",
 }
+LIBRARY = {
+    "extra/CMakeLists.txt": "add_library(arm_${PROJECT_NAME} grip.cpp)\n"
+    "set(OURS arm_extra)\nadd_library(arm_extra main.cpp)\ntarget_link_libraries(arm_arm PUBLIC ${OURS})\n",
+    "app/CMakeLists.txt": "add_executable(arm_app main.cpp)\n"
+    "target_link_libraries(arm_app PRIVATE arm_${PROJECT_NAME})\n",
+}
+"""The program links a library that links the one which does not compile."""
+BY_ALIAS = (
+    "add_library(arm::extra ALIAS arm_extra)\nadd_executable(arm_app main.cpp)\n"
+    "target_link_libraries(arm_app arm::extra)\n"
+)
+WAITS = "add_executable(arm_app main.cpp)\nadd_dependencies(arm_app arm_extra)\n"
 NEW = "make[1]: *** [CMakeFiles/Makefile2:148: {}/CMakeFiles/arm_{}.dir/all] Error 2"
 OLD = "make[1]: *** [{}/CMakeFiles/arm_{}.dir/all] Error 2"
 ERROR = "/home/jovyan/arm/extra/main.cpp:1:21: error: 'grip' was not declared in this scope"
@@ -58,6 +70,9 @@ def test_the_program_of_the_command_is_built_alone(tmp_path: Path, made: str) ->
         ({}, ("CMake Error at extra/CMakeLists.txt:1 (find_package):", "  none")),
         ({}, ("c++: fatal error: Killed signal terminated program cc1plus", NEW.format("extra", "extra"))),
         ({"README.md": "# Arm\n"}, (ERROR, NEW.format("extra", "extra"))),
+        (LIBRARY, (ERROR, NEW.format("extra", "extra"))),
+        ({**LIBRARY, "app/CMakeLists.txt": BY_ALIAS}, (ERROR, NEW.format("extra", "extra"))),
+        ({**LIBRARY, "app/CMakeLists.txt": WAITS}, (ERROR, NEW.format("extra", "extra"))),
         ({"roslab.yaml": "format: 3\nbuild_args: [VERBOSE=1]\n"}, (ERROR, NEW.format("extra", "extra"))),
         ({"roslab.yaml": "format: 3\ntest: arm_extra --check\n"}, (ERROR, NEW.format("extra", "extra"))),
         (
