@@ -62,9 +62,14 @@ def conflict(names: Mapping[str, str], instruction: str) -> dict[str, str]:
     return {"constraint": wanted, "file": file} if file else {"constraint": wanted}
 
 
+_STRUCTURES = {"_ts": "PyThreadState", "_typeobject": "PyTypeObject"}
+"""Structures of Python's interface for C as clang calls them, each with the name of its type."""
+
+
 def python_end(names: Mapping[str, str]) -> dict[str, str]:
     """Name what the standard library or Python's interface for C no longer has, and the last Python that has it."""
     module, symbol = names.get("module", ""), names.get("symbol", "")
+    module = _STRUCTURES.get(module, module)
     for word in (f"{module}.{symbol}", symbol if not module else module if not symbol else ""):
         last = _python_ends().get(word)
         if last:
