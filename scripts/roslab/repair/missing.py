@@ -12,10 +12,10 @@ from roslab.knowledge.python2_packages import system_package
 from roslab.knowledge.released import released
 from roslab.repair.asked import FRAME, here, in_log
 from roslab.repair.change import Given, Worked
+from roslab.values.home import HOME
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 
-_HOME = "/home/jovyan"
 _INSTALLED = pattern(r"/(?:site|dist)-packages/")
 _NO_MODULE = ("setup.py", "package.xml", "CMakeLists.txt")
 """Files of a project's folder, which is no module itself."""
@@ -129,7 +129,7 @@ def _own(module: str, folders: tuple[str, ...], nearest: str, found: Explanation
     if not nearest and len(folders) > 1:
         return Worked(why=f"{module} lies in {_listed(folders)}: name one under `env` as PYTHONPATH")
     wanted = (nearest or folders[0], *given.plan.workspace.python_path)
-    root = f"{_HOME}/{given.plan.workspace.folder}"
+    root = f"{HOME}/{given.plan.workspace.folder}"
     before = dict(given.config.env).get("PYTHONPATH", "")
     paths = dict.fromkeys(f"{root}/{folder}".removesuffix("/.") for folder in wanted)
     return Worked(key="env.PYTHONPATH", values=(":".join((*paths, *([before] if before else []))),))

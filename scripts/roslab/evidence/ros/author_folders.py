@@ -9,6 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.author_path import AuthorPath
 from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.repository.checkout import Repository, nearest
+from roslab.values.home import HOME
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
@@ -49,7 +50,7 @@ _SYSTEM = frozenset(
 """Folders at the top of the image that are its own, into which its user cannot look, or that no Linux has."""
 _MOUNTED = frozenset(("content", "data", "dataset", "datasets", "workspace"))
 """Folders at the top that users mount, or that a service has, rather than of one author."""
-_KEPT = ("/home/jovyan/", "/opt/ros/", "/opt/conda/")
+_KEPT = (f"{HOME}/", "/opt/ros/", "/opt/conda/")
 """Folders of the image, which are never the author's."""
 _OF_ALL = frozenset(("home", "media", "mnt", "opt", "srv"))
 """Folders at the top in which others of the author's may lie, while they are no author's themselves."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from roslab.values.home import HOME
 from roslab.values.pattern import pattern
 
 _NAMED = pattern(
-    r"(?<![\w./~$})-])/(?!usr/|s?bin/|opt/(?:conda|ros)/|home/jovyan/)"
+    rf"(?<![\w./~$}})-])/(?!usr/|s?bin/|opt/(?:conda|ros)/|{HOME[1:]}/)"
     r"(?:(?!\.\.?/)[\w.+@-]{1,80}/){0,12}bin/python[\d.]{0,9}(?![\w./-])"
 )
 """The path of one in no folder that the image has: of an environment, or of a conda of the author's."""
