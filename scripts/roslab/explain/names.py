@@ -13,6 +13,7 @@ from roslab.explain import ros_names, worked
 from roslab.knowledge import libraries
 from roslab.knowledge.distros import distro, ubuntus
 from roslab.knowledge.failures import compiled
+from roslab.knowledge.latex import latex
 from roslab.knowledge.os_releases import moved_to
 from roslab.knowledge.table import rows
 from roslab.values.dataclass import dataclass
@@ -267,6 +268,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "go-since": _since_go,
     "hidden": _hidden,
     "include-path": _built_with,
+    "latex": lambda _names, _where: {"package": " ".join(latex())},
     "link": _library("link", "library"),
     "moved": lambda names, where: worked.moved(names, where.instruction),
     "module": _table("imports", "module", "pip", "module"),
