@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 from collections import Counter
 from collections.abc import Callable
@@ -21,12 +22,25 @@ _PREFIXES: dict[str, re.Pattern[str]] = {
     "compose": pattern(r"[a-zA-Z][\w.-]{0,60}[_-]\d{1,3} {1,20}\| "),
     # docker compose and Jenkins
     "clock": pattern(r"\[?\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:[.,]\d{1,9})?(?:Z|[+-]\d\d:?\d\d)?\]? "),
+    # the client of docker for Python, under its logger
+    "logging": pattern(r"(?:DEBUG|INFO|WARNING|ERROR):[A-Za-z][\w. -]{0,60}:"),
+    # a log that was quoted in an issue or a mail
+    "quote": pattern(r"> ?"),
+    # what a step printed under act, without act's own words
+    "bar": pattern(r"\| "),
     # act: [workflow/job], and a bar before what a step printed; a clock in brackets would be taken for it
     "act": pattern(r"\[[^\]\n]{1,200}\] {1,3}(?:\| ?)?"),
 }
 _NODE = pattern(r"^\[[\w.+-]{1,100}-\d{1,4}\] ", re.MULTILINE)
 """What launch of ROS 2 writes before each line of a node; it says when it starts one."""
 _STARTED = "]: process started with pid ["
+_EVENT = pattern(
+    r"^(?:\[\d{1,9}\.\d{1,9}\] )?\([\w.-]{1,100}\) Std(?:err|out)Line: \{'line': b(['\"])(.{0,4000})\\n\1\}$",
+    re.MULTILINE,
+)
+_OF_EVENT = "Line: {'line': b"
+"""colcon's events.log has each line that a package printed as bytes of Python:
+https://colcon.readthedocs.io/en/released/user/log-files.html"""
 _SECTION = pattern(r"^section_(?:start|end):\d{1,12}:[\w.-]{1,100}(?:\[[^\]\n]{0,100}\])?\s?", re.MULTILINE)
 
 
@@ -37,13 +51,21 @@ def stripper(text: str) -> Callable[[str], str] | None:
     chosen = next((_PREFIXES[name] for name in _PREFIXES if votes[name] > 0.6 * len(filled)), None)
     section = any("section_start:" in line for line in filled)
     launched = _STARTED in text
-    if chosen is None and not section and not launched:
+    events = _OF_EVENT in text
+    if chosen is None and not section and not launched and not events:
         return None
     prefix = re.compile(f"^(?:{chosen.pattern})", re.MULTILINE) if chosen is not None else None
 
     def strip(text: str) -> str:
         plain = prefix.sub("", text) if prefix is not None else text
         plain = _NODE.sub("", plain) if launched else plain
+        plain = _EVENT.sub(_printed, plain) if events else plain
         return _SECTION.sub("", plain) if "section_" in plain else plain
 
     return strip
+
+
+def _printed(event: re.Match[str]) -> str:
+    """Return the line of an event, whose bytes are written as those of Python."""
+    said = event[2].encode("latin-1", errors="replace")
+    return codecs.escape_decode(said)[0].decode("utf-8", errors="replace") if b"\\" in said else event[2]

@@ -21,6 +21,10 @@ _SMALL = pattern(r"^(?i:run|copy|add|from|env|arg|user|workdir|label|cmd|entrypo
 """The first word of an instruction, which a Dockerfile may write in small letters."""
 
 
+_NUMBER = pattern(r"^(?:(?:\[\d{1,4}/\d{1,4}\] )?(?:Step|STEP) \d+(?:/\d+)? ?:|INFO\[\d{4,6}\]|\[[^\]]{0,200}\]) ?")
+"""What a builder writes before an instruction."""
+
+
 @dataclass(kw_only=True, slots=True, eq=False)
 class Step:
     """One instruction of a Dockerfile that a build ran, or the whole of a log without steps."""
@@ -37,7 +41,7 @@ class Step:
     @property
     def command(self) -> str:
         """The instruction alone, its first word in capitals: ``RUN make``."""
-        text = re.sub(r"^(?:\[[^\]]{0,200}\]|(?:Step|STEP) \d+(?:/\d+)? ?:) ?", "", self.name).strip()
+        text = _NUMBER.sub("", self.name).strip()
         return _SMALL.sub(lambda word: word[0].upper(), text)
 
     @property
@@ -84,7 +88,11 @@ class Log:
 
 _VERTEX = pattern(r"#(\d{1,6}) (\d{1,7}\.\d{1,3} ?)?")
 _NAMED = pattern(r"(?:\[|importing cache|exporting |resolve image|sha256:|pushing|merging|copy |local:)")
-_CLASSIC = pattern(r"(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?")
+_CLASSIC = pattern(
+    r"(?:\[\d{1,4}/\d{1,4}\] )?(?:Step|STEP) \d{1,4}(?:/\d{1,4})? ?: ?"
+    r"|INFO\[\d{4,6}\] (?=(?:FROM|RUN|COPY|ADD|ENV|ARG|USER|WORKDIR|LABEL) )"
+)
+"""The beginning of a step: of the classic builder, of buildah, which numbers the stages too, and of kaniko."""
 _REPEATED = pattern(r" > (.{1,2000}?):?$")
 _COPIED = pattern(r"^\s{0,8}\d{1,7}\.\d{1,3}(?: |$)")
 _SECONDS = pattern(r"^\d{1,7}\.\d{1,3}(?: |$)")
@@ -94,6 +102,7 @@ _FINAL = pattern(
     r"|The command '.{1,5000} returned a non-zero code: \d"
     r"|[Ee]rror(?: building at STEP|: error building at STEP)"
     r"|executor failed running "
+    r"|error building image: "
 )
 _COMMAND = pattern(
     r"(?:process \"|executor failed running \[)/bin/(?:ba|da|z)?sh (?:-[a-z]{1,6} (?:pipefail )?){0,3}-c "
@@ -146,7 +155,7 @@ class _Reader:
         first = text[:1]
         if self.last_step is not None and self.last == number:
             self.last_step.add(line)  # the same line after a carriage return
-        elif first and first in "S-> " and self._frame(line):
+        elif first and first in "S-> [I" and self._frame(line):
             pass
         elif first not in " \t" and _FINAL.match(text):
             self.errors.append((line, self.open))
