@@ -20,6 +20,7 @@ from roslab.repair import dockerfile
 from roslab.repair import words as repair_words
 from roslab.repair.chain import NOBODY, proposed, unasked
 from roslab.repair.change import Repair
+from roslab.values.dataclass import replace
 
 
 def explain(options: argparse.Namespace) -> int:
@@ -59,7 +60,8 @@ def _lines(answer: Answer, planned: Planned, found: Repair, options: argparse.Na
     if author := planned.plan.author_dockerfile:
         text = planned.repository.read(author.dockerfile)
         changes = dockerfile.edits(answer, text)
-        return dockerfile.diff(author.dockerfile, text, changes) if changes else ""
+        own = dockerfile.diff(author.dockerfile, text, changes) if changes else ""
+        return own + repair_words.text(replace(found, changes=()), begin=configuration(planned, options)[1] is None)
     said = repair_words.text(found, begin=configuration(planned, options)[1] is None)
     others = () if options.ask else unasked(found, answer, given(planned))
     return said + "".join(f"--ask asks {each}\n" for each in others)

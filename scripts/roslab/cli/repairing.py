@@ -18,7 +18,7 @@ from roslab.explain.answer import Answer, explain
 from roslab.files import write_configuration
 from roslab.pipeline import Planned
 from roslab.plan.plan import Plan
-from roslab.repair import dockerfile, generated, leaving, words
+from roslab.repair import dockerfile, leaving, words
 from roslab.repair.absent import unknown_to_apt
 from roslab.repair.chain import proposed
 from roslab.repair.change import Change, Given, Repair
@@ -96,9 +96,6 @@ class Repairing:
         if self.rounds >= self.options.repair:
             self._stop(error, f"{self.rounds} rounds are used up: --repair=N takes more")
         again = bool(causes & self.seen)
-        if author := self.planned.plan.author_dockerfile:
-            self._generate(error, answer, author.dockerfile)
-            return
         found = proposed(
             answer,
             before,
@@ -107,6 +104,11 @@ class Repairing:
             again=again,
             whole=self.kept is not None,  # what an image has that is named already is not given up for its command
         )
+        if author := self.planned.plan.author_dockerfile:
+            own = self._own(answer, author.dockerfile)
+            why = f"the image is built from {author.dockerfile}{own or ', and no line is certain to repair it'}"
+            self._generate(found.left or self._stop(error, why), error, own)
+            return
         changes = found.certain.changes or found.left
         if not changes:
             self._stop(error, "; ".join(_reasons(found, answer, again=again)))
@@ -119,17 +121,13 @@ class Repairing:
         for line in leaving.told(changes):
             say(f"roslab: repair {self.rounds} {line}")
 
-    def _generate(self, error: FailedBuild, answer: Answer, file: str) -> None:
-        """Plan the next round with a generated Dockerfile, in place of the author's, which does not build."""
-        own = self._own(answer, file)
-        change = generated.in_place_of(file, answer, given(self.planned))
-        if not change:
-            self._stop(error, f"the image is built from {file}{own or ', and no line is certain to repair it'}")
-        self.planned = self._with(change, error)
+    def _generate(self, changes: tuple[Change, ...], error: FailedBuild, own: str) -> None:
+        """Plan the next round with a generated Dockerfile; ``own`` tells what would repair the author's."""
+        self.planned = self._with(changes, error)
         # What it is for is not seen yet: the cause may come back, and is repaired then
         self.rounds += 1
-        self.changes += change
-        for line in leaving.told(change):
+        self.changes += changes
+        for line in leaving.told(changes):
             say(f"roslab: repair {self.rounds} {line}{own}".rstrip("\n"))
 
     def start(self, dead: FailedBuild) -> bool:

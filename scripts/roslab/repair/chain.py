@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from roslab.explain.answer import Answer
-from roslab.repair import holders, leaving, other_python
+from roslab.repair import generated, holders, leaving, other_python
 from roslab.repair.absent import without_absent
 from roslab.repair.change import Given, Repair
 from roslab.repair.repair import repair
@@ -41,6 +41,7 @@ def proposed(
 
     First what tables, plan and log settle; then the package of apt, then the Python that somebody who is asked names;
     last, in ``left``, what the image is built without. Each comes only where nothing before it is certain.
+    In place of an author's Dockerfile, to which nothing is added, one is generated: that is in ``left``, too.
     ``start``: the answer is to the log of the default command of an image that was built. ``again``: what was added for
     the same cause did not help. ``whole``: nothing is left out.
     """
@@ -52,6 +53,8 @@ def proposed(
         found = holders.completed(found, answer, given, asking.files)
     if asking.wheels:
         found = other_python.completed(found, answer, given, asking.wheels)
+    if given.plan.author_dockerfile and not start:
+        return replace(found, left=generated.in_place_of(answer, given))
     if start or whole or found.certain.changes:
         return found
     left = leaving.left_out(answer, given)

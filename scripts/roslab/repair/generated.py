@@ -9,13 +9,15 @@ from roslab.repair.said import by_machine, said
 KEY = "dockerfile"
 
 
-def in_place_of(file: str, answer: Answer, given: Given) -> tuple[Change, ...]:
+def in_place_of(answer: Answer, given: Given) -> tuple[Change, ...]:
     """Return the change with which a Dockerfile is generated in place of one that was found in the tree.
 
     None where roslab.yaml names that one, or is of an old format, and where the network or the machine failed: what is
     generated would fail there, too.
     """
-    if given.config.dockerfile or given.config.generation != "today" or any(map(by_machine, answer.explanations)):
+    author = given.plan.author_dockerfile
+    named = given.config.dockerfile or given.config.generation != "today"
+    if author is None or named or any(map(by_machine, answer.explanations)):
         return ()
     found = next(iter(answer.explanations), None)
     what, place = said(found, given) if found else ("its build ends with an error", None)
@@ -25,6 +27,6 @@ def in_place_of(file: str, answer: Answer, given: Given) -> tuple[Change, ...]:
         failure=(found.id if found else "") or "",
         certain=True,
         asked=Asked(what=what, place=place),
-        why=f"{file} does not build: {what}{f' at {place}' if place else ''}",
+        why=f"{author.dockerfile} does not build: {what}{f' at {place}' if place else ''}",
     )
     return (change,)

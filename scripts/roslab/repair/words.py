@@ -9,6 +9,7 @@ from typing import Any
 from roslab.config.addition import added
 from roslab.errors import ConfigurationError
 from roslab.knowledge.repairs import SKIP
+from roslab.repair import generated
 from roslab.repair.change import Change, Repair
 
 
@@ -66,7 +67,8 @@ def text(repair: Repair, *, begin: bool) -> str:
         out += ["In roslab.yaml:", *(f"  {line}" for line in lines(repair.changes, begin=begin).splitlines())]
     out += [f"could be built {without(change)}" for change in repair.left]
     if repair.left:
-        out += ["In roslab.yaml, if nothing that you start needs what is left out:"]
+        instead = any(change.key == generated.KEY for change in repair.left)
+        out += ["In roslab.yaml:" if instead else "In roslab.yaml, if nothing that you start needs what is left out:"]
         out += [f"  {line}" for line in lines(repair.left, begin=begin).splitlines()]
     out += [f"nothing is left out: {repair.kept}"] if repair.kept else []
     return "".join(f"{line}\n" for line in out)
@@ -74,5 +76,7 @@ def text(repair: Repair, *, begin: bool) -> str:
 
 def without(change: Change) -> str:
     """Return what the image lacks with a change that leaves something out, and why it may."""
+    if change.key == generated.KEY:
+        return "from a Dockerfile that is generated"
     left = f"without {change.value}, which" if change.key == SKIP else f"with nothing but {change.value},"
     return f"{left} {change.why}"

@@ -40,6 +40,7 @@ PYTHON = {
     "requirements.txt": "fast-robot==2.0\n",
     "main.py": "import fast_robot\n",
 }
+OWN = {"Dockerfile": "FROM ubuntu:20.04\nCOPY . /src\nRUN make\n", "main.cpp": "int main() {}\n"}
 SOURCE = "/home/jovyan/ws/src/robot/arm_extra/main.cpp:1:2"
 MADE = "make[2]: *** [robot/arm_extra/CMakeFiles/x.dir/build.make:7: x.o] Error 1"
 HEADER = f"{SOURCE}: fatal error: {{}}: No such file or directory"
@@ -65,6 +66,7 @@ CASES = {
     "apt": (WORKSPACE, HELD, ["apt: [libzoo-dev]"], []),
     "another Python": (PYTHON, WHEEL, ["base.python: 3.9"], []),
     "a package left out": (WORKSPACE, CODE, [], ["skip_packages: [arm_extra]"]),
+    "a generated Dockerfile": (OWN, log("make", "a message that nobody knows"), [], ["dockerfile: false"]),
     "a program left out": (PROGRAM, OTHER, [], ["build_args: [arm_app]"]),
 }
 
@@ -115,7 +117,7 @@ def test_the_action_proposes_the_same_and_writes_nothing_that_leaves_out(tmp_pat
     (problem,) = mending.problems
     hint = problem.hint or ""
     assert [change for change in (*changes, *left) if f"`{change}`" in hint] == [*changes, *left]
-    assert ("It could be built with" in hint) == bool(left)
+    assert ("It could be built " in hint) == bool(left)
     assert bool(mending.repairs) == bool(changes)
     assert mending.hunk is None or not left
 

@@ -229,8 +229,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         reading.take(instruction)
     problem = reading.problem or (None if reading.base else "no FROM")
     copies, context, missing = build_context(repository, file, reading.copied, reading.installed)
-    collector, start = reading.collector, reading.start
-    missing = only_files(written, reading.base) or missing
+    collector, start, missing = reading.collector, reading.start, only_files(written, reading.base) or missing
     if reading.base == "scratch" and (base := reading.stages.get((copied_from(written) or "").lower())):
         reading.base, reading.base_line = base, dict(reading.bases).get(base, reading.base_line)
     if started := uncopied(repository, context or "", dict(reading.copied), (*start.entrypoint, *start.command)):
@@ -252,6 +251,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     missing = missing or stops_at_absent(repository, used, known, context or "", copied=reading.copied, start=start)
     missing = missing or ungiven(repository, used)
     itself = any(is_itself(repository, clone) for clone in collector.sources)
+    purpose = "vendored" if in_copy(repository, file) else purpose_of(file.path, reading.base or "", problem, service)
     return AuthorDockerfile(
         file=file.path,
         line=1,
@@ -270,9 +270,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
         entry=entry_script(repository, start.entrypoint, written, (name for name, _, _ in start.environment)),
         starts_in_source=start.source is not None and start.source == posixpath.normpath(start.workdir),
         source=from_start(start),
-        purpose="vendored"
-        if in_copy(repository, file)
-        else purpose_of(file.path, reading.base or "", problem, service),
+        purpose=purpose,
         service=service,
         environment=set_for_ros(repository, file.path, start.environment, service),
         problem=problem or reading.needs or missing,
