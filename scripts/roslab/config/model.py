@@ -68,6 +68,8 @@ class Source:
     name: str
     repo: str | None = None
     zip: str | None = None
+    zip_arm64: str = ""
+    """The archive that takes its place on arm64, ``""`` where it is for every processor."""
     ref: str | None = None
     """Branch, tag or commit (also from ``checkout`` and ``-b BRANCH`` of the old formats)."""
     depends: tuple[str, ...] = ()

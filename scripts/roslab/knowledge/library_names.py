@@ -35,8 +35,8 @@ def library_names(ubuntu: str | None) -> str:
 def _told(ubuntu: str | None) -> Iterator[tuple[str, str]]:
     for name in names("cmake"):
         one = library("cmake", name, ubuntu)
-        if one is None or any(built.makefile_in for built in recipe(one.recipe, ubuntu)):
-            continue  # no package of CMake is called so
+        if one is None or any(built.makefile_in or built.archives for built in recipe(one.recipe, ubuntu)):
+            continue  # no package of CMake is called so, or no key of roslab.yaml says how it is unpacked
         if not one.apt and (one.recipe or not (one.ros or one.elsewhere)):
             yield name, _without_package(one, ubuntu)
     for naming, prefix in PREFIXES.items():

@@ -45,8 +45,9 @@ class Recipe:
 
     name: str
     repo: str
+    """``""`` for one whose project compiles it itself: its archives are unpacked."""
     ref: str
-    """A tag or a commit, so that the same is built in ten years."""
+    """A tag or a commit, so that the same is built in ten years; of archives the release."""
     depends: tuple[str, ...]
     """apt packages that its build needs."""
     options: tuple[str, ...]
@@ -56,6 +57,10 @@ class Recipe:
     """The folder of it whose Makefile installs it without CMake, which then finds no package: it is only linked."""
     cmake_in: str | None
     """The folder of it with its CMakeLists.txt, where that is not at the root."""
+    archives: tuple[str, str] | None = None
+    """Its archives for amd64 and arm64."""
+    installs: str = ""
+    """The CMakeLists.txt that installs what is in such an archive."""
 
 
 @cache
@@ -64,7 +69,7 @@ def recipe_at(url: str) -> str | None:
     if url not in _text().lower():
         return None
     found = ((name, _table(name)) for name in _NAME.findall(_text()))
-    return next((name for name, row in found if row and row["repo"].lower().removesuffix(".git") == url), None)
+    return next((name for name, row in found if row and row.get("repo", "").lower().removesuffix(".git") == url), None)
 
 
 @cache
@@ -183,15 +188,18 @@ def recipe(
     if found is None:
         return ()
     depends = (*found.get("depends", ()), *found.get("depends_on", {}).get(ubuntu or "", ()))
+    ref, archives = _fitting(found, _usual(found, ubuntu, day), bounds.get(name, ())), found.get("archives", {})
     own = Recipe(
         name=name,
-        repo=found["repo"],
-        ref=_fitting(found, _usual(found, ubuntu, day), bounds.get(name, ())),
+        repo=found.get("repo", ""),
+        ref=ref,
         depends=depends,
         options=tuple(found.get("options", ())),
         make=found.get("make"),
         makefile_in=found.get("makefile_in"),
         cmake_in=found.get("cmake_in"),
+        archives=(archives["amd64"].format(ref=ref), archives["arm64"].format(ref=ref)) if archives else None,
+        installs=found.get("installs", ""),
     )
     return (*(first for needed in found.get("after", ()) for first in recipe(needed, ubuntu, bounds, day)), own)
 

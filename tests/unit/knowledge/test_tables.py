@@ -99,7 +99,10 @@ def test_released_packages_are_names(name: str) -> None:
 @pytest.mark.parametrize("name", sorted(RECIPES))
 def test_recipes_are_pinned_and_complete(name: str) -> None:
     found = RECIPES[name]
-    assert found["repo"].startswith("https://")
+    archives = found.get("archives", {})
+    addresses = [archive.format(ref=found["ref"]) for archive in archives.values()] or [found["repo"]]
+    assert not archives or (archives.keys() == {"amd64", "arm64"} and found["installs"])
+    assert all(address.startswith("https://") for address in addresses)
     assert found["source"].startswith(("https://", "PyPI: "))
     assert DATE.match(str(found["date"]))
     for ref in (
@@ -110,7 +113,7 @@ def test_recipes_are_pinned_and_complete(name: str) -> None:
     ):
         assert re.fullmatch(r"[0-9a-f]{40}|v?\d[\w.-]*", ref), f"{name}: {ref!r} is no tag or commit"
     assert set(found.get("ref_on", {})) <= set(ubuntus().values())
-    assert all(APT.match(package) for package in found["depends"])
+    assert all(APT.match(package) for package in found.get("depends", ()))
     assert [source.name for source in recipe(name, "focal")] == [*found.get("after", ()), name]
 
 

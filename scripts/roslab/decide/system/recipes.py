@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Source
@@ -62,6 +63,10 @@ def required_releases(needed: Iterable[tuple[Dependency, bool]]) -> Iterator[Cod
 
 
 def _source(built: Recipe) -> Source:
+    if built.archives:
+        amd64, arm64 = built.archives
+        lines = shlex.join(("printf", "%s\\n", *built.installs.strip().split("\n")))
+        return Source(name=built.name, zip=amd64, zip_arm64=arm64, prepare=f"{lines} > CMakeLists.txt")
     return Source(
         name=built.name,
         repo=built.repo,

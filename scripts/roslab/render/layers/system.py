@@ -240,13 +240,19 @@ def fetch(plan: Plan, source: Source, folder: str) -> list[str]:
     if not source.zip:
         return clone(source, folder)
     curl = f"curl {'--netrc ' if NETRC in plan.secrets else ''}--fail --silent --show-error --location"
+    url = quote.shell(source.zip)
+    tar = source.zip.endswith((".tgz", ".tar.gz"))
+    unpack = "tar --extract --gzip --directory /tmp/archive --file" if tar else "unzip -q -d /tmp/archive"
+    if source.zip_arm64:
+        arm64 = quote.shell(source.zip_arm64)
+        url = f'"$(case "$(dpkg --print-architecture)" in arm64) echo {arm64} ;; *) echo {url} ;; esac)"'
     # The archive's own top folder is not always named as its file: strip it, whatever it is called
     return [
         "mkdir --parents /tmp/archive",
-        f"{curl} --output /tmp/archive.zip {quote.shell(source.zip)}",
-        "unzip -q /tmp/archive.zip -d /tmp/archive",
+        f"{curl} --output /tmp/archive.packed {url}",
+        f"{unpack} /tmp/archive.packed",
         f"mv /tmp/archive/* {folder}",
-        "rm -rf /tmp/archive /tmp/archive.zip",
+        "rm -rf /tmp/archive /tmp/archive.packed",
     ]
 
 

@@ -1,0 +1,69 @@
+"""Libraries whose project compiles them itself: its archives are unpacked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roslab.config.model import Config, Source
+from roslab.decide.decision import Decision
+from roslab.plan.plan import make_plan
+from roslab.render.dockerfile import dockerfile
+from trees import decided
+
+Tree = Callable[[dict[str, str]], Decision]
+_MANIFEST = (
+    "<package format='3'><name>depth</name><buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend>{}"
+    "<export><build_type>ament_cmake</build_type></export></package>"
+)
+_FILES = {
+    "package.xml": _MANIFEST.format("<build_depend>onnxruntime</build_depend>"),
+    "CMakeLists.txt": "project(depth)\nfind_package(ament_cmake REQUIRED)\nFIND\nadd_executable(depth depth.cpp)\n"
+    "target_link_libraries(depth ${ORT})\nament_package()\n",
+    "depth.cpp": "#include <onnxruntime_cxx_api.h>\nint main() {}\n",
+}
+_LIBRARY = "find_library(ORT onnxruntime)"
+
+
+def _built(decision: Decision) -> Source | None:
+    return next((each for each in decision.source if each.name == "onnxruntime"), None)
+
+
+@pytest.mark.parametrize(
+    "asked", [_LIBRARY, "find_package(onnxruntime REQUIRED)", "find_package(ONNXRuntime REQUIRED)"]
+)
+def test_an_archive_for_each_processor(tree: Tree, asked: str) -> None:
+    decision = tree({**_FILES, "CMakeLists.txt": _FILES["CMakeLists.txt"].replace("FIND", asked)})
+    library = _built(decision)
+    assert library is not None
+    assert library.zip is not None
+    assert "-linux-x64-" in library.zip
+    assert "-linux-aarch64-" in library.zip_arm64
+    assert decision.platforms == ("linux/amd64", "linux/arm64")
+    assert not any("onnxruntime" in each.message and "nothing" in each.message for each in decision.warnings)
+    text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
+    assert f"arm64) echo {library.zip_arm64} ;; *) echo {library.zip} ;;" in text
+    assert "tar --extract --gzip --directory /tmp/archive --file /tmp/archive.packed" in text
+    assert "> CMakeLists.txt)" in text
+
+
+@pytest.mark.parametrize(
+    ("day", "code", "release"),
+    [
+        ("2022-10-01", "", "1.12.1"),
+        ("2023-12-24", "", "1.16.3"),
+        ("2023-12-24", "auto name = session.GetInputName(0, allocator);", "1.12.1"),
+        ("2023-12-24", "auto name = session.GetInputNameAllocated(0, allocator);", "1.16.3"),
+    ],
+)
+def test_the_release_of_its_time_and_of_its_code(tmp_path: Path, day: str, code: str, release: str) -> None:
+    files = {
+        **_FILES,
+        "CMakeLists.txt": _FILES["CMakeLists.txt"].replace("FIND", _LIBRARY),
+        "depth.cpp": f"{_FILES['depth.cpp']}{code}\n",
+    }
+    library = _built(decided(tmp_path, files, config=Config(pip_date=day)))
+    assert library is not None
+    assert (library.zip or "").endswith(f"-{release}.tgz")
