@@ -60,6 +60,9 @@ def test_the_repositorys_own_modules_come_before_theirs(tmp_path: Path) -> None:
     text = dockerfile(replace(plan, workspace=replace(plan.workspace, python_path=("python",))))
     own = f"/home/${{NB_USER}}/{tmp_path.name}/python"
     assert f'PYTHONPATH="{own}:/opt/openrobots/lib/python3.8/site-packages"' in text
+    other = dockerfile(replace(plan, python=replace(plan.python, version="3.11")))
+    assert "PATH=/opt/openrobots" in other
+    assert "PYTHONPATH" not in other.partition("FROM ubuntu")[2], "its modules are for Ubuntu's Python"
 
 
 def test_no_other_source_sets_a_variable(tree: Tree, tmp_path: Path) -> None:

@@ -102,8 +102,13 @@ def repositories(plan: Plan) -> str:
 
 
 def python_folders(plan: Plan) -> tuple[str, ...]:
-    """Return the folders of Python modules that packages of added sources have, where these do not lie in Ubuntu's."""
+    """Return the folders of Python modules that packages of added sources have, where these do not lie in Ubuntu's.
+
+    They are compiled for Ubuntu's own Python: where the image has another one, it does not see them.
+    """
     python = python_of_ubuntu().get(plan.ubuntu or "")
+    if plan.python.version not in {None, python}:
+        return ()
     return tuple(f"{each}/lib/python{python}/site-packages" for each in _folders(plan) if python)
 
 
