@@ -140,6 +140,12 @@ def release_of(name: str, ref: str) -> str:
     return next((release for release, tag in refs.items() if tag == ref), ref.removeprefix("v"))
 
 
+def usual_release(name: str, ubuntu: str | None) -> str | None:
+    """Return the release of a library that is built on an Ubuntu, ``None`` where the table does not have several."""
+    built = recipe(name, ubuntu) if releases(name) else ()
+    return release_of(name, built[-1].ref) if built else None
+
+
 def tag_of(name: str, release: str) -> str | None:
     """Return the tag of a release of a library, written as its usual tag is; ``None`` where that is no number."""
     found = _table(name) or {}

@@ -59,3 +59,28 @@ def test_the_image_has_eigen_where_the_headers_of_a_library_include_it(tree: Tre
     decision = tree({"CMakeLists.txt": made, "a.cpp": "int main() {}\n"})
     assert [source.name for source in decision.source] == [asked.lower()]
     assert ("libeigen3-dev" in {*decision.apt, *decision.apt_guessed}) == eigen
+
+
+@pytest.mark.parametrize(
+    ("said", "ref"),
+    [
+        ("GTSAM >= 4.1", "4.1.1"),
+        ("**GTSAM 4.2.0** (pose graphs)", "4.2"),
+        ("[GTSAM](https://gtsam.org) 4.2", "4.2"),
+        ("gtsam 4.2a9 or newer", "4.2"),
+        ("GTSAM 4.3a0", "4.3a0"),
+        ("GTSAM 4.0.2", "4.0.3"),  # the one of the Ubuntu compiles there
+        ("GTSAM 4.x", "4.0.3"),
+        ("GTSAM 9", "4.0.3"),  # the table has none
+        ("GTSAM 4.2 (optional)", "4.0.3"),
+    ],
+)
+def test_a_list_asks_for_a_newer_release_than_the_ubuntu_has(tree: Tree, said: str, ref: str) -> None:
+    decision = tree({**CODE, "README.md": f"Tested on Ubuntu 20.04\n## Dependencies\n- Eigen3\n- {said}\n"})
+    assert [(source.name, source.ref) for source in decision.source] == [("gtsam", ref)]
+
+
+def test_a_list_asks_for_nothing_that_ros_brings_or_cmake_does_not_look_for(tree: Tree) -> None:
+    page = "ROS 2 Humble\n## Dependencies\n- GTSAM 4.3\n- Pangolin 0.9\n"
+    manifest = "<package format='3'><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    assert not tree({**CODE, "package.xml": manifest, "README.md": page}).source

@@ -6,13 +6,13 @@ from collections.abc import Collection, Iterator
 
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import page_of, warn
-from roslab.decide.system.names import Target
+from roslab.decide.system.names import Target, resolve
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import version_of
 from roslab.knowledge.libraries import library
-from roslab.knowledge.recipes import has_release, header_only
+from roslab.knowledge.recipes import has_release, header_only, usual_release
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
@@ -21,16 +21,30 @@ _LEAST = pattern(r"[+>≥]|\b(?:newer|later|above|higher|greater|up)\b")
 
 
 def too_old_for_page(evidence: Evidence, target: Target) -> Iterator[CodeLimit]:
-    """Yield what a page asks for at least, of the libraries that CMake looks for, where the Ubuntu's is older."""
+    """Yield what a page asks for at least, of the libraries that CMake looks for, where the Ubuntu's is older.
+
+    Of what is built from its source also the release that the author has, where the one that would be built is older.
+    """
+    if not (evidence.listed_releases and target.ubuntu):
+        return
     asked = {each.name for made in evidence.cmake for each in made.dependencies if each.namespace == "cmake"}
     packages = {apt for name in asked if (found := library("cmake", name, target.ubuntu)) for apt in found.apt}
-    for limit in evidence.listed_releases if target.ubuntu else ():
-        here = version_of(limit.library, target.ubuntu or "", ros=bool(target.ros_distro))
+    built = {name.lower() for name in asked if resolve(_asked(name), target).recipe == name.lower()}
+    for limit in evidence.listed_releases:
+        usual = usual_release(limit.library.lower(), target.ubuntu) if limit.library.lower() in built else None
+        if usual and Version(usual) < Version(limit.at_least or "0"):
+            yield limit
+            continue
+        here = version_of(limit.library, target.ubuntu, ros=bool(target.ros_distro))
         same = library("cmake", limit.library, target.ubuntu)
         used = same is not None and not packages.isdisjoint(same.apt)
         least = limit.at_least and _LEAST.search(limit.what)
         if used and here and least and Version(here) < Version(limit.at_least or "0"):
             yield limit
+
+
+def _asked(name: str) -> Dependency:
+    return Dependency(namespace="cmake", name=name, strength="declared", file="CMakeLists.txt", line=1)
 
 
 def built_for_page(found: Collection[CodeLimit]) -> Iterator[tuple[str, Dependency]]:

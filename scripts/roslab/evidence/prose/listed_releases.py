@@ -13,10 +13,11 @@ from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
 _LIBRARIES = {"opencv": "OpenCV", "pcl": "PCL", "boost": "Boost", "eigen": "Eigen3", "ceres": "Ceres"}
-"""What pages call those of which the versions of each Ubuntu are known."""
+_BUILT = {"gtsam": "GTSAM", "pangolin": "Pangolin"}
+"""What pages call those of which the versions of each Ubuntu are known, and those that are built from their source."""
 _NAMED = pattern(
-    r"^(opencv|pcl|boost|eigen|ceres)(?:[ -]solver)?[\s-]*(?:version\s*|v\.?\s*)?"
-    r"(>=|≥|>|==?)?\s*v?(\d{1,2}(?:\.\d{1,3}){0,2})"
+    r"^(opencv|pcl|boost|eigen|ceres|gtsam|pangolin)(?:[ -]solver)?[\s-]*(?:version\s*|v\.?\s*)?"
+    r"(>=|≥|>|==?)?\s*v?(\d{1,2}(?:\.\d{1,3}){0,2}(?:a\d{1,2})?)"
     r"(?:\.x)?(\+|\s*\(?(?:or|and)\s+(?:newer|later|above|higher|greater|up)\w*\)?)?(?=$|[\s),.;:])",
     re.IGNORECASE,
 )
@@ -44,7 +45,8 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
             match = _NAMED.match(item.strip())
             if match is None or _OTHER.search(_behind(item.strip()[match.end() :])):
                 continue
-            library, (number, below) = _LIBRARIES[match[1].lower()], bounds_of(_LIBRARIES[match[1].lower()], match[3])
+            library = (_LIBRARIES | _BUILT)[match[1].lower()]
+            number, below = bounds_of(library, match[3])
             least = bool(match[4]) or match[2] in {">=", "≥", ">"}
             limit = CodeLimit(
                 library=library,
