@@ -8,12 +8,15 @@ from roslab.explain import matter, names, signatures, stages, steps
 from roslab.explain.failed_packages import failed_packages
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
+from roslab.knowledge.failures import of_machine
 from roslab.knowledge.repairs import complete, repairs
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
 KEPT = 60_000
 """Characters of a failed step that are kept for its repair."""
+_AROUND = 40
+"""Lines outside all steps, at the end of the log, that may say who stopped the build."""
 _AGAIN = pattern(r"roslab: .{1,300}: once more\b")
 """What a script of a generated image says before it tries again: it failed by what comes after."""
 _LEFT_OUT = pattern(r"roslab: left out: (?:apt|rosdep) (\S{1,100})[ \t\r]*$")
@@ -76,12 +79,20 @@ def explain(stream: IO[bytes]) -> Answer:
     for step in failed:
         step.lines = _last_attempt(step.lines)
     found = tuple(_step(log, step, image) for step in failed)
+    found = found if any(one.id for one in found) else (_stopped(log, image) or found)
     return Answer(
         explanations=_distinct(found),
         lines=log.lines,
         succeeded=log.succeeded and not log.failed,
         left_out=_left_out(log),
     )
+
+
+def _stopped(log: Log, image: names.Image) -> tuple[Explanation, ...]:
+    """Return why a build was stopped from outside, as the lines around its steps tell: a time limit, a shutdown."""
+    outside = Step(lines=log.rest.lines[-_AROUND:])
+    found = _step(log, outside, image) if log.failed else None
+    return (found,) if found is not None and found.id in of_machine() else ()
 
 
 def _left_out(log: Log) -> tuple[str, ...]:
@@ -92,7 +103,7 @@ def _left_out(log: Log) -> tuple[str, ...]:
 def _context(log: Log) -> str:
     """Return the parts of a log that name the image: its steps and their first lines."""
     parts = [step.name for step in log.steps]
-    parts += [line.text for step in log.steps for line in step.lines[:150]]
+    parts += [line.text for step in (log.steps or [log.rest]) for line in step.lines[:150]]
     return "\n".join(parts)[:400_000]
 
 

@@ -30,7 +30,7 @@ _NEVER = pattern(
     r"|Removing intermediate container| ---> "
     r"|Download(?:ing|ed)(?: from \S{1,40})?: https?://|Progress \(\d"
     r"|go: (?:finding|downloading|extracting) \S{1,200} v"
-    r"|(?:[|│] {1,3}){0,30}(?:[+`]--|[├└]─)[-─┬ ]{0,3}[@\w])"  # a tree of packages
+    r"|(?:[|│] {1,3}){0,30}(?:[+`]--|[├└]─)[-─┬ ]{0,3}(?![^\n]{1,200} exist \(perhaps)[@\w])"  # a tree of packages
 )
 _JOINED = pattern(r"^\s{0,8}(?:Reading|Building|Processing)[^\n]{1,60}?\.\.\.(?: ?(?:\d{1,3}%|Done))? ?(?=[EWN]: )")
 """apt's progress, which ends without a line break, before a message on the other stream."""

@@ -68,7 +68,7 @@ def _renamed(names: Names, _: Image) -> Names:
 def _table(name: str, key: str, value: str, captured: str) -> Callable[[Names, Image], Names]:
     def look(names: Names, _: Image) -> Names:
         word = names.get(captured, "").rpartition("/")[2] if captured != "module" else names.get(captured, "")
-        for wanted in (word, word.split(".")[0]) if captured == "module" else (word,):
+        for wanted in (word, word.split(".")[0]) if captured == "module" else (word, word.lower()):
             found = next((row[value] for row in rows(name) if row[key] == wanted), "")
             if found:
                 return {"package": found}
@@ -84,7 +84,7 @@ def _library(naming: libraries.Naming, captured: str) -> Callable[[Names, Image]
             found = libraries.header(name, where.ubuntu) if naming == "include" else None
             if naming != "include":
                 spellings = (name, name.removeprefix("lib"), name.lower(), name.capitalize(), f"lib{name}")
-                known = (libraries.library(naming, spelling, where.ubuntu) for spelling in spellings)
+                known = (_of_any(naming, spelling, where.ubuntu) for spelling in spellings)
                 found = next((library for library in known if library is not None), None)
             if found is not None:
                 packages.update(dict.fromkeys(_packages(found, where)))
@@ -95,6 +95,15 @@ def _library(naming: libraries.Naming, captured: str) -> Callable[[Names, Image]
         return {"package": " ".join(packages), **low} if packages else low
 
     return look
+
+
+def _of_any(naming: libraries.Naming, name: str, ubuntu: str | None) -> libraries.Library | None:
+    """Return where a library comes from; where the log does not show the Ubuntu, what all that have it agree on."""
+    found = libraries.library(naming, name, ubuntu)
+    if ubuntu is not None or found is None or found.apt or found.recipe:
+        return found
+    each = {library.apt for one in ubuntus().values() if (library := libraries.library(naming, name, one))} - {()}
+    return libraries.Library(apt=each.pop(), ros=found.ros) if len(each) == 1 else found
 
 
 def _packages(found: libraries.Library, where: Image) -> tuple[str, ...]:
@@ -237,30 +246,17 @@ def _apk(names: Names, _: Image) -> Names:
     return {"package": ", ".join(table[name] for name in wanted)} if wanted and table.keys() >= set(wanted) else {}
 
 
-def _cuda_architecture(names: Names, _: Image) -> Names:
-    """Name the first CUDA of the table that knows an architecture, and what the ones before it can compile for."""
-    said = names.get("architecture", "").rstrip("af")
-    older = ""
-    for row in rows("cuda_architectures") if said else ():
-        known = [int(each.replace(".", "")) for each in row["architectures"].removesuffix("+PTX").split(";")]
-        if int(said) < known[0]:
-            return {}  # an old one, which was taken out of CUDA
-        if int(said) <= known[-1]:
-            return {"since": f"known since CUDA {row['cuda']}", "architectures": older}
-        older = row["architectures"]
-    return {}
-
-
 LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "release": _release,
     "apt": _renamed,
     "advice": _advice,
     "api": _api,
     "argument": _argument,
+    "cmake-command": lambda names, _: worked.cmake_command(names),
     "cmake": _library("cmake", "name"),
     "conflict": lambda names, where: worked.conflict(names, where.instruction),
     "apk": _apk,
-    "cuda-architecture": _cuda_architecture,
+    "cuda-architecture": lambda names, _: worked.cuda_architecture(names),
     "cuda-image": _cuda_image,
     "image-moved": _moved_image,
     "emptied": lambda names, where: worked.emptied(names, where.instruction),

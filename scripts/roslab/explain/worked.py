@@ -80,3 +80,24 @@ def python_end(names: Mapping[str, str]) -> dict[str, str]:
 @cache
 def _python_ends() -> dict[str, str]:
     return {row["name"]: row["last"] for row in rows("python_ends")}
+
+
+def cmake_command(names: Mapping[str, str]) -> dict[str, str]:
+    """Name the arguments of find_package for what defines a command of CMake."""
+    name = names.get("name", "").lower()
+    row = next((row for row in rows("cmake_commands") if compiled(row["pattern"]).fullmatch(name)), None)
+    return {"package": row["package"]} if row else {}
+
+
+def cuda_architecture(names: Mapping[str, str]) -> dict[str, str]:
+    """Name the first CUDA of the table that knows an architecture, and what the ones before it can compile for."""
+    said = names.get("architecture", "").rstrip("af")
+    older = ""
+    for row in rows("cuda_architectures") if said else ():
+        known = [int(each.replace(".", "")) for each in row["architectures"].removesuffix("+PTX").split(";")]
+        if int(said) < known[0]:
+            return {}  # an old one, which was taken out of CUDA
+        if int(said) <= known[-1]:
+            return {"since": f"known since CUDA {row['cuda']}", "architectures": older}
+        older = row["architectures"]
+    return {}

@@ -132,6 +132,7 @@ def test_a_line_of_three_megabytes_is_read_in_time() -> None:
         "shared_objects",
         "shared_objects_given",
         "api_changes",
+        "cmake_commands",
         "headers",
         "package_advice",
         "symbols",

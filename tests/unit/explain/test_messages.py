@@ -1,0 +1,109 @@
+"""Messages of tools that one failure has in several words, each with the cause that they share."""
+
+from __future__ import annotations
+
+import io
+
+import pytest
+
+from roslab.explain.answer import Explanation, explain
+
+
+def found(lines: str, step: str = "") -> Explanation:
+    """Explain what a step of a build printed; without a step, a log of its own."""
+    said = lines.splitlines()
+    if step:
+        end = f'process "/bin/sh -c {step}" did not complete successfully: exit code: 1'
+        said = [f"#8 [3/4] RUN {step}", *(f"#8 1.0 {line}" for line in said), f"#8 ERROR: {end}"]
+    (one,) = explain(io.BytesIO("".join(f"{line}\n" for line in said).encode())).explanations
+    return one
+
+
+WORDS = """
+connection: rosdep init
+ERROR: cannot download default sources list from:
+https://raw.githubusercontent.com/ros/a.list
+
+connection: rosdep update
+Failed to download target platform data for gbpdistro:
+The read operation timed out
+
+connection: git clone https://example.org/a
+fatal: unable to access 'https://example.org/a/': GnuTLS recv error (-110)
+
+git-lfs: git lfs pull
+git: 'lfs' is not a git command. See 'git --help'.
+
+git-ssh: git clone --recursive https://example.org/a
+git@example.org: Permission denied (publickey).
+fatal: Could not read from remote repository.
+fatal: clone of 'git@example.org:a/b.git' into submodule path '/a/b' failed
+
+memory: make
+collect2: fatal error: ld terminated with signal 9 [Killed]
+
+numpy-too-new: python3 t.py
+RuntimeError: Numpy is not available
+
+pip-wheel-tool-missing: pip install dlib
+  ERROR: CMake must be installed to build the following extensions: _dlib
+
+conda-packages-not-found: mamba env create
+error    libmamba Could not solve for environment specs
+    └─ fast-robot 0.3.0** does not exist (perhaps a typo or a missing channel).
+
+api-known: make
+a.cpp:3:10: fatal error: tf2_eigen/tf2_eigen.h: No such file or directory
+
+header-missing: make
+a.cpp:3:10: fatal error: tf2_eigen/tf2_eigen.hpp: No such file or directory
+
+api-known: make
+a.cpp:3:10: error: 'usleep' was not declared in this scope
+
+api-known: make
+a.cpp:3:10: error: aggregate 'std::stringstream said' has incomplete type
+
+ros-package-not-found:
+RLException: Invalid <arg> tag: gazebo_ros
+ROS path [0]=/opt/ros/noetic/share/ros
+
+push-denied:
+denied: installation not allowed to Create organization package
+
+nvidia-driver-old:
+CUDA driver version is insufficient for CUDA runtime version
+"""
+"""Each failure with the step that ended, and what it printed; without a step, a log of its own."""
+
+
+@pytest.mark.parametrize("case", WORDS.strip().split("\n\n"))
+def test_each_of_its_words(case: str) -> None:
+    head, _, lines = case.partition("\n")
+    known, _, step = head.partition(":")
+    assert found(lines, step.strip()).id == known
+
+
+def test_a_command_of_cmake_is_found_with_its_package() -> None:
+    one = found('CMake Error at CMakeLists.txt:2 (x):\n  Unknown CMake command "add_message_files".', "catkin_make")
+    assert "`find_package(catkin REQUIRED COMPONENTS message_generation)`" in one.fix
+    assert "the package that defines robot_add" in found('  Unknown CMake command "robot_add".', "cmake .").fix
+
+
+def test_a_package_that_all_ubuntus_call_the_same_needs_no_ubuntu() -> None:
+    one = found("CMake Error at a.cmake:2 (message):\n  Could NOT find Python3 (missing: Development)", "cmake .")
+    assert one.repair == (("apt", ("python3-dev",)),)
+
+
+def test_a_log_without_steps_shows_its_ros() -> None:
+    one = found("Caught exception in launch: \"package 'nav2_bringup' not found, searching: ['/opt/ros/humble']\"")
+    assert one.repair == (("apt", ("ros-humble-nav2-bringup",)),)
+
+
+def test_what_stopped_a_build_from_outside_is_found_around_its_steps() -> None:
+    building = "#9 [3/4] RUN make\n#9 20.2 [ 71%] Building CXX object a.o\n"
+    end = "##[error]The job running on runner GitHub 12 has exceeded the maximum execution time of 360 minutes.\n"
+    (one,) = explain(io.BytesIO((building + end).encode())).explanations
+    assert (one.id, dict(one.names)) == ("job-time-over", {"minutes": "360"})
+    (one,) = explain(io.BytesIO((building + "##[error]The robot is tired.\n").encode())).explanations
+    assert (one.id, one.step) == (None, "RUN make")
