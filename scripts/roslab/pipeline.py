@@ -13,7 +13,7 @@ from roslab.decide.decision import Decision, Warning_
 from roslab.decide.logins import without_logins
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
-from roslab.evidence.gather import gather
+from roslab.evidence.kept import evidence_of
 from roslab.evidence.native import made_elsewhere, unread, written_beside
 from roslab.evidence.ros import vcs
 from roslab.knowledge.distros import rosdistro_tag
@@ -75,7 +75,7 @@ def plan_repository(
     config = _configuration(repository, config_file, overrides, config_text)
     if config.submodules == "required":
         _require_submodules(repository)
-    evidence = gather(repository)
+    evidence = evidence_of(repository)
     name = folder_name or repository.name
     try:
         decision = decide(evidence, config, folder_name=name)

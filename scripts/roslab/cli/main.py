@@ -14,7 +14,7 @@ from typing import NoReturn
 
 from roslab.cli.arguments import completed, parser
 from roslab.errors import RoslabError
-from roslab.values import kept_modules
+from roslab.values import kept_modules, kept_trees
 
 MODULES = {
     "build": "building",
@@ -29,7 +29,8 @@ MODULES = {
 
 def run() -> NoReturn:
     """Run the command line and end the process, without giving back what it made: that takes long for many values."""
-    kept_modules.install(together="roslab.cli.commands")
+    kept_modules.install("roslab.cli.commands", "roslab.evidence.gather")
+    kept_trees.install()
     code = main()
     try:
         sys.stdout.flush()

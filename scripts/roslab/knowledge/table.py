@@ -7,6 +7,8 @@ from os.path import dirname
 
 from roslab.values.kept_file import KeptFile
 
+used: set[str] = set()
+"""The paths of the files of which something was asked."""
 _FOLDER = dirname(__file__)  # noqa: PTH120 - the tables are many, and `Path` would be slower
 
 
@@ -25,7 +27,13 @@ def cells(name: str) -> list[list[str]]:
 
 def path_of(name: str) -> str:
     """Return the path of ``NAME.csv``."""
-    return f"{_FOLDER}/{name}.csv"
+    return _path(f"{name}.csv")
+
+
+def _path(file: str) -> str:
+    path = f"{_FOLDER}/{file}"
+    used.add(path)
+    return path
 
 
 @cache
@@ -74,5 +82,5 @@ def whole(name: str) -> str:
 
 def text_of(file: str) -> str:
     """Return the text of another file beside the tables."""
-    with open(f"{_FOLDER}/{file}", encoding="utf-8") as stream:  # noqa: PTH123 - as above
+    with open(_path(file), encoding="utf-8") as stream:  # noqa: PTH123 - as above
         return stream.read()

@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Collection, Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
-from roslab.repository import git, listing
+from roslab.repository import listing
 from roslab.repository.listing import File, Listing, list_tree
-from roslab.repository.reading import decoded, read_up_to, text_of
+from roslab.repository.reading import decoded, read_up_to
+from roslab.repository.told_by_git import ToldByGit
 from roslab.values.dataclass import dataclass, field, replace
-from roslab.values.pattern import pattern
 
-if TYPE_CHECKING:  # to import them takes as long as forty modules of ours, and most plans do without
-    import datetime as dt
+if TYPE_CHECKING:  # to import it takes as long as twenty modules of ours, and most plans do without
     from pathlib import Path
-
-_HEAD = pattern(r"ref: refs/heads/(.+)")
-_ORIGIN = pattern(r'\[remote "origin"\][^\[]*?\burl\s*=\s*(\S+)')
 
 __all__ = ["MAX_TEXT", "File", "Repository", "printable"]
 
@@ -34,7 +29,7 @@ Made = TypeVar("Made")
 
 
 @dataclass(frozen=True)
-class Repository:
+class Repository(ToldByGit):
     """A folder on disk, listed once: its absolute path, without links.
 
     ``branch`` is given by the caller if ``.git`` does not tell it (a tarball, an action's shallow checkout); ``top`` is
@@ -46,7 +41,7 @@ class Repository:
     top: Path | None = None
     _texts: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
     _made: dict[Callable[[Repository], Any], Any] = field(default_factory=dict, repr=False, compare=False)
-    _recorded: dict[tuple[str, ...], dict[str, str]] = field(default_factory=dict, repr=False, compare=False)
+    told: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
 
     @classmethod
     def open(cls, path: str | Path, *, branch: str | None = None, top: Path | None = None) -> Repository:
@@ -76,11 +71,6 @@ class Repository:
 
         return Path(self.path)
 
-    @property
-    def folder_name(self) -> str:
-        """The folder's name."""
-        return self.path.rpartition("/")[2]
-
     @cached_property
     def listing(self) -> Listing:
         """Everything in the tree, sorted by path; folders that cannot be listed are left out and named."""
@@ -97,7 +87,7 @@ class Repository:
         """Return the same folder without some of its files: no reader sees them."""
         if not paths:
             return self
-        other = Repository(self.path, self.branch_hint, self.top, self._texts)
+        other = Repository(self.path, self.branch_hint, self.top, self._texts, told=self.told)
         kept = tuple(file for file in self.listing.files if file.path not in paths)
         other.__dict__["listing"] = replace(self.listing, files=kept)  # fills the cached property
         return other
@@ -160,9 +150,11 @@ class Repository:
     def leads_to(self, path: str) -> str:
         """Return where a link that leads out of the tree or nowhere points, as it is written; ``""`` for no link."""
         try:
-            return str((self.root / path).readlink()) if path in self.listing.outside else ""
+            found = str((self.root / path).readlink()) if path in self.listing.outside else ""
         except OSError:
-            return ""
+            found = ""
+        self.told["leads_to", path] = found
+        return found
 
     @cached_property
     def _sizes(self) -> dict[str, int]:
@@ -215,71 +207,6 @@ class Repository:
                 os.close(descriptor)
         except (OSError, ValueError):
             return b""
-
-    @cached_property
-    def git_folder(self) -> str | None:
-        """The git directory of the checkout: ``.git`` itself, or where a ``.git`` file points to."""
-        entry = f"{self.top or self.path}/.git"
-        if os.path.isdir(entry):  # noqa: PTH112 - as above
-            return entry
-        if os.path.isfile(entry) and (match := re.match(r"gitdir: (.+)", text_of(entry))):  # noqa: PTH113
-            return os.path.realpath(os.path.join(self.top or self.path, match[1].strip()))  # noqa: PTH118
-        return None
-
-    @cached_property
-    def branch(self) -> str | None:
-        """Name of the branch: as the caller gave it, else from ``.git/HEAD``, ``None`` if that is detached."""
-        if self.branch_hint:
-            return self.branch_hint
-        head = self._git_text("HEAD")
-        return match[1].strip() if (match := _HEAD.match(head)) else None
-
-    @cached_property
-    def branches(self) -> tuple[str, ...]:
-        """The names of the branches that git knows, those of remotes too."""
-        return git.branches(self.path) if self.git_folder else ()
-
-    @cached_property
-    def origin(self) -> str | None:
-        """URL of the remote ``origin``, as ``.git/config`` has it."""
-        match = _ORIGIN.search(self._git_text("config"))
-        return match[1] if match else None
-
-    @cached_property
-    def name(self) -> str:
-        """Its name in the origin's URL, else the folder's: on a runner the folder may be called anything."""
-        return self.origin.rstrip("/").rpartition("/")[2].removesuffix(".git") if self.origin else self.folder_name
-
-    @cached_property
-    def committed(self) -> dt.datetime | None:
-        """Time of the checkout's commit in UTC; ``None`` if there is no commit or no git."""
-        seconds = git.head(self.path)[1] if self.git_folder else None
-        if seconds is None:
-            return None
-        import datetime as dt  # noqa: PLC0415 - as above
-
-        return dt.datetime.fromtimestamp(seconds, tz=dt.timezone.utc)
-
-    def recorded(self, paths: tuple[str, ...]) -> dict[str, str]:
-        """Return the commit that the checkout's commit records for each submodule at one of the paths, if git tells."""
-        if not (paths and self.git_folder):
-            return {}
-        asked = tuple(sorted(paths))  # several readers ask for the same ones
-        if asked not in self._recorded:
-            self._recorded[asked] = git.recorded(self.path, asked)
-        return self._recorded[asked]
-
-    @cached_property
-    def links(self) -> tuple[str, ...]:
-        """The paths of the submodules that the checkout's commit records, if git tells."""
-        return git.links(self.path) if self.git_folder else ()
-
-    def subjects(self, path: str) -> tuple[str, ...]:
-        """Return the subjects of the commits that changed a file, the newest first, if git tells."""
-        return git.subjects(self.path, path) if self.git_folder else ()
-
-    def _git_text(self, name: str) -> str:
-        return text_of(f"{self.git_folder}/{name}")[:65536] if self.git_folder else ""
 
 
 def nearest(files: Iterable[File]) -> list[File]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+import time
 
 from roslab.values.dataclass import dataclass
 
@@ -39,6 +40,13 @@ class File:
         return self.path.rpartition("/")[0]
 
 
+Stamp = tuple[int, int, int, int]
+"""When a file was changed and when anything about it was, in nanoseconds, its size and its number on the disk.
+
+Programs set the first as they like, the second only the system does. https://git-scm.com/docs/racy-git
+"""
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Listing:
     """What a walk of the tree found."""
@@ -56,50 +64,63 @@ class Listing:
     """Folders that could not be listed: no permission, or a path longer than the system takes."""
     truncated: bool
     """There are more than ``MAX_FILES`` files: the rest is not in ``files``."""
+    stamps: dict[str, Stamp]
+    """Of each file by its path, for a link those of the file that it leads to."""
+    begun: int
+    """When the walk began, in nanoseconds since 1970."""
 
 
 def list_tree(root: str) -> Listing:
     """Walk a tree; folders that cannot be listed are named, links to folders are left out."""
-    files: list[File] = []
+    begun = time.time_ns()
+    found: dict[str, Stamp] = {}
     links: set[str] = set()
     folder_links: set[str] = set()
     outside: list[str] = []
     empty: list[str] = []
     unreadable: list[str] = []
     pending = [""]
-    while pending and len(files) < MAX_FILES:
+    while pending and len(found) < MAX_FILES:
         folder = pending.pop()
         try:
             with os.scandir(f"{root}/{folder}") as entries:
                 entry = None
                 for entry in entries:
-                    if len(files) == MAX_FILES:
+                    if len(found) == MAX_FILES:
                         pending.append(folder)  # not all of it was seen
                         break
                     path = f"{folder}/{entry.name}" if folder else entry.name
                     if entry.is_symlink():
-                        _follow(root, path, files, (links, folder_links), outside)
+                        _follow(root, path, found, (links, folder_links), outside)
                     elif entry.is_dir(follow_symlinks=False):
                         if entry.name not in SKIPPED_FOLDERS:
                             pending.append(path)
                     elif entry.is_file(follow_symlinks=False):
-                        files.append(File(path=path, size=entry.stat(follow_symlinks=False).st_size))
+                        found[path] = _stamp(entry.stat(follow_symlinks=False))
                 if entry is None:
                     empty.append(folder)
         except OSError:
             unreadable.append(folder)
     return Listing(
-        files=tuple(sorted(files, key=lambda file: file.path)),
+        files=tuple([File(path=path, size=found[path][2]) for path in sorted(found)]),
         links=frozenset(links),
         folder_links=frozenset(folder_links),
         outside=tuple(sorted(outside)),
         empty=tuple(sorted(empty)),
         unreadable=tuple(sorted(unreadable)),
         truncated=bool(pending),
+        stamps=found,
+        begun=begun,
     )
 
 
-def _follow(root: str, path: str, files: list[File], links: tuple[set[str], set[str]], outside: list[str]) -> None:
+def _stamp(status: os.stat_result) -> Stamp:
+    return status.st_mtime_ns, status.st_ctime_ns, status.st_size, status.st_ino
+
+
+def _follow(
+    root: str, path: str, found: dict[str, Stamp], links: tuple[set[str], set[str]], outside: list[str]
+) -> None:
     """Keep a link to a regular file of the tree; one to a folder is only noted, so no walk can run in circles.
 
     ``links``: those to files, and those to folders.
@@ -116,7 +137,7 @@ def _follow(root: str, path: str, files: list[File], links: tuple[set[str], set[
     if not inside:
         outside.append(path)
     elif stat.S_ISREG(status.st_mode):
-        files.append(File(path=path, size=status.st_size))
+        found[path] = _stamp(status)
         links[0].add(path)
     elif stat.S_ISDIR(status.st_mode):
         links[1].add(path)

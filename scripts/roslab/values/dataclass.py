@@ -61,6 +61,7 @@ else:
                 key = _key([each.name for each in found.values() if each.compare])
                 _add(cls, "__eq__", _eq(key))
                 cls.__hash__ = _hash(key) if frozen else None
+            _add(cls, "__getstate__", _state)
             if frozen:
                 cls.__setattr__ = _frozen
                 cls.__delattr__ = _frozen
@@ -217,6 +218,12 @@ def _hash(key: Callable[[Any], Any]) -> Callable[[Any], int]:
         return found
 
     return __hash__
+
+
+def _state(self: Any) -> dict[str, Any]:
+    """Return what ``copy`` and ``pickle`` keep of a value: not its hash, which is another one in another process."""
+    kept: dict[str, Any] = self.__dict__
+    return {name: value for name, value in kept.items() if name != _HASH} if _HASH in kept else kept
 
 
 def _frozen(self: Any, name: str, *_: Any) -> None:

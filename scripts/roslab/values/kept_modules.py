@@ -4,16 +4,16 @@ A plan imports eight to nine hundred small modules. To look for each along the p
 file, is a fifth of its time (``benchmarks/plan.py``). Here only the date and the size of each source are looked at, by
 which Python, too, sees whether what it compiled is still true. A module that is new or was changed is imported as ever.
 
-What the module of the commands imports is kept once more, in a file of its own, as one value in which names that many
-modules have stand once, and in the order in which it was executed: to find, lock and describe each module would take as
-long as to execute it. It holds for as long as each of its sources is as it was.
+What some modules import, that of the commands first of all, is kept once more for each, in a file of their own, as one
+value in which names that many modules have stand once, and in the order in which it was executed: to find, lock and
+describe each module would take as long as to execute it. It holds for as long as each of its sources is as it was.
 """
 
 from __future__ import annotations
 
 import marshal
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import suppress
 from functools import partial
 from importlib.machinery import ModuleSpec, SourceFileLoader
@@ -32,10 +32,14 @@ Row = tuple[str, str, Stamp, str, CodeType]
 """Of a module that is kept with others: its name, its source and that file's stamp, Python's own file, its code."""
 
 
-def install(together: str) -> None:
+unchanged: dict[str, Stamp] = {}
+"""Sources of what was kept together, which were looked at when it was taken, with their stamps."""
+
+
+def install(*together: str) -> None:
     """Let the modules of the program that are imported from here on come from the file, as far as it has them.
 
-    ``together`` names the module of which all that it imports is kept as one value.
+    ``together`` names the modules of which all that they import is kept as one value; none of them imports another one.
     """
     if sys.implementation.name == "cpython" and __spec__:
         sys.meta_path.insert(0, Finder(KeptFile(__spec__, "modules"), KeptFile(__spec__, "together"), together))
@@ -44,10 +48,10 @@ def install(together: str) -> None:
 class Finder:
     """Finds the modules that are kept, and has those of the program kept that are not."""
 
-    def __init__(self, kept: KeptFile, together: KeptFile, first: str) -> None:
-        self._kept, self._together, self._first = kept, together, first
+    def __init__(self, kept: KeptFile, together: KeptFile, firsts: Collection[str]) -> None:
+        self._kept, self._together, self._firsts = kept, together, firsts
         self._executed: list[str] | None = None
-        """What was imported since the first one was asked for, as it was done; ``None`` before and after."""
+        """What was imported since one of the first was asked for, as it was done; ``None`` before and after."""
         self._changed = False
         """Whether one of them was not among what is kept together."""
 
@@ -62,18 +66,18 @@ class Finder:
             self._kept.add(name, partial(_compiled, name))
             self._executed = None  # the order would lack it
             return None
-        if name == self._first:
-            self._executed = []
-            self._bring(made[0])
+        if name in self._firsts:
+            self._executed, self._changed = [], False
+            self._bring(name, made[0])
         source, _, cached, code = made
         loader = _Loader(
             name, source, code, lambda: self._kept.add(name, partial(_compiled, name)), partial(self._done, name)
         )
         return _spec(name, source, cached, loader)
 
-    def _bring(self, source: str) -> None:
-        """Execute what is kept together of the imports of a source, but what is there: each after what it imports."""
-        rows = self._rows(source)
+    def _bring(self, first: str, source: str) -> None:
+        """Execute what is kept together of the imports of a module, but what is there: each after what it imports."""
+        rows = self._rows(first, source)
         new = (row for row in rows if row[0] not in sys.modules)
         packages = {row[0]: _module(row) for row in new if row[1].endswith(_PACKAGE)}
         sys.modules.update(packages)  # modules that a package imports may import others from it
@@ -87,14 +91,15 @@ class Finder:
             if self._executed is not None:
                 self._executed.append(name)
 
-    def _rows(self, source: str) -> list[Row]:
+    def _rows(self, first: str, source: str) -> list[Row]:
         """Return what is kept together, nothing of a copy of the program or where a source is not as it was."""
-        found = self._together.find(self._first)
+        found = self._together.find(first)
         if found is None or found[0] != source:
             return []
         with suppress(*DAMAGED):
             rows: list[Row] = marshal.loads(found[3])  # noqa: S302 - trusted as Python's own file
             if all(stamp(file) == stamped for _, file, stamped, _, _ in rows):
+                unchanged.update((file, stamped) for _, file, stamped, _, _ in rows)
                 return rows
         return []
 
@@ -102,16 +107,16 @@ class Finder:
         """Note that a module was imported by itself; with the first one's end, have the others kept together."""
         if self._executed is None:
             return
-        if name != self._first:
+        if name not in self._firsts:
             self._executed.append(name)
             self._changed = True
             return
         if self._changed:
-            self._together.add(name, partial(self._in_order, tuple(self._executed)))
+            self._together.add(name, partial(self._in_order, name, tuple(self._executed)))
         self._executed = None
 
-    def _in_order(self, names: Iterable[str]) -> Made | None:
-        first = self._kept.find(self._first)
+    def _in_order(self, name: str, names: Iterable[str]) -> Made | None:
+        first = self._kept.find(name)
         found = {name: self._kept.find(name) for name in names}
         rows = [(name, *made[:3], marshal.loads(made[3])) for name, made in found.items() if made]  # noqa: S302
         return (*first[:3], marshal.dumps(rows)) if first and len(rows) == len(found) else None
