@@ -19,14 +19,14 @@ from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.linked_releases import linked_releases, of_release
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
+from roslab.decide.system.newer_than_apt import newer_than_apt
 from roslab.decide.system.switches import given, waits
 from roslab.decide.system.tried_headers import included
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
-from roslab.knowledge.code_limits import satisfies, version_of
-from roslab.knowledge.recipes import leaves_out
+from roslab.knowledge.recipes import leaves_out, recipe_at
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -185,6 +185,7 @@ def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
             offered.setdefault(bare(git.folder), git)
     for git in [git for git in offered.values() if git.installed]:  # what it installs may be called without that
         offered.setdefault(_SDK.sub("", bare(git.name)), git)
+        offered.setdefault(bare(recipe_at(address(git.url)) or git.name), git)
     libraries = [git for git in offered.values() if git.kind == "link" and bare(git.name) != plain(git.name)]
     for git in libraries:  # NAME_base without lib is as often the driver of a robot's base
         offered.setdefault(bare(git.name).removesuffix("_base"), git)
@@ -234,7 +235,7 @@ def _asked(
         git = offered[name]
         pinned = git.installed and bool(fixed(git.ref))
         by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
-        newer = pinned and _newer(asked, target, fixed(git.ref) or "")
+        newer = pinned and newer_than_apt(asked, target, git)
         tried = git.installed and included(asked, evidence)
         needed = replace(asked, strength="declared") if tried else asked  # CMake goes on, the compiler does not
         if by_file or newer or _unknown(needed, target, pinned=pinned):
@@ -273,19 +274,6 @@ def _source(git: GitSource, day: str) -> Source:
 def _only_named(git: GitSource, asked: Dependency) -> bool:
     """Tell whether a link in prose and a name that is linked are all: no page builds it, no ``find_package`` asks."""
     return git.kind == "link" and not git.told and asked.namespace == "link"
-
-
-def _newer(asked: Dependency, target: Target, ref: str) -> bool:
-    """Tell whether the build requires a release that this Ubuntu does not have: the page builds it for that.
-
-    Where no table tells which one the Ubuntu has, that is so where the page builds the very release.
-    """
-    if asked.namespace != "cmake" or asked.strength != "declared" or not asked.version or not target.ubuntu:
-        return False
-    ros = bool(target.ros_distro)
-    if version_of(asked.name, target.ubuntu, ros=ros) is None:
-        return ref.removeprefix("v") == asked.version
-    return not satisfies(asked.name, target.ubuntu, asked.version, ros=ros)
 
 
 def _unknown(asked: Dependency, target: Target, *, pinned: bool) -> bool:
