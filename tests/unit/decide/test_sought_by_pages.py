@@ -38,6 +38,12 @@ def page(*clones: str, package: str = "sightest", said: str = "") -> str:
         (page("mia/Sight-Fusion", package="rviz"), {}),
         (page("mia/Sight-Fusion", said="Optional:"), {}),
         (page(), {}),
+        (page(said="It needs [this](https://github.com/mia/sightest)."), {"sightest": ("sightest",)}),
+        (page(said="It needs [this](https://github.com/mia/sightest_ros)."), {}),  # that may be anything
+        (
+            page("mia/sightest_ros", said="It needs [this](https://github.com/mia/sightest)."),
+            {"sightest_ros": ("sightest",)},
+        ),
     ],
 )
 def test_where_it_is_looked_for(tree: Tree, text: str, found: dict[str, tuple[str, ...]]) -> None:

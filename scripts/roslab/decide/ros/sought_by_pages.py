@@ -1,4 +1,4 @@
-"""Packages that the README runs programs of and nothing brings, looked for in what the same page clones."""
+"""Packages that the README runs programs of and nothing brings, looked for in what the page clones or links to."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ def in_clones(
 ) -> dict[str, tuple[str, ...]]:
     """Return the addresses of what that page clones, each with the packages that it may hold.
 
-    Those are what it is called like; of the others every clone may hold them, where there are few. ``taken``: the
-    addresses of what is cloned anyway.
+    Those are what it is called like; of the others every clone may hold them, where there are few. Of what the page
+    only links to, the repository with the very name of a package. ``taken``: the addresses of what is cloned anyway.
     """
     own = frozenset(plain(manifest.name) for manifest in evidence.manifests if manifest.name)
     here = {address(evidence.origin).rpartition("/")[2]} if evidence.origin else set()
@@ -58,4 +58,8 @@ def in_clones(
     for name, urls in like.items():
         for url in urls or (clones if len(clones) <= MOST else ()):
             found[url] = (*found.get(url, ()), name)
+    for git in evidence.sources:
+        name = next((each for each in asked if plain(each) == plain(git.name) and not like[each]), "")
+        if name and git.kind == "link" and git.file in pages and address(git.url) not in taken and not git.private:
+            found.setdefault(https(git.url).removesuffix(".git"), (name,))
     return found
