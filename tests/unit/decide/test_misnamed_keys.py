@@ -35,6 +35,20 @@ def test_the_names_of_pip_are_ubuntus_packages(tree: Tree, key: str, apt: str) -
     assert decision.source == ()
 
 
+@pytest.mark.parametrize("key", ["cv-bridge", "ros-jazzy-cv-bridge", "ros-humble-cv-bridge"])
+def test_a_package_as_apt_writes_it(tree: Tree, key: str) -> None:
+    decision = tree(_files(key))
+    assert "ros-jazzy-cv-bridge" in decision.apt_guessed
+    assert key in decision.skip_keys
+    said = f"{key} is no key of rosdep, cv_bridge is: ros-jazzy-cv-bridge is installed for it"
+    assert [each.message for each in decision.warnings if each.message == said]
+
+
+def test_a_name_with_dashes_that_no_package_has(tree: Tree) -> None:
+    decision = tree(_files("cv-brigde"))
+    assert not any("is installed for it" in each.message for each in decision.warnings)
+
+
 @pytest.mark.parametrize(
     ("cmake", "code", "apt"),
     [

@@ -47,3 +47,10 @@ def test_a_key_with_a_slip(tree: Tree, key: str, asked: str, looked: bool, said:
     decision = tree({"arm/package.xml": XML.format(key), "arm/CMakeLists.txt": cmake, **GIT})
     assert (f"https://github.com/a/{key}.git" in [source.repo for source in decision.source]) is looked
     assert any(said in each.message and key in each.message for each in decision.warnings)
+
+
+@pytest.mark.parametrize(("imported", "looked"), [("rclpy", False), ("yaml", True)])
+def test_a_key_with_a_slip_for_what_the_code_imports(tree: Tree, imported: str, looked: bool) -> None:
+    files = {"package.xml": XML.format("rcply"), "CMakeLists.txt": "project(arm)\nfind_package(ament_cmake REQUIRED)\n"}
+    decision = tree({**files, **GIT, "scripts/move.py": f"import {imported}\n"})
+    assert ("https://github.com/a/rcply.git" in [each.repo for each in decision.source]) == looked

@@ -9,7 +9,15 @@ from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.credited import credited
-from roslab.decide.ros.misnamed import BUILD_TYPES, elsewhere, left_over, library_called, of_python_3, packaged
+from roslab.decide.ros.misnamed import (
+    BUILD_TYPES,
+    as_apt_writes,
+    elsewhere,
+    left_over,
+    library_called,
+    of_python_3,
+    packaged,
+)
 from roslab.decide.ros.pip_keys import brought_by_pip, of_code
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target
@@ -121,11 +129,13 @@ def translate(
         return Translated(skip=True, warning=warn(useless, key))
     found = library_called(name, target.ubuntu)
     new = of_python_3(name, target)
-    python = (new,) if new else packaged(name, target)
-    if python and not (found and found.apt and of_code(key, evidence)):
-        what = f"a key for Python 2, which ROS {target.ros_distro} has not" if new else _PIPS_NAME
-        message = f"{name} is {what}: {python[0]} is installed for it"
-        return Translated(guessed=python, skip=True, warning=warn(message, key))
+    meant = (new,) if new else packaged(name, target)
+    what = f"a key for Python 2, which ROS {target.ros_distro} has not" if new else _PIPS_NAME
+    if not meant and found is None and (spelled := as_apt_writes(name, target)):
+        meant, what = (target.ros(spelled),), f"no key of rosdep, {spelled} is"
+    if meant and not (found and found.apt and of_code(key, evidence)):
+        message = f"{name} is {what}: {meant[0]} is installed for it"
+        return Translated(guessed=meant, skip=True, warning=warn(message, key))
     if found and found.ros and target.knows(found.ros):
         found = replace(found, apt=(target.ros(found.ros),))
     if found is None or not (found.apt or found.recipe):

@@ -19,6 +19,7 @@ from roslab.values.pattern import pattern
 
 _OF_PYTHON = pattern(r"python3?-([\w.-]+)")
 """How rosdep's keys of Python are called: https://github.com/ros/rosdistro/blob/master/CONTRIBUTING.md, 2026-11-27"""
+_OF_APT = pattern(r"^ros-[a-z]+-")
 BUILD_TYPES = frozenset({"ament_python"})
 """Build types that no package stands for: https://www.ros.org/reps/rep-0149.html#build-type, 2026-11-26"""
 
@@ -79,6 +80,12 @@ def of_python_3(name: str, target: Target) -> str:
     release = distro(target.ros_distro)
     there = new in rosdep_keys() and name not in rosdep_keys()
     return new if there and release is not None and release.python.startswith("3") else ""
+
+
+def as_apt_writes(name: str, target: Target) -> str:
+    """Return the package of ROS that a key names as apt does (``cv-bridge``, ``ros-humble-cv-bridge``), else ``""``."""
+    spelled = _OF_APT.sub("", name).replace("-", "_")
+    return spelled if "-" in name and target.knows(spelled) else ""
 
 
 def left_over(name: str, ros_distro: str | None) -> bool:

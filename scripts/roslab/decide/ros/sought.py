@@ -72,6 +72,7 @@ def with_sought(
     lacking = _lacking(needed, known | sources.names, own, folders)
     named = known & {each.name for m in evidence.manifests for each in m.dependencies}
     named |= known & {each.name for project in evidence.cmake for each in project.dependencies}
+    named |= known & {each.name for each in evidence.code if each.namespace == "import"}
     lacking = {n: asked for n, asked in lacking.items() if not (meant(n, named) or credited(n, evidence))}
     nowhere = {name: asked for name, asked in lacking.items() if not sources.may_hold(name)}
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
