@@ -32,10 +32,18 @@ def _built(decision: Decision) -> Source | None:
 
 
 @pytest.mark.parametrize(
-    "asked", [_LIBRARY, "find_package(onnxruntime REQUIRED)", "find_package(ONNXRuntime REQUIRED)"]
+    ("key", "asked"),
+    [
+        (True, ""),
+        (False, _LIBRARY),
+        (False, "find_package(onnxruntime REQUIRED)"),
+        (False, "find_package(ONNXRuntime REQUIRED)"),
+        (False, "set(ORT onnxruntime)"),  # linked by its name alone
+    ],
 )
-def test_an_archive_for_each_processor(tree: Tree, asked: str) -> None:
-    decision = tree({**_FILES, "CMakeLists.txt": _FILES["CMakeLists.txt"].replace("FIND", asked)})
+def test_an_archive_for_each_processor(tree: Tree, key: bool, asked: str) -> None:
+    files = _FILES if key else {**_FILES, "package.xml": _MANIFEST.format("")}
+    decision = tree({**files, "CMakeLists.txt": _FILES["CMakeLists.txt"].replace("FIND", asked)})
     library = _built(decision)
     assert library is not None
     assert library.zip is not None

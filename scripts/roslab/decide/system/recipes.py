@@ -88,9 +88,9 @@ def linked(
 
     And those that are linked by a file below /usr/local, where no package of Ubuntu puts its own.
     A name that is only linked may be a library that is compiled beside it: the clone tells, where it is not one of the
-    repository itself. What installs no package of CMake can only be linked, and nothing else is called so where the
-    tree and its submodules do not make it. ``needed`` are names, each with whether it may be taken for more than a
-    guess.
+    repository itself. What installs no package of CMake can only be linked, and what archives bring is unpacked:
+    nothing else is called so where the tree and its submodules do not make it. ``needed`` are names, each with whether
+    it may be taken for more than a guess.
     """
     names = (*(manifest.name for manifest in evidence.manifests), *(each.name for each in evidence.cmake))
     own = {name for name in names if name}
@@ -105,7 +105,7 @@ def linked(
         found = library("cmake", dependency.name, ubuntu)
         if not (found and found.recipe) or found.apt:
             continue
-        only = any(built.makefile_in for built in recipe(found.recipe, ubuntu))
+        only = any(built.makefile_in or built.archives for built in recipe(found.recipe, ubuntu))
         if plain(found.recipe) in cloned or (only and not unread and dependency.name not in made):
             yield found.recipe, dependency
 
