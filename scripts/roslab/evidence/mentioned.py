@@ -6,7 +6,15 @@ from collections.abc import Iterator
 
 from roslab.evidence import git_folder, matlab, started_programs, submodules
 from roslab.evidence.facts import Mention
-from roslab.evidence.native import cloned_heads, cuda_paths, generators, root_variables, shared_objects, templates
+from roslab.evidence.native import (
+    cloned_heads,
+    cuda_paths,
+    generators,
+    onnx_on_gpu,
+    root_variables,
+    shared_objects,
+    templates,
+)
 from roslab.evidence.prose import (
     asked_options,
     branch_tables,
@@ -50,7 +58,11 @@ MENTIONED = (
         libtorch.in_scripts,
         simulator_folders.read,
     ),
+<<<<<<< HEAD
     *(makefile_options.read, root_variables.read, system_libraries.read, usetex.read),
+=======
+    *(makefile_options.read, onnx_on_gpu.read, system_libraries.read, usetex.read),
+>>>>>>> f552883b (Say where code asks ONNX Runtime for a GPU that its archive for the CPU does not know)
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, generators.read)

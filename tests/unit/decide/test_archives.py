@@ -75,3 +75,24 @@ def test_the_release_of_its_time_and_of_its_code(tmp_path: Path, day: str, code:
     library = _built(decided(tmp_path, files, config=Config(pip_date=day)))
     assert library is not None
     assert (library.zip or "").endswith(f"-{release}.tgz")
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [
+        ("options.AppendExecutionProvider_CUDA(cuda);", True),
+        ("  session_.AppendExecutionProvider_TensorRT_V2 (*trt);", True),
+        ("// options.AppendExecutionProvider_CUDA(cuda);", False),
+        ("options.AppendExecutionProvider_CoreML(flags);", False),
+    ],
+)
+def test_code_that_asks_for_a_gpu(tree: Tree, code: str, told: bool) -> None:
+    files = {**_FILES, "depth.cpp": f"{_FILES['depth.cpp']}{code}\n"}
+    found = [each for each in tree(files).warnings if "ONNX Runtime for the CPU" in each.message]
+    assert [(each.file, each.line) for each in found] == [("depth.cpp", 3)] * told
+
+
+def test_code_for_a_gpu_beside_what_is_installed_otherwise(tree: Tree) -> None:
+    """No archive is unpacked, and which library there is nobody knows."""
+    files = {"CMakeLists.txt": "project(a)\nadd_executable(a a.cpp)\n", "a.cpp": "s.AppendExecutionProvider_CUDA(c);\n"}
+    assert not [each for each in tree(files).warnings if "ONNX Runtime" in each.message]

@@ -12,6 +12,7 @@ from roslab.decide.ros.source_names import address
 from roslab.decide.ros.weights import Weight
 from roslab.decide.system.by_everybody import BARE, told, why
 from roslab.decide.system.libtorch_on_cpu import libtorch_on_cpu
+from roslab.decide.system.onnx_on_cpu import onnx_on_cpu
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.recipes import licence, of_ros, recipe_at
@@ -58,7 +59,7 @@ def with_recipes(
                 )
                 warnings.append(warn(f"{message}: a program that passes its values to theirs may fail", asked))
             reasons.append(because("source", source.name, reason, asked, weight=Weight.RECIPE))
-    warnings += libtorch_on_cpu(added.values(), evidence)
+    warnings += (*libtorch_on_cpu(added.values(), evidence), *onnx_on_cpu(added.values(), evidence))
     first = _first(choice.answer.sources, {source.name for source in config.source})
     answer = replace(
         choice.answer,
