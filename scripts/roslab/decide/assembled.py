@@ -55,7 +55,7 @@ from roslab.decide.system.spare import most
 from roslab.decide.uncopied_packages import copied_names
 from roslab.decide.unknown_packages import decide_unknown_packages
 from roslab.evidence.facts import Evidence
-from roslab.evidence.prose.large_files import PACKAGE as LARGE_FILES
+from roslab.evidence.roles import GIT_LFS
 from roslab.knowledge.distros import Distro
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.requirement import Requirement
@@ -211,7 +211,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         interfaces=() if without.whole else included_interfaces(evidence, of.packages, distro),
         wanted=wanted_beside(of.sources.answer, of.packages, of.missing.answer.unsure),
         must_build=without.needed,
-        large_files=LARGE_FILES in _by_apt(of) and not config.compatible,
+        large_files=GIT_LFS in _by_apt(of) and not config.compatible,
         inside=of.inside.answer,
         inside_installed=() if of.own.answer else installed_inside(evidence, of.inside.answer),
         python_path=python_path(evidence, config, of.kind.answer, of.python.answer, of.command.answer),

@@ -29,7 +29,6 @@ from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.program import Program
-from roslab.evidence.prose.pointed import offered
 from roslab.evidence.python_project import PythonProject
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -97,9 +96,13 @@ def _explained(evidence: Evidence, *, ros: bool) -> Iterator[Candidate]:
     Beside nodes, not those of which it only says what they can be used for.
     """
     for said in evidence.mentions:
-        if ros and said.topic == "pointed" and offered(said.text, said.value):
+        if said.topic != "pointed":
             continue
-        if said.topic == "pointed" and said.value.endswith(".py") and not said.value.endswith(".launch.py"):
+        from roslab.evidence.prose.pointed import offered  # noqa: PLC0415 - few pages say it
+
+        if ros and offered(said.text, said.value):
+            continue
+        if said.value.endswith(".py") and not said.value.endswith(".launch.py"):
             yield Candidate(
                 argv=("python3", said.value),
                 why=f"{page_of(said.file)} tells what it is for",

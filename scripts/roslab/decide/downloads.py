@@ -13,7 +13,6 @@ from roslab.decide.reasons import because
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.downloads import stem_of
-from roslab.evidence.prose.home_archives import name_of
 from roslab.evidence.prose.single_headers import placed
 from roslab.evidence.x86_only import X86Only
 from roslab.values.native_part import NativePart
@@ -75,7 +74,11 @@ def decide_downloads(
 def names_at_home(evidence: Evidence) -> Iterator[str]:
     """Yield the names of the libraries that archives for the home hold: ``mujoco`` of ``mujoco-3.2.7``."""
     for mention in evidence.mentions:
-        if mention.topic == "home_archive" and (name := _LETTERS.match(name_of(mention.value))):
+        if mention.topic != "home_archive":
+            continue
+        from roslab.evidence.prose.home_archives import name_of  # noqa: PLC0415 - few trees have one
+
+        if name := _LETTERS.match(name_of(mention.value)):
             yield name[0].rstrip("-_.")
 
 

@@ -9,7 +9,6 @@ from roslab.decide.candidate import launched_by
 from roslab.decide.ros.slips import meant
 from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
-from roslab.evidence.ros.launch_conditions import holds
 from roslab.knowledge.released import ever_released
 
 
@@ -51,6 +50,10 @@ def demanded(launch: LaunchFile, words: Iterable[str] = ()) -> frozenset[str]:
 
     Not those that it declares in parts which the others leave out.
     """
+    if not launch.demands:
+        return frozenset()
+    from roslab.evidence.ros.launch_conditions import holds  # noqa: PLC0415 - most launch files ask for nothing
+
     given = {name: value for name, is_given, value in (word.partition(":=") for word in words) if is_given}
     asked = (each for each in launch.demands if not any(holds(when, given) is False for when in each.conditions))
     return frozenset(each.name for each in asked) - given.keys()

@@ -36,9 +36,9 @@ from roslab.decide.without_others import clones_others, without_others
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose import copies
-from roslab.evidence.prose.in_containers import CONTAINER
 from roslab.evidence.prose.install_tree import package_and_program
 from roslab.evidence.prose.runners import SIMULATORS
+from roslab.evidence.roles import CONTAINER
 from roslab.knowledge.released import converting_packages, ever_released
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern

@@ -11,7 +11,6 @@ from roslab.decide.python.parts import of_parts
 from roslab.evidence import places
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence
-from roslab.evidence.python.conda import usually_named
 from roslab.knowledge.tools import PIXI
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -44,6 +43,8 @@ def conda_file(evidence: Evidence, config: Config, kind: Kind) -> str | None:
     own = [each for each in known if each.file.count("/") <= 1 and (each.exported or not each.file.endswith(_LIST))]
     if not own:
         return None
+    from roslab.evidence.python.conda import usually_named  # noqa: PLC0415 - few trees have one
+
     best = min(
         own,
         key=lambda e: (

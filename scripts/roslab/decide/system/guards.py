@@ -14,7 +14,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.lex.truth import workspace_holds
 from roslab.evidence.prose.called_in_scripts import IN_SCRIPT
-from roslab.evidence.python.usetex import LATEX
+from roslab.evidence.roles import LATEX
 from roslab.values.dataclass import replace
 
 _OF_COMMAND = frozenset({IN_SCRIPT, LATEX})

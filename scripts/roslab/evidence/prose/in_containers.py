@@ -11,10 +11,9 @@ from roslab.evidence.prose import blanks
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.mounted_paths import of_tree
 from roslab.evidence.prose.runners import by_ros
+from roslab.evidence.roles import CONTAINER
 from roslab.values.pattern import pattern
 
-CONTAINER = "Docker container image"
-"""The title below which such a command is kept: what a page starts without a container comes before it."""
 ENGINES = ("docker", "podman", "singularity", "apptainer")
 """What the line of a page has that starts something in a container."""
 _ENGINES = frozenset({*ENGINES, "nvidia-docker", "docker-compose"})

@@ -8,10 +8,10 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.prose.headings import lines_of
 from roslab.evidence.prose.merged import Prose
 from roslab.evidence.prose.pages import pages, text_of
+from roslab.evidence.roles import GIT_LFS
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-PACKAGE = "git-lfs"
 _CALLED = pattern(r"^\s{0,20}(?:[$#>]\s{0,4})?git[ -]lfs\s+(?:install|pull|fetch|clone)\b")
 """https://github.com/git-lfs/git-lfs/blob/main/docs/man/git-lfs.adoc, 2026-11-26"""
 
@@ -28,5 +28,5 @@ def _called(text: str, file: str) -> Iterator[Dependency]:
     for line in lines_of(text):
         indented = line.text.startswith("    ")
         if (line.fenced or indented) and not line.elsewhere and _CALLED.match(line.text[:400]):
-            yield Dependency(namespace="apt", name=PACKAGE, strength="prose", file=file, line=line.number, role="named")
+            yield Dependency(namespace="apt", name=GIT_LFS, strength="prose", file=file, line=line.number, role="named")
             return

@@ -18,6 +18,7 @@ from roslab.evidence.python.modules import Module, has_guard, modules
 from roslab.evidence.python.plot_backends import uncalled
 from roslab.evidence.python.through_modules import of_tree
 from roslab.evidence.python.top_level import first_statement
+from roslab.evidence.roles import LATEX
 from roslab.knowledge.latex import latex
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -29,8 +30,6 @@ _SET = pattern(
 _WORD = "usetex"
 MOST = 20
 """Most lines of a module that are tried: for each, all modules are searched for what calls its function."""
-LATEX = "latex"
-"""The role of what it needs."""
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
