@@ -376,6 +376,22 @@ def test_what_a_page_installs_for_a_person_alone_is_left_out(tmp_path: Path, scr
     assert {*found.apt, *found.apt_guessed} & {*own.split()} == kept
 
 
+@pytest.mark.parametrize("required", ["", "find_package(LATEX REQUIRED)\n"])
+def test_what_only_writes_manuals_or_asks_in_a_window_is_left_out(tmp_path: Path, required: str) -> None:
+    own = "doxygen doxygen-latex cmake-gui cmake-qt-gui libgsl-dev"
+    made = {
+        "Dockerfile": f"FROM ubuntu:20.04\nRUN apt-get install -y {own}\n",
+        "README.md": f"# Install\n```\nsudo apt install {own}\n```\n",
+        "CMakeLists.txt": f"project(a)\n{required}add_executable(a a.cpp)\n",
+        "a.cpp": "int main() {}\n",
+    }
+    for path, text in made.items():
+        (tmp_path / path).write_text(text)
+    found = decide(gather(Repository.open(tmp_path)), Config(), folder_name="a")
+    kept = {"doxygen", "libgsl-dev"} | ({"doxygen-latex"} if required else set[str]())
+    assert {*found.apt, *found.apt_guessed} & {*own.split()} == kept
+
+
 def test_what_ubuntu_has_too_stays(tmp_path: Path) -> None:
     asked = "python3-rospkg python3-catkin-pkg python3-rosdistro python3-rospkg-modules"
     (tmp_path / "Dockerfile").write_text(f"FROM ubuntu:20.04\nRUN apt-get install -y {asked}\n")

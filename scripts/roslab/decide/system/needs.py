@@ -246,13 +246,15 @@ def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependenc
     others -= {d.file for d in written if d.file in ours or written_for(d.name) == "{distro}"}
     written = [each for each in written if each.file not in others or _HEADERS.fullmatch(each.name)]
     used = {m.value.split(" ")[0] for m in evidence.mentions if m.topic in {"command", "session", "started"}}
-    own = authors_own(ros=ros_distro is not None, page=True)
+    ros, asked = ros_distro is not None, (each for project in evidence.cmake for each in project.dependencies)
+    latex = any(each.name == "LATEX" and each.strength == "declared" for each in asked)
+    own = authors_own(ros=ros, page=True, latex=latex)
     for dependency in written:
         if own.match(dependency.name) and dependency.name not in used:
             continue
         if dependency.file not in ours or written_for(dependency.name) in fits:
             yield dependency
-    own = authors_own(ros=ros_distro is not None)
+    own = authors_own(ros=ros, latex=latex)
     authors = [authored for authored in evidence.dockerfiles if authored.purpose in {"project", "ci"}]
     fitting = [authored for authored in authors if ros_distro and ros_distro in distros_in(authored.base or "")]
     for authored in authors:
