@@ -13,10 +13,10 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.python.modules import modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-MAX_SIZE = 256 * 1024
 _ASKS = pattern(
     r"^[^#\n]{0,300}?(?:\brev-parse[\"',\s]{1,9}(?:--show-toplevel|--git-dir)\b|\bsearch_parent_directories\s?=\s?True\b)",
     re.MULTILINE,
@@ -30,14 +30,13 @@ def read(repository: Repository) -> tuple[Mention, ...]:
 
 
 def _read(repository: Repository) -> tuple[Mention, ...]:
-    for file in repository.suffixed(".py"):
-        if file.size > MAX_SIZE or places.aside(file.path) or places.documentation(file.path):
+    for module in modules(repository):
+        if places.aside(module.file.path) or not any(word in module.text for word in _WORDS):
             continue
-        text = repository.read(file)
-        for match in matching_lines(_ASKS, text, *_WORDS) if any(word in text for word in _WORDS) else ():
-            line = text.count("\n", 0, match.start()) + 1
-            said = match[0].strip()
-            return (Mention(topic="git_folder", value="git", source="code", file=file.path, line=line, text=said),)
+        for match in matching_lines(_ASKS, module.text, *_WORDS):
+            line = module.text.count("\n", 0, match.start()) + 1
+            said, file = match[0].strip(), module.file.path
+            return (Mention(topic="git_folder", value="git", source="code", file=file, line=line, text=said),)
     return ()
 
 

@@ -58,11 +58,7 @@ MENTIONED = (
         libtorch.in_scripts,
         simulator_folders.read,
     ),
-<<<<<<< HEAD
-    *(makefile_options.read, root_variables.read, system_libraries.read, usetex.read),
-=======
-    *(makefile_options.read, onnx_on_gpu.read, system_libraries.read, usetex.read),
->>>>>>> f552883b (Say where code asks ONNX Runtime for a GPU that its archive for the CPU does not know)
+    *(makefile_options.read, onnx_on_gpu.read, root_variables.read, system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, generators.read)

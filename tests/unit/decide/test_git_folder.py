@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -13,8 +16,7 @@ XML = (
     "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend>"
     "<export><build_type>ament_cmake</build_type></export></package>"
 )
-FOLDER = "/home/${NB_USER}/ws/src/demo"
-MADE = f"RUN git init --quiet --template= {FOLDER} \\\n && GIT_AUTHOR_DATE="
+MADE = "RUN git init --quiet --template= /home/${NB_USER}/ws/src/demo \\\n"
 
 
 @pytest.mark.parametrize(
@@ -23,6 +25,8 @@ MADE = f"RUN git init --quiet --template= {FOLDER} \\\n && GIT_AUTHOR_DATE="
         ("launch/a.launch.py", "top = check_output(['git', 'rev-parse', '--show-toplevel'])", True),
         ("core/a.py", "top = os.popen('git rev-parse --show-toplevel').read()", True),
         ("core/a.py", "repo = git.Repo(__file__, search_parent_directories=True)", True),
+        ("bin/a", "#!/usr/bin/env python3\nrepo = git.Repo(__file__, search_parent_directories=True)", True),
+        ("bin/a", "#!/bin/sh\nrepo = git.Repo(__file__, search_parent_directories=True)", False),
         ("core/a.py", "repo = git.Repo(__file__)", False),
         ("core/a.py", "# git rev-parse --show-toplevel", False),
         ("core/a.py", "commit = os.popen('git rev-parse HEAD').read()", False),
@@ -39,3 +43,20 @@ def test_the_folder_of_git(tmp_path: Path, file: str, code: str, *, made: bool) 
     plan = plan_repository(root).plan
     assert (MADE in dockerfile(plan)) is made
     assert ("git" in plan.apt_guessed or "git" in plan.apt) or not made
+
+
+def test_the_commit_of_the_image_is_one(tmp_path: Path) -> None:
+    (tmp_path / "main.py").write_text("import git\ngit.Repo('.', search_parent_directories=True)\n", encoding="utf-8")
+    text = dockerfile(plan_repository(tmp_path).plan)
+    step = text.partition("RUN git init")[2].partition("\n\n")[0]
+    made = []
+    for name in ("a", "b"):
+        folder = tmp_path / name
+        folder.mkdir()
+        script = f"git init{step}".replace(step.split()[2], str(folder))
+        shell = shutil.which("bash") or pytest.skip("bash is not here")
+        subprocess.run([shell, "-ec", script], check=True, env={"PATH": os.environ["PATH"], "HOME": str(tmp_path)})
+        git = shutil.which("git") or pytest.skip("git is not here")
+        head = subprocess.run([git, "-C", str(folder), "rev-parse", "HEAD"], check=True, capture_output=True, text=True)
+        made.append(head.stdout)
+    assert made[0] == made[1]

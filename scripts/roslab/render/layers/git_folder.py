@@ -6,21 +6,22 @@ from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers.workspace import source_folder
 
-_COMMIT = (
-    " \\\n && GIT_AUTHOR_DATE='315532800 +0000' GIT_COMMITTER_DATE='315532800 +0000'"
-    " \\\n    git -C {folder} -c user.name=roslab -c user.email=roslab@localhost"
-    " \\\n      commit --quiet --allow-empty --message 'The source is here without its history'"
-)
-"""The same in each build; nothing is in it."""
+_AUTHOR = "git -c user.name=roslab -c user.email=roslab@localhost"
+_DAY = "1980-01-01T00:00:00Z"
+"""Of the commit, whose name is the same in every image so."""
 
 
 def made(plan: Plan) -> str:
-    """Make the folder of the source one of git, with an empty commit, where the code asks git for either."""
+    """Make the folder of the source one of git where the code asks git for that folder: one commit, without a file.
+
+    Code that asks for the commit stops where there is none.
+    """
     if not plan.workspace.git_folder:
         return ""
     folder = quote.shell_with_user(source_folder(plan))
     return (
-        "# The code asks git for the repository's folder, or its commit: an empty one, for the history is in no image\n"
-        "USER ${NB_USER}\n"
-        f"RUN git init --quiet --template= {folder}{_COMMIT.format(folder=folder)}"
+        f"# The code asks git for the repository's folder; the history is in no image\nUSER ${{NB_USER}}\n"
+        f"RUN git init --quiet --template= {folder} \\\n"
+        f" && GIT_AUTHOR_DATE={_DAY} GIT_COMMITTER_DATE={_DAY} {_AUTHOR} -C {folder} \\\n"
+        "      commit --quiet --allow-empty --message 'The history is in no image'"
     )
