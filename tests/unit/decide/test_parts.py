@@ -38,6 +38,28 @@ def test_the_list_of_a_part(tree: Tree, listed: str, installs: str, runs: str, *
     assert (listed in {python.conda_file, *python.requirements}) is other
 
 
+@pytest.mark.parametrize(
+    ("folder", "compiled", "page", "installed"),
+    [
+        ("baselines/gail", True, "make", False),
+        ("baselines/gail", True, "python baselines/gail/train.py", True),
+        ("baselines/gail", True, "pip install -r baselines/gail/requirements.txt", True),
+        ("baselines/gail", False, "make", True),
+        ("learning/gail", True, "make", True),
+    ],
+)
+def test_compiled_code_needs_nothing_of_what_it_is_compared_with(
+    tree: Tree, folder: str, page: str, *, compiled: bool, installed: bool
+) -> None:
+    code = {"CMakeLists.txt": "project(a)\nadd_executable(a a.cpp)\n", "a.cpp": "int main() {}\n"} if compiled else {}
+    files = {f"{folder}/train.py": "import seals\nimport sacred\n", f"{folder}/requirements.txt": "sacred==0.8.4\n"}
+    found = tree({**code, **files, "README.md": f"# Demo\n```\n{page}\n```\n"})
+    guessed = {each.key for each in found.python.pip_guessed}
+    assert bool(found.python.requirements) is installed
+    assert ("seals" in guessed, "sacred" in guessed) == (installed, False)
+    assert any("is compared with" in warning.message for warning in found.warnings) is not installed
+
+
 def test_why_the_environment_of_a_part_is_not_made(tree: Tree) -> None:
     files = {path: text for path, text in FILES.items() if path != "baseline/requirements.txt"}
     found = tree({**files, "README.md": PAGE.format("pip install numpy ruamel.yaml", "python arm/train.py")})

@@ -264,7 +264,7 @@ def decide_python(
             *ignored_environments(evidence, kind, chosen),
             *machine_lists(evidence, chosen.files),
             *(gone_lists(evidence) if kind in {"python", "cuda"} else ()),
-            *left_to_parts(evidence, chosen.files),
+            *left_to_parts(evidence, kind, chosen.files),
             *left_to_others(evidence, chosen.files),
             *contradicting(evidence, chosen.files, chosen.contradicting),
             *raised_pins(chosen.files),

@@ -14,6 +14,7 @@ from roslab.decide.python.linked_repositories import linked_repositories
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.on_index import on_index
 from roslab.decide.python.other_lists import as_in_list, named_in_list
+from roslab.decide.python.parts import in_baselines
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
@@ -77,7 +78,7 @@ def guesses(
     tools = tooling("installers") | tools_of_developers()
     heavy = bool(known & {"torch", "tensorflow", "jax"})
     offered, limits = linked_repositories(evidence), _limits(evidence)
-    for dependency in _imported(evidence, manifests=manifests):
+    for dependency in _imported(evidence, kind, manifests=manifests):
         package, apt = imports().get(dependency.name) or (on_index(evidence, dependency), None)
         package = package or (named_in_list(evidence, dependency) if dependency.name not in imports() else None)
         linked = offered.of_module(dependency, ros=ros)
@@ -158,16 +159,17 @@ def to_show(evidence: Evidence, known: Set[str]) -> Iterator[Requirement]:
                 return
 
 
-def _imported(evidence: Evidence, *, manifests: bool) -> Iterator[Dependency]:
+def _imported(evidence: Evidence, kind: Kind, *, manifests: bool) -> Iterator[Dependency]:
     """Yield the imports that count: those that may fail where no manifest is, or where the code says what to install.
 
     A framework beside a manifest is not among these: it is another way to do the same.
     """
+    compared = in_baselines(evidence, kind)
     for each in evidence.code:
         told = each.role == "told" and each.name not in FRAMEWORKS
         tried = each.name == "torch" and _tries_torch(evidence)
         counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests) and not tried)
-        if each.namespace == "import" and counts and not places.test(each.file):
+        if each.namespace == "import" and counts and not (places.test(each.file) or compared(each.file)):
             yield each
 
 

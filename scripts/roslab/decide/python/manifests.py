@@ -14,6 +14,7 @@ from roslab.decide.python.gpu_projects import only_on_gpu
 from roslab.decide.python.imported_submodules import imported
 from roslab.decide.python.machine_lists import not_installed, of_machines
 from roslab.decide.python.package_folders import around_packages, below
+from roslab.decide.python.parts import of_baselines, of_parts
 from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.ros.workspace import nothing_builds, types
@@ -82,10 +83,12 @@ def declares(evidence: Evidence) -> bool:
     return any(asked.role not in {"extra", "test"} for project in own for asked in project.requirements)
 
 
-def left_to_parts(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
+def left_to_parts(evidence: Evidence, kind: Kind, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
     """Yield a warning for each of these lists, and of those beside a lock, that is not among the chosen files."""
     why = "only pages of folders ask for it, and the page at the root has pip install the project alone"
     yield from not_installed(evidence, of_pages_below(evidence), chosen, why)
+    why = "it is of what the code is compared with, and no page at the root runs or installs that"
+    yield from not_installed(evidence, of_baselines(evidence, kind), chosen, why)
     yield from left_to_lock(evidence, chosen)
 
 
@@ -100,7 +103,7 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
     if conda:  # one of tests, too: conda hands it to pip
         return tuple(file for each in evidence.conda if each.file == conda for file in files_of(evidence, each))
     aside = for_reference(evidence) | of_parts(evidence) | of_machines(evidence) | of_pages_below(evidence)
-    aside |= beside_lock(evidence)
+    aside |= beside_lock(evidence) | of_baselines(evidence, kind)
     run = {
         file.file: file
         for file in evidence.requirements

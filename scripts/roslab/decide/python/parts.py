@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
+from roslab.config.model import Kind
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.guesses import tooling, tools_of_developers
 
 FEWEST = 2
 """Fewest packages that a page installs by name where they are all that it needs."""
+_BASELINES = frozenset({"baseline", "baselines"})
 
 
 def of_parts(evidence: Evidence) -> frozenset[str]:
@@ -29,6 +31,23 @@ def of_parts(evidence: Evidence) -> frozenset[str]:
     started += [mention.file for mention in evidence.mentions if mention.topic == "command"]
     programs = {file.partition("/")[0] for file in started if "/" in file}
     return frozenset(file for file in files if file.partition("/")[0] in programs - run)
+
+
+def of_baselines(evidence: Evidence, kind: Kind) -> frozenset[str]:
+    """Return the requirement files of what compiled code is compared with."""
+    compared = in_baselines(evidence, kind)
+    return frozenset(file.file for file in evidence.requirements if compared(file.file))
+
+
+def in_baselines(evidence: Evidence, kind: Kind) -> Callable[[str], bool]:
+    """Return what tells whether a file is of what compiled code is compared with: no page at the root runs that."""
+    run = set(_run_by_root(evidence)) if kind == "cpp" else set[str]()
+
+    def compared(path: str) -> bool:
+        inside = not _BASELINES.isdisjoint(path.lower().split("/")[:-1])
+        return kind == "cpp" and inside and path.partition("/")[0] not in run
+
+    return compared
 
 
 def _run_by_root(evidence: Evidence) -> Iterator[str]:
