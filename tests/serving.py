@@ -14,7 +14,7 @@ from threading import Thread
 def served(folder: Path) -> Iterator[str]:
     """Serve the files of a folder while the body runs, and give the address."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(SimpleHTTPRequestHandler, directory=str(folder)))
-    Thread(target=server.serve_forever, daemon=True).start()
+    Thread(target=server.serve_forever, args=(0.05,), daemon=True).start()
     try:
         yield f"http://127.0.0.1:{server.server_address[1]}"
     finally:

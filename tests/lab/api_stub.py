@@ -154,7 +154,7 @@ def api_stub(repository: dict[str, Any] | None = None) -> Iterator[str]:
             """Say nothing: act's log is what a test reads."""
 
     server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread = threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True)
     thread.start()
     try:
         yield f"http://127.0.0.1:{server.server_address[1]}"

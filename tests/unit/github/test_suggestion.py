@@ -70,7 +70,7 @@ def api() -> Iterator[Api]:
             """Say nothing."""
 
     with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
+        threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True).start()
         known.address = f"http://127.0.0.1:{server.server_port}"
         yield known
         server.shutdown()

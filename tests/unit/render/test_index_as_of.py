@@ -206,7 +206,7 @@ class Index(BaseHTTPRequestHandler):
 def index() -> Iterator[str]:
     """Serve the index."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), Index)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
+    threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True).start()
     yield f"http://127.0.0.1:{server.server_address[1]}"
     server.shutdown()
     server.server_close()
