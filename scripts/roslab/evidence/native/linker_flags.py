@@ -32,7 +32,7 @@ def named(call: Call, path: str) -> Iterator[Dependency]:
 
 def of_module(call: Call, repository: Repository, file: File) -> Iterator[Dependency]:
     """Yield those that the tree's own module for what ``find_package`` asks for gives its variables."""
-    module = _module(call, repository, file)
+    module = module_of(call, repository, file)
     if module is None:
         return
     text = repository.read(module)
@@ -43,7 +43,8 @@ def of_module(call: Call, repository: Repository, file: File) -> Iterator[Depend
     yield from found
 
 
-def _module(call: Call, repository: Repository, file: File) -> File | None:
+def module_of(call: Call, repository: Repository, file: File) -> File | None:
+    """Return the tree's own module for what ``find_package`` asks for, the nearest to a file of CMake."""
     name = f"Find{call.words[0]}.cmake" if call.words else ""
     found = [each for each in repository.named(name) if each.name == name and each.size <= MAX_SIZE] if name else []
     beside = [each for each in found if each.path.startswith(f"{file.folder}/")] if file.folder else []

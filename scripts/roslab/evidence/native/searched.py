@@ -77,7 +77,7 @@ def searched(text: str, path: str, repository: Repository) -> Iterator[Dependenc
             and names
             and not (_asked(text, variable, waited) or any(held(name, repository) for name in names))
         ):
-            name = next((name for name in names if _known(name)), names[0])
+            name = next((name for name in names if known(name)), names[0])
             role = "test" if places.test(path) else SEARCHED
             stopped |= {waited[variable]} if stops else set()
             asked = Dependency(namespace="link", name=name, strength="used", file=path, line=looking[0].line, role=role)
@@ -143,5 +143,6 @@ def held(name: str, repository: Repository) -> bool:
     return bool(repository.named(f"lib{name}.so", f"lib{name}.a")) or "$" in name
 
 
-def _known(name: str) -> bool:
+def known(name: str) -> bool:
+    """Tell whether a table knows a library by its name."""
     return any(library(naming, name, None) is not None for naming in ("link", "cmake"))

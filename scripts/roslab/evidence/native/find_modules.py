@@ -1,0 +1,66 @@
+"""Libraries that the tree's own module for a required package looks for: without one of them CMake stops there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslab.evidence.dependency import Dependency
+from roslab.evidence.lex.cmake import Call, calls
+from roslab.evidence.native.linker_flags import module_of
+from roslab.evidence.native.searched import SEARCHED, held, known
+from roslab.evidence.native.x86_searched import wanted
+from roslab.knowledge.libraries import library
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+_FINDS = frozenset({"find_library", "find_path"})
+_TELLS = "find_package_handle_standard_args"
+_VARIABLES = "REQUIRED_VARS"
+_OPTION = pattern(r"(?:VERSION_VAR|HANDLE_\w+|CONFIG_MODE|REASON_\w+|FAIL_MESSAGE|NAME_MISMATCHED)")
+_WORD = pattern(r"\w+")
+
+
+def searched_by_module(call: Call, repository: Repository, file: File) -> Iterator[Dependency]:
+    """Yield the first library of no table and not of the tree without which such a module does not find its package.
+
+    https://cmake.org/cmake/help/latest/module/FindPackageHandleStandardArgs.html, 2026-11-28. A search under a
+    condition counts where that only asks for what the module has found before. None for a package that a table knows.
+    """
+    name = call.words[0] if call.words else ""
+    if "REQUIRED" not in call.words or call.conditions or call.in_function or library("cmake", name, None):
+        return
+    module = module_of(call, repository, file)
+    text = repository.read(module) if module else ""
+    if "find_library" not in (lowered := text.lower()) or _TELLS not in lowered:
+        return
+    looked: dict[str, Call] = {}
+    required: list[str] = []
+    for inner in calls(text, _FINDS | {_TELLS}):
+        if inner.name == _TELLS:
+            required += _required(inner)
+        elif inner.words:
+            looked.setdefault(inner.words[0], inner)
+    found = {*looked, f"{name}_FOUND", f"{name.upper()}_FOUND", "NOT", "AND", "OR"}
+    for variable in required:
+        search = looked.get(variable)
+        if search is None or search.name != "find_library" or not _always(search, found):
+            continue
+        names = [each.removeprefix("-l") for each in wanted(search)]
+        if names and not any("$" in each or known(each) or held(each, repository) for each in names):
+            yield Dependency(
+                namespace="link", name=names[0], strength="used", file=file.path, line=call.line, role=SEARCHED
+            )
+            return
+
+
+def _required(call: Call) -> list[str]:
+    """Return the variables that have to be set: those after ``REQUIRED_VARS``, or behind the message."""
+    if _VARIABLES not in call.words:
+        return list(call.words[2:])
+    words = call.words[call.words.index(_VARIABLES) + 1 :]
+    end = next((at for at, word in enumerate(words) if _OPTION.fullmatch(word)), len(words))
+    return list(words[:end])
+
+
+def _always(search: Call, found: set[str]) -> bool:
+    return not search.in_function and all(found.issuperset(_WORD.findall(each)) for each in search.conditions)

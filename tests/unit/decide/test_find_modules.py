@@ -1,0 +1,90 @@
+"""Modules of the tree for packages that CMake requires, and that look for what nothing brings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+_MANIFEST = (
+    "<package format='3'><name>{0}</name><buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend>"
+    "<export><build_type>ament_cmake</build_type></export></package>"
+)
+_CMAKE = """\
+project({0})
+find_package(ament_cmake REQUIRED)
+{1}
+add_executable({0}_node node.cpp)
+install(TARGETS {0}_node DESTINATION lib/{0})
+ament_package()
+"""
+_MODULE = """\
+if (SOLVEX_INCLUDE_DIR)
+  set(SOLVEX_FOUND TRUE)
+else (SOLVEX_INCLUDE_DIR)
+find_path(SOLVEX_INCLUDE_DIR NAMES solvex.h PATHS "$ENV{SOLVEX_HOME}/include")
+find_library(SOLVEX_LIBRARY NAMES solvex solvex90 PATHS "$ENV{SOLVEX_HOME}/lib")
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(SOLVEX DEFAULT_MSG SOLVEX_LIBRARY SOLVEX_INCLUDE_DIR)
+endif (SOLVEX_INCLUDE_DIR)
+"""
+
+
+def _told(tree: Tree, *, module: str = _MODULE, asks: str = "find_package(SOLVEX REQUIRED)") -> tuple[list[str], bool]:
+    """Return the warnings about the library, and whether the package may be left out of the build."""
+    files = {"README.md": "ROS 2 Humble\n\n```\nros2 run maps maps_node\n```\n", "planner/FindSOLVEX.cmake": module}
+    for name, asked in (("maps", ""), ("planner", asks)):
+        files[f"{name}/package.xml"] = _MANIFEST.format(name)
+        files[f"{name}/CMakeLists.txt"] = _CMAKE.format(name, asked)
+        files[f"{name}/node.cpp"] = "int main() {}\n"
+    decision = tree(files)
+    return [w.message for w in decision.warnings if "solvex" in w.message], "planner" in decision.may_fail
+
+
+def test_a_library_that_nothing_brings(tree: Tree) -> None:
+    """The build goes on without the package, which the command does not need."""
+    told, may_fail = _told(tree)
+    said = "CMake links solvex, which find_library looks for and nothing is known to bring: where it does not compile"
+    assert [each.partition(";")[0] for each in told] == [f"{said}, planner is left out of the build"]
+    assert may_fail
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        _MODULE.replace("DEFAULT_MSG", "REQUIRED_VARS").replace("_DIR)\nendif", "_DIR VERSION_VAR V)\nendif"),
+        _MODULE.replace("else (SOLVEX_INCLUDE_DIR)", "else ()"),
+    ],
+)
+def test_other_spellings_of_the_same(tree: Tree, changed: str) -> None:
+    told, may_fail = _told(tree, module=changed)
+    assert told
+    assert may_fail
+
+
+@pytest.mark.parametrize(
+    ("module", "asks"),
+    [
+        (_MODULE, "find_package(SOLVEX)"),  # it goes on without
+        (_MODULE, "if(WITH_SOLVEX)\nfind_package(SOLVEX REQUIRED)\nendif()"),
+        (_MODULE.replace("NAMES solvex solvex90", "NAMES glog solvex"), "find_package(SOLVEX REQUIRED)"),
+        (_MODULE.replace("DEFAULT_MSG SOLVEX_LIBRARY", "DEFAULT_MSG"), "find_package(SOLVEX REQUIRED)"),
+        (_MODULE.replace("else (SOLVEX_INCLUDE_DIR)", "elseif (WIN32)"), "find_package(SOLVEX REQUIRED)"),
+        ("set(SOLVEX_LIBRARIES solvex)\n", "find_package(SOLVEX REQUIRED)"),  # it looks for nothing
+    ],
+)
+def test_what_cmake_goes_on_from(tree: Tree, module: str, asks: str) -> None:
+    assert _told(tree, module=module, asks=asks) == ([], False)
+
+
+def test_gurobi_is_no_part_of_cmake(tree: Tree) -> None:
+    """Without a module of the tree CMake has none for it."""
+    files = {
+        "package.xml": _MANIFEST.format("planner"),
+        "CMakeLists.txt": _CMAKE.format("planner", "find_package(GUROBI REQUIRED)"),
+        "node.cpp": "int main() {}\n",
+    }
+    assert any("GUROBI" in each.message for each in tree(files).warnings)
