@@ -38,11 +38,20 @@ def test_it_is_newer(tmp_path: Path, version: str, below: str, newer: bool) -> N
 LOG = (
     "  wheel.vendored.packaging.requirements.InvalidRequirement: Expected end or semicolon (after version specifier)\n"
 )
+NEWER = (
+    "  packaging.requirements.InvalidRequirement: Expected comma (within version specifier), semicolon (after version "
+    "specifier) or end\n"
+)
 
 
 @pytest.mark.parametrize(
     ("said", "suits"),
-    [(LOG, False), (LOG.replace("wheel.vendored.", ""), False), (LOG.replace("wheel.vendored", "pip._vendor"), True)],
+    [
+        (LOG, False),
+        (LOG.replace("wheel.vendored.", ""), False),
+        (LOG.replace("wheel.vendored", "pip._vendor"), True),
+        (NEWER, False),
+    ],
 )
 def test_a_requirement_that_newer_wheels_refuse_is_known_by_its_message(tmp_path: Path, said: str, suits: bool) -> None:
     (tmp_path / "log").write_text(said)
