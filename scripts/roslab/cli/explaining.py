@@ -10,6 +10,7 @@ from roslab.cli.asking import asking
 from roslab.cli.planning import planned_of
 from roslab.cli.repairing import configuration, given
 from roslab.config.addition import added
+from roslab.engine.docker import check
 from roslab.errors import BuildError, ConfigurationError, Problem
 from roslab.explain import words
 from roslab.explain.answer import Answer
@@ -46,6 +47,8 @@ def explain(options: argparse.Namespace) -> int:
 
 
 def _proposed(answer: Answer, planned: Planned, options: argparse.Namespace) -> Repair:
+    if options.ask:
+        check()
     return proposed(answer, given(planned), asking=asking(planned, options) if options.ask else NOBODY)
 
 
@@ -63,8 +66,10 @@ def _lines(answer: Answer, planned: Planned, found: Repair, options: argparse.Na
         own = dockerfile.diff(author.dockerfile, text, changes) if changes else ""
         return own + repair_words.text(replace(found, changes=()), begin=configuration(planned, options)[1] is None)
     said = repair_words.text(found, begin=configuration(planned, options)[1] is None)
-    others = () if options.ask else unasked(found, answer, given(planned))
-    return said + "".join(f"--ask asks {each}\n" for each in others)
+    if not options.ask:
+        return said + "".join(f"--ask asks {each}\n" for each in unasked(found, answer, given(planned)))
+    fixes = {one.fix for one in answer.explanations}
+    return said + "".join(f"nothing to add: {why}\n" for _, why in found.refused if why not in fixes)
 
 
 def _apply(options: argparse.Namespace, planned: Planned, found: Repair) -> None:

@@ -158,6 +158,50 @@ def test_who_could_be_asked_is_told(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert len(unasked(found, answer, given(plan_repository(tmp_path / "robot")))) == bool(line)
 
 
+DOCKER = """\
+#!/bin/bash
+case "$*" in
+  *Server.Version*) echo 27.1.0 ;;
+  version*) echo linux/amd64 ;;
+esac
+for word in "$@"; do
+  case "${word}" in
+    type=local,dest=*) mkdir "${word#*dest=}" && echo "${ANSWER}" >"${word#*dest=}/answer" ;;
+  esac
+done
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "line"),
+    [
+        ("1 libzoo-dev", "adds apt: [libzoo-dev], for the header zoo.h (arm_extra/main.cpp:1)\n"),
+        ("", "nothing to add: no package of the image's sources holds the header zoo.h (arm_extra/main.cpp:1)\n"),
+    ],
+)
+def test_asked_the_engine_is_asked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], answer: str, line: str
+) -> None:
+    tree_of(tmp_path / "robot", WORKSPACE)
+    (tmp_path / "log").write_bytes(HELD)
+    (tmp_path / "docker").write_text(DOCKER)
+    (tmp_path / "docker").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    monkeypatch.setenv("ANSWER", answer)
+    assert main(["explain", str(tmp_path / "log"), str(tmp_path / "robot"), "--ask"]) == 0
+    assert line in capsys.readouterr().out
+
+
+def test_without_an_engine_nobody_can_be_asked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    tree_of(tmp_path / "robot", WORKSPACE)
+    (tmp_path / "log").write_bytes(HELD)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert main(["explain", str(tmp_path / "log"), str(tmp_path / "robot"), "--ask"]) == 5
+    assert "docker is not installed" in capsys.readouterr().err
+
+
 def test_what_is_named_already_gives_nothing_up(tmp_path: Path) -> None:
     tree_of(tmp_path / "robot", WORKSPACE)
     assert found_in(tmp_path / "robot", CODE, Answers().asking, whole=True).left == ()
