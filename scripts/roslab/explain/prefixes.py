@@ -19,7 +19,7 @@ _PREFIXES: dict[str, re.Pattern[str]] = {
     # a part of what BuildKit repeats: the seconds that each line took
     "seconds": pattern(r"\d{1,5}\.\d{2,3}(?: |$)"),
     # docker compose: the service and a bar
-    "compose": pattern(r"[a-zA-Z][\w.-]{0,60}[_-]\d{1,3} {1,20}\| "),
+    "compose": pattern(r"[a-zA-Z][\w.-]{0,60} {1,40}\| "),
     # docker compose and Jenkins
     "clock": pattern(r"\[?\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:[.,]\d{1,9})?(?:Z|[+-]\d\d:?\d\d)?\]? "),
     # the client of docker for Python, under its logger
@@ -41,6 +41,10 @@ _EVENT = pattern(
 _OF_EVENT = "Line: {'line': b"
 """colcon's events.log has each line that a package printed as bytes of Python:
 https://colcon.readthedocs.io/en/released/user/log-files.html"""
+_TAG = pattern(r"</?(?:b|i|u|font|span|code|pre|strong)(?: [^<>\n]{0,100})?>")
+_OF_HTML = ("</b>", "</font>", "</span>", "&gt;&gt;&gt; ", "&lt;&lt;&lt; ")
+"""What a terminal's text has where it was copied as HTML."""
+_SIGNS = (("&lt;", "<"), ("&gt;", ">"), ("&quot;", '"'), ("&#39;", "'"), ("&nbsp;", " "), ("&amp;", "&"))
 _SECTION = pattern(r"^section_(?:start|end):\d{1,12}:[\w.-]{1,100}(?:\[[^\]\n]{0,100}\])?\s?", re.MULTILINE)
 
 
@@ -52,17 +56,26 @@ def stripper(text: str) -> Callable[[str], str] | None:
     section = any("section_start:" in line for line in filled)
     launched = _STARTED in text
     events = _OF_EVENT in text
-    if chosen is None and not section and not launched and not events:
+    copied = any(sign in text for sign in _OF_HTML)
+    if chosen is None and not section and not launched and not events and not copied:
         return None
     prefix = re.compile(f"^(?:{chosen.pattern})", re.MULTILINE) if chosen is not None else None
 
     def strip(text: str) -> str:
+        text = _without_html(text) if copied else text
         plain = prefix.sub("", text) if prefix is not None else text
         plain = _NODE.sub("", plain) if launched else plain
         plain = _EVENT.sub(_printed, plain) if events else plain
         return _SECTION.sub("", plain) if "section_" in plain else plain
 
     return strip
+
+
+def _without_html(text: str) -> str:
+    plain = _TAG.sub("", text)
+    for name, sign in _SIGNS:
+        plain = plain.replace(name, sign)
+    return plain
 
 
 def _printed(event: re.Match[str]) -> str:

@@ -71,6 +71,21 @@ ROS path [0]=/opt/ros/noetic/share/ros
 push-denied:
 denied: installation not allowed to Create organization package
 
+connection: uv sync
+  Caused by: error sending request for url (https://example.org/simple/numpy/)
+
+no-compiler: catkin_make
+/bin/sh: 1: /usr/bin/c++: not found
+
+compiler-option-unknown: make
+cc1plus: error: unknown value 'native' for '-march'
+
+setuptools-new-for-colcon: colcon build
+error: error in setup.cfg: command 'develop' has no such option 'script_dir'
+
+argument-missing:
+Included launch description missing required argument 'map' (description: 'no description given'), given: []
+
 nvidia-driver-old:
 CUDA driver version is insufficient for CUDA runtime version
 """

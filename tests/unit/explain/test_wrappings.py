@@ -135,6 +135,12 @@ WRAPPINGS: dict[str, tuple[Sequence[str], str]] = {
     "colours without their escape": ([f"[91m{each}[0m" for each in CLASSIC], STEP),
     "Windows": ([f"{each}\r" for each in CLASSIC], STEP),
     "quoted in an issue": (behind("> ", CLASSIC), STEP),
+    "copied as HTML": (
+        [f"<b>{each}</b>".replace("fatal error:", '</b><font color="#C01C28"><b>fatal error:</b></font>') for each in (
+            each.replace("<", "&lt;").replace(">", "&gt;") for each in CLASSIC)],
+        STEP,
+    ),
+    "docker compose, the services": (behind("ros_dev  | ", SAID), NONE),
     "colcon's stderr.log": ((ERROR, "compilation terminated.", "gmake: *** [Makefile:146: all] Error 2"), NONE),
     "colcon's streams.log": ([f"[{n}.024s] {line}" for n, line in enumerate(("Invoking command", *SAID))], NONE),
     "colcon's events.log": (
