@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from roslab.evidence.facts import Evidence
     from roslab.repository.checkout import Repository
 
-MOST_FILES = 50_000
+MOST_FILES = 150_000
 """Of a larger tree nothing is kept."""
 RACY = 2_000_000_000
 """Nanoseconds: some file systems know no shorter time."""
