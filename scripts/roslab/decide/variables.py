@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
-from roslab.config.model import Config
+from roslab.config.model import BuildTool, Config
 from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Download, Warning_
 from roslab.decide.launched_simulators import brought_simulators
@@ -115,8 +115,10 @@ def decide_variables(
             pairs[name] = value
             reasons.append(because("workspace", f"{name}={value}", why, asks, weight=SET))
     demanded = [m for m in evidence.mentions if m.topic == "demanded" and m.value not in {*pairs, *given}]
-    demanded = [m for m in demanded if not of_every_image(m.value)]
-    return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons), warnings=tuple(map(_demanded, demanded)))
+    demanded = [m for m in demanded if not (of_every_image(m.value) or m.value.startswith("-D"))]
+    lacking = () if dockerfile or (evidence.python and not ros) else _options_lacking(evidence, config)
+    warnings = (*map(_demanded, demanded), *lacking)
+    return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons), warnings=warnings)
 
 
 def _said(evidence: Evidence, downloads: Iterable[Download]) -> Iterator[Mention]:
@@ -132,6 +134,22 @@ def _demanded(mention: Mention) -> Warning_:
     what = "CMake" if mention.file.endswith("CMakeLists.txt") else "a program"
     message = f"{what} stops without the variable {mention.value} (it says: {mention.text.strip()})"
     return warn(f"{message}: set it under `env` in roslab.yaml", mention)
+
+
+def _options_lacking(evidence: Evidence, config: Config) -> Iterator[Warning_]:
+    """Yield a warning for each option without which CMake stops, and that no page gives it in a form that is taken."""
+    demanded = {m.value: m for m in evidence.mentions if m.topic == "demanded" and m.value.startswith("-D")}
+    if not demanded:
+        return
+    from roslab.decide.system.own_options import own_options  # noqa: PLC0415 - few trees demand any
+
+    tools: tuple[BuildTool, ...] = ("cmake", "colcon", "catkin_make", "catkin_make_isolated", "catkin_tools")
+    taken = " ".join(word for tool in tools for word in own_options(evidence, config, "", tool))
+    said = f" {taken} {config.cmake_options} {' '.join(config.build_args)}"
+    for option, mention in demanded.items():
+        if not any(f"{option}{sign}" in said for sign in "=:"):
+            message = f"CMake stops without {option} (it says: {mention.text.strip()})"
+            yield warn(f"{message}: give it in `cmake_options` in roslab.yaml", mention)
 
 
 def _offscreen(asked: Iterable[Requirement]) -> Iterator[tuple[str, str, str, Requirement]]:

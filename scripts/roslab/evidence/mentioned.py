@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from roslab.evidence import git_folder, matlab, started_programs, submodules
 from roslab.evidence.facts import Mention
 from roslab.evidence.native import (
+    asked_definitions,
     cloned_heads,
     cuda_paths,
     generators,
@@ -58,7 +59,8 @@ MENTIONED = (
         libtorch.in_scripts,
         simulator_folders.read,
     ),
-    *(makefile_options.read, onnx_on_gpu.read, root_variables.read, system_libraries.read, usetex.read),
+    *(asked_definitions.read, makefile_options.read, onnx_on_gpu.read, root_variables.read),
+    *(system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, generators.read)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Config
 from roslab.decide.decision import Decision
+from trees import decided
 
 Tree = Callable[[dict[str, str]], Decision]
 CMAKE = "project(Demo)\nadd_executable(demo demo.cpp)\n"
@@ -79,3 +82,28 @@ def test_a_folder_of_the_tree_that_cmake_demands(tree: Tree, files: tuple[str, .
     cmake = "project(driver)\nfind_package(ament_cmake REQUIRED)\n" + BRANCHES
     found = tree({"driver/package.xml": package, "driver/CMakeLists.txt": cmake, **dict.fromkeys(files, "x")})
     assert dict(found.variables).get("SDK_DIR") == value
+
+
+DEFINITION = 'if(NOT DEFINED SDK_KIND)\n  message(FATAL_ERROR "Set SDK_KIND")\nendif()\n'
+SAID = "CMake stops without -DSDK_KIND (it says: Set SDK_KIND): give it in `cmake_options` in roslab.yaml"
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({}, True),
+        ({"README.md": "```\nmkdir build && cd build\ncmake .. -DSDK_KIND=<which one>\nmake\n```\n"}, True),
+        ({"README.md": "```\nmkdir build && cd build\ncmake .. -DSDK_KIND=vendor\nmake\n```\n"}, False),
+        ({"CMakePresets.json": '{"configurePresets": [{"cacheVariables": {"SDK_KIND": "a"}}]}'}, False),
+        ({"setup.py": "from setuptools import setup\nsetup(name='demo')\n"}, False),
+    ],
+)
+def test_an_option_that_cmake_demands_is_told(tree: Tree, files: dict[str, str], *, told: bool) -> None:
+    found = tree({"CMakeLists.txt": CMAKE + DEFINITION, "demo.cpp": "int main() {}\n", **files})
+    assert (SAID in [each.message for each in found.warnings]) == told
+
+
+def test_an_option_that_roslab_yaml_gives_is_not_told(tmp_path: Path) -> None:
+    files = {"CMakeLists.txt": CMAKE + DEFINITION, "demo.cpp": "int main() {}\n"}
+    found = decided(tmp_path, files, config=Config(cmake_options="-DSDK_KIND=a"))
+    assert SAID not in [each.message for each in found.warnings]

@@ -15,7 +15,6 @@ from roslab.decide.python.imported_submodules import imported
 from roslab.decide.python.machine_lists import not_installed, of_machines
 from roslab.decide.python.package_folders import around_packages, below
 from roslab.decide.python.parts import of_baselines, of_parts
-from roslab.decide.python.parts import of_parts
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.ros.workspace import nothing_builds, types
 from roslab.evidence import places

@@ -1,0 +1,72 @@
+"""Options without which CMake of the tree stops: ``if(NOT DEFINED SDK_ROOT)`` around a ``message(FATAL_ERROR …)``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.facts import Mention
+from roslab.evidence.lex.cmake import calls
+from roslab.repository.checkout import Repository, nearest
+from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 64 * 1024
+MAX_PACKAGES = 60
+"""Most packages that are looked into, those nearest to the root first."""
+_UNSET = pattern(r"NOT DEFINED (?!CMAKE_|BUILD_|ROS_)([A-Za-z]\w+)")
+_SIGN = pattern(r"(?i)\bNOT\s+DEFINED\b")
+_IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Definition:
+    """A variable of CMake that nothing in the tree sets, with the error that a build without it ends with."""
+
+    name: str
+    file: str
+    line: int
+    said: str
+
+    @property
+    def folder(self) -> str:
+        """The folder of the project."""
+        return self.file.rpartition("/")[0]
+
+
+def read(repository: Repository) -> Iterator[Mention]:
+    """Yield ``-DNAME`` for each."""
+    for each in repository.once(definitions):
+        value = f"-D{each.name}"
+        yield Mention(topic="demanded", value=value, source="code", file=each.file, line=each.line, text=each.said)
+
+
+def definitions(repository: Repository) -> tuple[Definition, ...]:
+    """Return what CMake at the root and of the tree's packages of ROS demands, by ``if(NOT DEFINED X)`` alone."""
+    folders = {"", *(file.folder for file in repository.named("package.xml"))}
+    folders -= {file.folder for file in repository.named(*_IGNORED)}
+    files = [file for file in repository.named("CMakeLists.txt") if file.folder in folders]
+    files = nearest([file for file in files if file.size <= MAX_SIZE and not places.aside(file.path)])[:MAX_PACKAGES]
+    found = [each for file in files for each in _of(repository.read(file), file.path)]
+    if not found:
+        return ()
+    included = [repository.read(file) for file in repository.suffixed(".cmake")[:MAX_PACKAGES]]
+    presets = "".join(repository.read(file) for file in repository.named("CMakePresets.json"))
+    free = (each for each in found if f'"{each.name}"' not in presets)
+    return tuple(each for each in free if not any(_is_set(each.name, text) for text in included))
+
+
+def _of(text: str, file: str) -> Iterator[Definition]:
+    if "FATAL_ERROR" not in text or not _SIGN.search(text):
+        return
+    for call in calls(text, frozenset({"message"})):
+        unset = _UNSET.fullmatch(call.conditions[0]) if len(call.conditions) == 1 else None
+        if unset and call.words[:1] == ("FATAL_ERROR",) and not call.in_function and not _is_set(unset[1], text):
+            yield Definition(name=unset[1], file=file, line=call.line, said=" ".join(call.words[1:]))
+
+
+def _is_set(name: str, text: str) -> bool:
+    """Tell whether a call other than a condition may set a variable: ``option(X …)``, ``find_path(X …)``."""
+    first = rf"\b(?!(?:if|elseif|while|message)\b)[A-Za-z]\w*[ \t]*\([ \t]*{name}\b"
+    return name in text and bool(re.search(rf"{first}|_VARIABLE[ \t]+{name}\b", text))
