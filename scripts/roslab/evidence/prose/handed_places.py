@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
@@ -61,11 +61,6 @@ def mentions(said: Iterable[Handed], name: str, folder: str, source: MentionSour
                 text=f"-D{each.name}={each.folder}",
                 inside=each.reader,
             )
-
-
-def names(said: Iterable[Handed]) -> Collection[str]:
-    """Return the last parts of the folders."""
-    return {posixpath.basename(each.folder) for each in said}
 
 
 def _reader(name: str, repository: Repository) -> str:
