@@ -124,6 +124,18 @@ def test_a_library_differs_by_ubuntu() -> None:
     assert libraries.library("cmake", "OpenMP", "focal") == libraries.Library()
 
 
+def test_what_cmake_has_itself_is_no_package_of_ros() -> None:
+    """A package that a distribution released is installed, and no row says that it needs nothing."""
+    nothing = [row["name"] for row in rows("cmake") if not (row["apt"] or row["ros"] or row["recipe"])]
+    assert [name for name in nothing if released.ever_released(name)] == []
+
+
+@pytest.mark.parametrize("name", ["fast_gicp", "ndt_omp", "apriltag_mit"])
+def test_a_package_of_ros_that_cmake_asks_for(name: str) -> None:
+    assert libraries.library("cmake", name, "jammy") is None
+    assert released.ever_released(name)
+
+
 @pytest.mark.parametrize(
     ("path", "apt"),
     [
