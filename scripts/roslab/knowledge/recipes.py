@@ -95,6 +95,12 @@ def brings(name: str) -> tuple[str, ...]:
     return tuple((_table(name) or {}).get("brings", ()))
 
 
+@cache
+def unpacked(name: str) -> bool:
+    """Tell whether a library of the table comes compiled, in an archive of its project's."""
+    return "archives" in (_table(name) or {})
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class OnCuda:
     """How a library is compiled with its parts for CUDA."""

@@ -50,6 +50,8 @@ def test_an_archive_for_each_processor(tree: Tree, key: bool, asked: str) -> Non
     assert "-linux-x64-" in library.zip
     assert "-linux-aarch64-" in library.zip_arm64
     assert decision.platforms == ("linux/amd64", "linux/arm64")
+    said = "onnxruntime is the name of a library, not a key of rosdep: onnxruntime, from an archive of its project, is"
+    assert any(each.message.startswith(said) for each in decision.warnings) == key
     assert not any("onnxruntime" in each.message and "nothing" in each.message for each in decision.warnings)
     text = dockerfile(make_plan(decision, Config(), folder_name="demo"))
     assert f"arm64) echo {library.zip_arm64} ;; *) echo {library.zip} ;;" in text

@@ -26,6 +26,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.apt_scripts import adds_a_source
 from roslab.evidence.ros.conditions import holds
 from roslab.knowledge.distros import distro, ubuntus, ubuntus_with_python2
+from roslab.knowledge.recipes import unpacked
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.knowledge.ros_sources import ros_sources
 from roslab.knowledge.vendor_packages import vendor_of
@@ -151,7 +152,8 @@ def translate(
         needs, installer = vendor_of(name)
         vendors = f"; it needs {needs}, which the image lacks ({installer})" if needs else ""
         return Translated(warning=warn(f"{message}: {hint}{vendors}", key), unknown=not brought)
-    instead = " ".join(found.apt) or f"{found.recipe}, built from source,"
+    how = "from an archive of its project" if unpacked(found.recipe) else "built from source"
+    instead = " ".join(found.apt) or f"{found.recipe}, {how},"
     message = f"{name} is the name of a library, not a key of rosdep: {instead} is installed for it"
     return Translated(
         guessed=found.apt,  # a wrong guess must not stop the installation of all others
