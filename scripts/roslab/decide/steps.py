@@ -164,6 +164,7 @@ def _cloned(
     alike = {_stem(each.name): each for each in asks if not _by_ubuntu(each.name)}
     unknown = [each for each in evidence.code if each.namespace == "import" and _nobody_has(each, names)]
     copied = {plain(part) for manifest in evidence.manifests for part in manifest.file.split("/")[:-1]}
+    there = there | {address(git.url) for git in evidence.sources if git.kind == "submodule" and not git.absent}
     for git in (*evidence.sources, *authored) if kind in {"ros1", "ros2", "cpp"} else ():
         aside = places.vendored(git.file) or places.documentation(git.file) or places.test(git.file)
         aside = aside or not (git.file.endswith(PAGES) or git in authored)

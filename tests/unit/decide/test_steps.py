@@ -69,6 +69,15 @@ def test_a_clone_that_nothing_asks_for_is_told_and_the_repository_itself_is_not(
     assert told(tree, page) == [(message, "README.md", 4)]
 
 
+@pytest.mark.parametrize("there", [True, False])
+def test_a_submodule_whose_page_clones_itself_is_there(tree: Tree, there: bool) -> None:
+    """Its page names it by another form of the address, and its folder is called otherwise."""
+    page = "```\ngit clone git@github.com:them/odd_sdk.git\n```\n"
+    module = '[submodule "{0}"]\n\tpath = {0}\n\turl = https://github.com/them/{1}\n'
+    files = {".gitmodules": module.format("parts/odd", "odd_sdk" if there else "even_sdk"), "parts/odd/a.txt": "a\n"}
+    assert bool(told(tree, page, **files)) != there
+
+
 @pytest.mark.parametrize(
     ("url", "needed", "page", "why"),
     [
