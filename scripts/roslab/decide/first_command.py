@@ -10,7 +10,7 @@ from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import without_chores
 from roslab.decide.equally_meant import of_whole, without_robot
 from roslab.decide.only_launched import only_launched, only_run
-from roslab.decide.purposes import of_purpose
+from roslab.decide.purposes import of_purpose, of_section
 from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running, shows, starts
 from roslab.decide.upkeep import upkeep
@@ -239,7 +239,7 @@ def serves(candidate: Candidate) -> bool:
 def helps(candidate: Candidate) -> bool:
     """Tell whether a program only prepares what the one that is meant needs: it converts, downloads, sets up a bus."""
     found = _found(candidate, _SERVES)
-    if _tried(candidate) or (found and of_purpose(candidate, found[0])):
+    if _tried(candidate) or (found and (of_purpose(candidate, found[0]) or of_section(candidate))):
         return False
     if _INTERFACE.search(program_of(candidate.argv)[-1]):
         return True

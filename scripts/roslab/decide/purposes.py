@@ -23,6 +23,11 @@ _UPKEEP = pattern(
     re.IGNORECASE,
 )
 """Words that say nothing of a purpose, whatever the repository is called."""
+_MAKES = frozenset({"generate", "extract"})
+_OF_DATA = pattern(
+    r"data\w*|sets?|samples?|train\w*|prepar\w*|pre|process\w*|labels?|annotations?|splits?|features?|maps?|paths?"
+)
+"""Words of what is made for another program."""
 
 
 def of_purpose(candidate: Candidate, found: str) -> bool:
@@ -60,3 +65,15 @@ def alike(one: str, other: str) -> bool:
     ends = [word[len(root) :] for word in (one, other)]
     ends = [end[1:] if end[:1] == root[-1:] and len(end) > 1 else end for end in ends]  # plot, plotter
     return one == other or (len(root) >= FEWEST and all(map(_ENDING.fullmatch, ends)))
+
+
+def of_section(candidate: Candidate) -> bool:
+    """Tell whether the title of a program's section names all that the program makes: ``generate_relevancy``.
+
+    A section about data, or about making them, has programs that only serve another one.
+    """
+    verb, *made = words_of(program_of(candidate.argv)[-1].rpartition("/")[2].partition(".")[0])
+    title = tuple(words_of(candidate.heading.rpartition(" / ")[2]))
+    if verb not in _MAKES or not made or any(alike(verb, word) or _OF_DATA.fullmatch(word) for word in (*title, *made)):
+        return False
+    return all(any(alike(word, other) for other in title) for word in made)

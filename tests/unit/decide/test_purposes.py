@@ -53,3 +53,23 @@ def test_what_writes_another_format_is_meant_in_a_converter(tree: Tree, package:
         "README.md": "ROS Noetic\n## Usage\n```\npython3 scripts/slam_to_pcd.py --fast\n```\n",
     }
     assert " ".join(tree(files).command) == command
+
+
+@pytest.mark.parametrize(
+    ("program", "title", "meant"),
+    [
+        ("generate_relevancy", "Multi-scale Relevancy Extractor", True),
+        ("extract_meshes", "Meshes", True),
+        ("generate_relevancy", "Usage", False),
+        ("generate_relevancy", "Generate the relevancy", False),  # of which another section makes use
+        ("generate_dataset", "Dataset", False),
+        ("extract_features", "Features", False),
+        ("generate_grasps", "Training with grasps", False),
+        ("generate", "Relevancy", False),
+    ],
+)
+def test_a_section_about_what_a_program_makes(tree: Tree, program: str, title: str, *, meant: bool) -> None:
+    files = dict.fromkeys((f"{program}.py", "train.py"), "import numpy\nif __name__ == '__main__':\n    pass\n")
+    page = f"# Demo\n## {title}\n```\npython {program}.py image\n```\n## Learning\n```\npython train.py\n```\n"
+    found = tree({**files, "requirements.txt": "numpy\n", "README.md": page})
+    assert found.command[:2] == ("python", f"{program if meant else 'train'}.py")
