@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from roslab.explain import ros_names, worked
 from roslab.knowledge import libraries
@@ -81,10 +82,10 @@ def _library(naming: libraries.Naming, captured: str) -> Callable[[Names, Image]
     def look(names: Names, where: Image) -> Names:
         packages: dict[str, None] = {}
         for name in names.get(captured, "").split(", "):
-            found = libraries.header(name, where.ubuntu) if naming == "include" else None
+            found = _of_any(partial(libraries.header, name), where.ubuntu) if naming == "include" else None
             if naming != "include":
                 spellings = (name, name.removeprefix("lib"), name.lower(), name.capitalize(), f"lib{name}")
-                known = (_of_any(naming, spelling, where.ubuntu) for spelling in spellings)
+                known = (_of_any(partial(libraries.library, naming, each), where.ubuntu) for each in spellings)
                 found = next((library for library in known if library is not None), None)
             if found is not None:
                 packages.update(dict.fromkeys(_packages(found, where)))
@@ -97,12 +98,12 @@ def _library(naming: libraries.Naming, captured: str) -> Callable[[Names, Image]
     return look
 
 
-def _of_any(naming: libraries.Naming, name: str, ubuntu: str | None) -> libraries.Library | None:
+def _of_any(look: Callable[[str | None], libraries.Library | None], ubuntu: str | None) -> libraries.Library | None:
     """Return where a library comes from; where the log does not show the Ubuntu, what all that have it agree on."""
-    found = libraries.library(naming, name, ubuntu)
+    found = look(ubuntu)
     if ubuntu is not None or found is None or found.apt or found.recipe:
         return found
-    each = {library.apt for one in ubuntus().values() if (library := libraries.library(naming, name, one))} - {()}
+    each = {library.apt for one in ubuntus().values() if (library := look(one))} - {()}
     return libraries.Library(apt=each.pop(), ros=found.ros) if len(each) == 1 else found
 
 

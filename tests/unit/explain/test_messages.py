@@ -83,6 +83,33 @@ cc1plus: error: unknown value 'native' for '-march'
 setuptools-new-for-colcon: colcon build
 error: error in setup.cfg: command 'develop' has no such option 'script_dir'
 
+tests-fail: colcon test-result --verbose
+Summary: 3 tests, 0 errors, 2 failures, 0 skipped
+
+source-refuses: make
+a.hpp:3:4: error: static assertion failed: YOU_MIXED_DIFFERENT_NUMERIC_TYPES
+
+api-call: make
+a.hpp:12:7: error: 'void arm::Driver::stop()' marked 'override', but does not override
+
+api-call: make
+a.cpp:12:7: error: 'int arm::Driver::speed' is private within this context
+
+file-missing: vcs import src < arm.repos
+/bin/sh: 1: cannot open arm.repos: No such file
+
+host-unknown: apt-get update; apt-get install -y git
+W: Failed to fetch http://example.org/jammy/InRelease  Temporary failure resolving 'example.org'
+E: Unable to locate package git
+
+systemd: systemctl enable ros
+System has not been booted with systemd as init system (PID 1). Can't operate.
+Failed to connect to bus: Host is down
+
+dds-no-domain:
+Starting
+[ERROR] [rmw_fastrtps_cpp]: failed to create participant
+
 argument-missing:
 Included launch description missing required argument 'map' (description: 'no description given'), given: []
 
@@ -108,6 +135,11 @@ def test_a_command_of_cmake_is_found_with_its_package() -> None:
 def test_a_package_that_all_ubuntus_call_the_same_needs_no_ubuntu() -> None:
     one = found("CMake Error at a.cmake:2 (message):\n  Could NOT find Python3 (missing: Development)", "cmake .")
     assert one.repair == (("apt", ("python3-dev",)),)
+
+
+def test_a_header_that_all_ubuntus_have_in_one_package_needs_none() -> None:
+    one = found("a.cpp:3:10: fatal error: fmt/core.h: No such file or directory", "make")
+    assert one.repair == (("apt", ("libfmt-dev",)),)
 
 
 def test_a_log_without_steps_shows_its_ros() -> None:
