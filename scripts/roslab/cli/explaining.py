@@ -83,7 +83,9 @@ def _apply(options: argparse.Namespace, planned: Planned, found: Repair) -> None
             )
         )
     if not changes.changes:
-        why = "; ".join([*(reason for _, reason in found.refused), *map(repair_words.without, found.left)])
+        maybe = [f"it may need {change.told}" for change in found.changes]
+        refused = [reason for _, reason in found.refused]
+        why = "; ".join([*maybe, *refused, *map(repair_words.without, found.left)])
         raise BuildError(
             Problem(
                 message="nothing is written: no cause here has lines for roslab.yaml that are certain", hint=why or None

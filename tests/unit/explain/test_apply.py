@@ -64,6 +64,16 @@ def test_what_has_no_certain_lines_is_not_written(robot: Path, capsys: pytest.Ca
     assert not (robot / "roslab.yaml").exists()
 
 
+def test_what_somebody_wrote_is_told_and_stays(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = "format: 3\nkind: python\nbase: {python: '3.12'}\n"
+    (robot / "roslab.yaml").write_text(text)
+    assert explain(robot, "Starting\nModuleNotFoundError: No module named 'imp'\n", "--apply") == 5
+    told = capsys.readouterr()
+    assert "may need base.python: 3.12 becomes 3.11, for imp, which Python has up to 3.11" in told.out
+    assert "which is yours to exchange" in told.err
+    assert (robot / "roslab.yaml").read_text() == text
+
+
 def test_an_image_of_the_author_s_own_dockerfile_is_repaired_there(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
