@@ -17,6 +17,10 @@ https://github.com/colcon/colcon-output (colcon_output/event_handler/status.py),
 https://github.com/catkin/catkin_tools (catkin_tools/execution/controllers.py),
 https://github.com/ros/catkin (python/catkin/builder.py)
 """
+_ENDED = pattern(
+    r"(?:\[[\d.]{1,20}\] )?\([\w.-]{1,100}\) JobEnded: \{'identifier': '(?P<name>[\w-]{1,199})', 'rc': [1-9]"
+)
+"""The same in colcon's events.log."""
 _MADE = pattern(r"make(?:\[\d{1,3}\])?: \*\*\* \[(?P<path>[^\] :\n]{1,300})/CMakeFiles/")
 _ERROR = pattern(r"CMake (?:Deprecation )?(?P<kind>Error|Warning)\b")
 _CONFIGURED = pattern(r"(?:^CMake Error at|^ {1,4})\s{0,2}(?P<path>\S{1,300})/CMakeLists\.txt:\d{1,6} \(")
@@ -41,6 +45,8 @@ def failed_packages(lines: Iterable[str], command: str) -> tuple[str, ...]:
 def _named(line: str) -> Iterator[str]:
     if "<" in line and (found := _NAMED.match(line)):
         yield from (name for name in found.groups() if name)
+    elif "JobEnded: " in line and (found := _ENDED.match(line)):
+        yield found["name"]
 
 
 def _made(said: Iterable[str]) -> Iterator[str]:

@@ -167,3 +167,5 @@ def test_the_cause_is_the_same(name: str) -> None:
     assert (found.id, dict(found.names)["header"], found.step) == ("header-missing", "glog/logging.h", step)
     assert found.repair == (("apt", ("libgoogle-glog-dev",)),)
     assert found.error == ERROR
+    told = any(sign in line for line in lines for sign in ("<<", "&lt;&lt;", "JobEnded"))
+    assert found.packages == (("arm",) if told else ())
