@@ -14,7 +14,6 @@ from roslab.decide.logins import without_logins
 from roslab.errors import ConfigurationError, NothingToBuildError, Problem
 from roslab.evidence.facts import Evidence
 from roslab.evidence.kept import evidence_of
-from roslab.evidence.native import made_elsewhere, unread, written_beside
 from roslab.evidence.ros import vcs
 from roslab.knowledge.distros import rosdistro_tag
 from roslab.plan.locked import NAME as LOCK
@@ -100,11 +99,11 @@ def plan_repository(
         ignore=tuple(repository.read(".dockerignore").splitlines()),
         rosdistro_tag=_tables(decision),
         source_version=version,
-        unread=unread.names(repository),
+        unread=evidence.beside.unread,
     )
-    hidden = () if decision.dockerfile else made_elsewhere.names(repository)
-    beside = written_beside.found(repository)
-    plan = replace(plan, workspace=replace(plan.workspace, made_elsewhere=hidden, written_beside=beside))
+    hidden = () if decision.dockerfile else evidence.beside.made_elsewhere
+    place = replace(plan.workspace, made_elsewhere=hidden, written_beside=evidence.beside.written_beside)
+    plan = replace(plan, workspace=place)
     file = lock_file(config)
     if locked and repository.has(file):
         from roslab.plan import lock as locks  # noqa: PLC0415 - few trees have one

@@ -21,6 +21,7 @@ from roslab.evidence.program import Program
 from roslab.evidence.python_project import PythonProject
 from roslab.evidence.removed_name import Removed
 from roslab.evidence.service import Service
+from roslab.evidence.workspace_files import WorkspaceFiles
 from roslab.evidence.x86_only import X86Only
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
@@ -257,6 +258,7 @@ class Evidence:
     """Files of C and C++ that are compiled, and definitions of messages, of which code is made that is."""
     x86_only: tuple[X86Only, ...] = ()
     """Each option and each header once for a file, at its first place."""
+    beside: WorkspaceFiles = WorkspaceFiles()
     worked_on: tuple[Mention, ...] = ()
     """Days of the repository's commit and of its citation file, in this order."""
     day: str | None = None

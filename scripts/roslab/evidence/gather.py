@@ -11,6 +11,7 @@ from roslab.evidence.native import (
     argument_counts,
     asked_variables,
     authors_folders,
+    beside_builds,
     by_variables,
     cmake,
     compared,
@@ -152,8 +153,7 @@ def gather(repository: Repository) -> Evidence:
     if any(own.has(manifest.file) for manifest in manifests) or any("/" not in p.file for p in cmake_projects):
         own = repository  # of what is compiled, the submodules are a part
     prose = submodules.with_launches(own_packages.found(merge(reader(own) for reader in PROSE), own), repository)
-    said = pointed.read(own)
-    shown = shown_folders.read(own)
+    said, shown = pointed.read(own), shown_folders.read(own)
     python_projects = project.read(repository)
     stopped = stopped_setup.chosen(python_projects, prose.requirements)
     by_pip = [each for each in python_projects if not places.vendored(each.file)]
@@ -181,6 +181,7 @@ def gather(repository: Repository) -> Evidence:
     otherwise = tuple(other_builders.read(repository))
     folders = tuple((each.name, posixpath.dirname(each.file)) for each in manifests if each.name)
     paths = author_folders.read(repository, folders)
+    there = {(path.file, path.line) for path in paths if path.there and not path.made}
     dates = manifests or cmake_projects or made or listed or by_file or otherwise
     return Evidence(
         manifests=manifests,
@@ -279,6 +280,7 @@ def gather(repository: Repository) -> Evidence:
         repositories=copies.repositories(repository, manifests),
         cuda_files=cpp.cuda_files(repository),
         compiled_files=len(repository.suffixed(*cpp.COMPILED)),
+        beside=beside_builds.read(whole),
         x86_only=tuple(of_x86.read(repository, intrinsics, signs.included)),
         problems=(
             *repository.problems,
@@ -289,9 +291,7 @@ def gather(repository: Repository) -> Evidence:
             *cpu.read(repository),
             *gpu_code.read(repository),
             *latest_releases.read(repository),
-            *authors_folders.read(
-                repository, {(path.file, path.line) for path in paths if path.there and not path.made}
-            ),
+            *authors_folders.read(repository, there),
             *made_elsewhere.read(whole),
             *pointers.read(repository),
             *omitted_packages.problems(repository),

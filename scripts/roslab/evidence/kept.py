@@ -101,7 +101,7 @@ def _keep(tree: KeptTree, state: tuple[Any, ...], repository: Repository, eviden
     """Keep evidence, if nothing that it comes from was changed so lately that it may change again unseen."""
     listing = repository.listing
     program = _program()
-    newest = max((date for each in listing.stamps.values() for date in each[:2]), default=0)
+    newest = max((date for file in listing.files for date in listing.stamps[file.path][:2]), default=0)
     if max(newest, *(stamped[0] for _, stamped in program)) >= listing.begun - RACY:
         return
     import pickle  # noqa: PLC0415 - as above
@@ -114,7 +114,8 @@ def _keep(tree: KeptTree, state: tuple[Any, ...], repository: Repository, eviden
 def _program() -> list[tuple[str, Stamp]]:
     """Return the files of the program that were imported or read so far, each with its date and its size."""
     modules = {module.__file__ for name, module in sys.modules.items() if name.startswith(_OWN)}
-    return [(file, found) for file in sorted(used.union(filter(None, modules))) if (found := stamp(file))]
+    stamped = ((file, unchanged.get(file) or stamp(file)) for file in sorted(used.union(filter(None, modules))))
+    return [(file, found) for file, found in stamped if found]
 
 
 def _libraries() -> list[tuple[str, Stamp | None]]:
