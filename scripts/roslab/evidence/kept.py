@@ -106,7 +106,8 @@ def _keep(tree: KeptTree, state: tuple[Any, ...], repository: Repository, eviden
         return
     import pickle  # noqa: PLC0415 - as above
 
-    made = pickle.dumps((repository.told, evidence), protocol=pickle.HIGHEST_PROTOCOL)
+    told = {("checkout",): repository.checkout, **repository.told}
+    made = pickle.dumps((told, evidence), protocol=pickle.HIGHEST_PROTOCOL)
     head = marshal.dumps((state, _libraries(), program))
     tree.write(b"".join((len(head).to_bytes(_LENGTH, "little"), head, made)))
 

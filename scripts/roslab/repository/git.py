@@ -12,7 +12,7 @@ SECONDS = 30.0
 """Seconds that git may take: it reads one object."""
 MOST_SUBJECTS = 200
 """Most commits of a file that are looked at."""
-_SETTINGS = ("log.showSignature=false", "core.fsmonitor=false", "safe.bareRepository=explicit")
+_SETTINGS = ("log.showSignature=false", "core.fsmonitor=false", "core.quotePath=true", "safe.bareRepository=explicit")
 """A folder of the tree can hold the files of a bare repository, whose configuration would then be read.
 https://git-scm.com/docs/git-config#Documentation/git-config.txt-safebareRepository"""
 _ENVIRONMENT = {"GIT_ALLOW_PROTOCOL": "none", "GIT_NO_LAZY_FETCH": "1", "GIT_TERMINAL_PROMPT": "0"}

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from roslab.repository import git
 from roslab.repository.reading import text_of
+from roslab.values.kept_file import stamp
 from roslab.values.pattern import pattern
 
 if TYPE_CHECKING:
@@ -18,6 +19,12 @@ if TYPE_CHECKING:
 
 _HEAD = pattern(r"ref: refs/heads/(.+)")
 _ORIGIN = pattern(r'\[remote "origin"\][^\[]*?\burl\s*=\s*(\S+)')
+_BRANCH = pattern(r"ref: (refs/(?!.*\.\.)[^\s]+)\s*\Z")
+_COMMIT = pattern(r"[0-9a-f]{40,64}\s*\Z")
+_OF_COMMIT = frozenset({"committed", "links", "recorded"})
+"""What a commit alone tells."""
+_SHOWN_BY = ("config", "packed-refs", "shallow", "info/grafts", "refs/replace")
+"""Files of git's that tell which commit a branch is at, or put others in its place."""
 Answer = TypeVar("Answer")
 
 
@@ -46,8 +53,13 @@ class ToldByGit:
         return self.path.rpartition("/")[2]
 
     def tells(self, answers: Mapping[tuple[Any, ...], Any]) -> bool:
-        """Tell whether git gives the same answers again, which were ``told`` in another run."""
-        return all(self._answer(*question) == answer for question, answer in answers.items())
+        """Tell whether git gives the same answers again, which were ``told`` in another run.
+
+        What a commit says of itself it says again: to ask for it takes longer than all the rest.
+        """
+        same = bool(answers.get(("committed",)) and answers.get(("checkout",)) == self.checkout)
+        asked = {question: answer for question, answer in answers.items() if not (same and question[0] in _OF_COMMIT)}
+        return all(self._answer(*question) == answer for question, answer in asked.items())
 
     def _answer(self, name: str, *about: Any) -> Any:
         answer = getattr(self, name)
@@ -62,6 +74,18 @@ class ToldByGit:
         if os.path.isfile(entry) and (match := re.match(r"gitdir: (.+)", text_of(entry))):  # noqa: PTH113
             return os.path.realpath(os.path.join(self.top or self.path, match[1].strip()))  # noqa: PTH118
         return None
+
+    @_told
+    def checkout(self) -> tuple[Any, ...] | None:
+        """Return what in git's files tells the commit of the checkout; ``None`` where it is not told there."""
+        folder = self.git_folder or ""
+        common = os.path.join(folder, text_of(f"{folder}/commondir").strip())  # noqa: PTH118 - of a worktree
+        head = self._git_text("HEAD")
+        match = _BRANCH.match(head)
+        stamps = tuple(stamp(os.path.join(common, name)) for name in _SHOWN_BY)  # noqa: PTH118
+        at = text_of(os.path.join(common, match[1])) if match else head  # noqa: PTH118
+        packed = match and not at and stamps[_SHOWN_BY.index("packed-refs")]
+        return (head, at, stamps) if packed or _COMMIT.match(at) else None
 
     @_told
     def branch(self) -> str | None:

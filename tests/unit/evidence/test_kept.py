@@ -5,6 +5,7 @@ from __future__ import annotations
 import marshal
 import os
 import pickle
+import subprocess
 import sys
 import zlib
 from collections.abc import Callable
@@ -17,6 +18,7 @@ import pytest
 from roslab.evidence import kept
 from roslab.evidence.facts import Evidence
 from roslab.evidence.gather import gather
+from roslab.repository import git
 from roslab.repository.checkout import Repository
 from roslab.values import kept_trees
 from roslab.values.kept_trees import KeptTree
@@ -27,7 +29,7 @@ FILES = {
     "README.md": "# Demo\n\n```\npip install numpy==1.21\n```\n",
     "main.py": "import numpy\n",
 }
-GATHER = kept._gather
+GATHER, READ = kept._gather, git._read
 
 
 @pytest.fixture
@@ -127,6 +129,56 @@ def test_what_git_tells_is_asked_again(folder: Path, tree: Path, monkeypatch: py
         stream.write('[remote "origin"]\n\turl = https://github.com/someone/paper.git\n')
     assert told() == [True, False]
     assert [is_read(tree, monkeypatch, branch="humble") for _ in range(2)] == [True, False]
+
+
+def test_a_commit_is_not_asked_again(folder: Path, tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    commit(tree, "2021-03-01")
+    asked: list[str] = []
+    monkeypatch.setattr(git, "_read", lambda _, *command: asked.append(command[0]) or READ(_, *command))
+    is_read(tree, monkeypatch)
+    repository = Repository.open(tree)
+    asked.clear()
+    assert kept.evidence_of(repository).worked_on[0].value == "2021-03-01"
+    assert not asked
+
+
+@pytest.mark.parametrize("packed", [False, True])
+def test_another_commit_of_the_branch_is_seen(
+    packed: bool, folder: Path, tree: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    commit(tree, "2021-03-01")
+    for day in ("2021-03-01", "2022-04-02", "2023-05-03"):
+        when = dict.fromkeys(("GIT_AUTHOR_DATE", "GIT_COMMITTER_DATE"), f"{day}T12:00:00Z")
+        settings = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+        empty = ("commit", "--quiet", "--allow-empty", "--message", day)
+        subprocess.run(["git", "-C", tree, *settings, *empty], check=True, env={**os.environ, **when})
+        if packed:
+            subprocess.run(["git", "-C", tree, "pack-refs", "--all"], check=True)
+        days = [kept.evidence_of(Repository.open(tree)).worked_on[0].value for _ in range(2)]
+        assert days == [day, day]
+        assert not is_read(tree, monkeypatch)
+
+
+@pytest.mark.parametrize(
+    ("head", "branch"),
+    [
+        ("ref: ../../main.py\n", ""),
+        ("ref: refs/../config\n", ""),
+        ("ref: refs/heads/absent\n", ""),
+        ("ref: refs/heads/other\n", "ref: refs/heads/main\n"),
+        ("nothing\n", ""),
+    ],
+)
+def test_of_a_head_that_names_no_commit_nothing_is_known(
+    head: str, branch: str, folder: Path, tree: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    commit(tree, "2021-03-01")
+    assert Repository.open(tree).checkout
+    (tree / ".git" / "HEAD").write_text(head, encoding="utf-8")
+    if branch:
+        (tree / ".git" / "refs" / "heads" / "other").write_text(branch, encoding="utf-8")
+    assert Repository.open(tree).checkout is None
+    assert [is_read(tree, monkeypatch) for _ in range(2)] == [True, False]
 
 
 def test_another_program_reads_anew(folder: Path, tree: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
