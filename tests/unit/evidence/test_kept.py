@@ -134,7 +134,7 @@ def test_what_git_tells_is_asked_again(folder: Path, tree: Path, monkeypatch: py
 def test_a_commit_is_not_asked_again(folder: Path, tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     commit(tree, "2021-03-01")
     asked: list[str] = []
-    monkeypatch.setattr(git, "_read", lambda _, *command: asked.append(command[0]) or READ(_, *command))
+    monkeypatch.setattr(git, "_read", lambda folder, *command: (asked.append(command[0]), READ(folder, *command))[1])
     is_read(tree, monkeypatch)
     repository = Repository.open(tree)
     asked.clear()

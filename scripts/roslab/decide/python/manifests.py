@@ -119,11 +119,8 @@ def requirement_files(evidence: Evidence, config: Config, kind: Kind, conda: str
         chosen.setdefault(file.file, file)
     if kind in {"ros1", "ros2"} or not (chosen or declares(evidence)):
         around = around_packages(evidence) if kind in {"ros1", "ros2"} else frozenset()
-        nested = [
-            file
-            for path, file in run.items()
-            if path.count("/") <= 3 and not VARIANT.search(below(path, around).rpartition(".")[0])
-        ]
+        named = {path: below(path, around).rpartition(".")[0] for path in run}
+        nested = [file for path, file in run.items() if path.count("/") <= 3 and not VARIANT.search(named[path])]
         depth = min((file.file.count("/") for file in nested), default=0)
         for file in nested if kind in {"ros1", "ros2"} else [f for f in nested if f.file.count("/") == depth][:4]:
             chosen.setdefault(file.file, file)

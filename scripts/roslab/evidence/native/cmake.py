@@ -180,6 +180,7 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
     reading.dependencies += searched(text, file.path, repository)
     own = reading.libraries | reading.executables.keys() | {reading.name}
     by_itself = own - (reading.libraries - reading.made.keys())  # a target may be no more than the file of a library
+    always = above.always or file.folder not in added
     return CMakeProject(
         file=file.path,
         line=1,
@@ -220,23 +221,19 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
         placed=tuple(reading.written.elsewhere()),
         in_bin=tuple(map(reading.written.file, installed_programs.in_bin(reading.placed, reading.executables))),
         made=tuple(reading.made),
-        targets=tuple(reading.targets) if above.always or file.folder not in added else (),
-        not_there=not_there(reading.installed, text, repository) if above.always or file.folder not in added else (),
+        targets=tuple(reading.targets) if always else (),
+        not_there=not_there(reading.installed, text, repository) if always else (),
         configs=tuple(reading.configs),
         linked=tuple((path, line) for path, line in reading.linked.items() if not repository.has(path)),
-        lost=lost(reading.files, file.folder, text, repository) if above.always or file.folder not in added else (),
+        lost=lost(reading.files, file.folder, text, repository) if always else (),
         guards=tuple((reading.written.file(name), package) for name, package in reading.guards),
         outside=tuple((reading.written.file(name), ros) for name, ros in reading.outside),
         without_options=reading.without_options(),
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
         settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
         lacks=_lacks(repository, file.folder, reading),
-        parts=(*authors_parts(text, repository), *absent_folders(text, file.path, repository))
-        if above.always or file.folder not in added
-        else (),
-        without=code_not_there(reading.always, text, file.folder, repository)
-        if above.always or file.folder not in added
-        else (),
+        parts=(*authors_parts(text, repository), *absent_folders(text, file.path, repository)) if always else (),
+        without=code_not_there(reading.always, text, file.folder, repository) if always else (),
     )
 
 
