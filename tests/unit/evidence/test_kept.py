@@ -134,7 +134,12 @@ def test_what_git_tells_is_asked_again(folder: Path, tree: Path, monkeypatch: py
 def test_a_commit_is_not_asked_again(folder: Path, tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     commit(tree, "2021-03-01")
     asked: list[str] = []
-    monkeypatch.setattr(git, "_read", lambda folder, *command: (asked.append(command[0]), READ(folder, *command))[1])
+
+    def read(folder: str, *command: str) -> str:
+        asked.append(command[0])
+        return str(READ(folder, *command))
+
+    monkeypatch.setattr(git, "_read", read)
     is_read(tree, monkeypatch)
     repository = Repository.open(tree)
     asked.clear()
