@@ -342,6 +342,9 @@ ROS = {"package.xml": "<package><name>a</name><buildtool_depend>catkin</buildtoo
         ({"main.py": "import subprocess\nsubprocess.Popen(['screen', '-d'])\n"}, {"screen"}),
         ({"main.py": "import os\nos.system('cd a; htop')\n"}, {"htop"}),
         ({"run.sh": "#!/bin/bash\ntmux() {\n:\n}\ntmux\n"}, set[str]()),
+        ({"setup.sh": "sudo apt-get install --yes \\\n  vim \\\n  zsh\n"}, set[str]()),
+        ({"setup.sh": "sudo apt-get install --yes \\\r\n  vim \\\r\n  zsh\r\n"}, set[str]()),
+        ({"run.sh": "cd a && \\\n  tmux new -d\n"}, {"tmux"}),
         (ROS, {"python3-vcstool"}),
     ],
 )

@@ -35,6 +35,8 @@ _NOT_RUN = pattern(
     r"(?m)(?:^|(?<=\s))#.*$|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\\n]|\\[^\n]){0,500}\"|'[^'\n]{0,500}'|[^;&|\"'\n]){0,500}"
 )
 """A comment, and what a line prints."""
+_GOES_ON = pattern(r"\\\r?\n")
+"""The end of a line that the next one goes on: what that begins with is an argument, as of ``apt install``."""
 _EVERYWHERE = frozenset({"file", "ip", "ping", "ps", "python", "python2", "python3", "pip", "pip3", "sed"})
 """Every image of this program's has them, or what has them depends on the Python that is taken."""
 PYTHON = "python-is-python3"
@@ -84,7 +86,8 @@ def _scripts(repository: Repository, said: Iterable[Mention]) -> Iterator[tuple[
 
 def calls_of(script: str) -> Iterator[tuple[str, int]]:
     """Yield each word where a command of a script begins, with its first line; functions of the script are none."""
-    text = _NOT_RUN.sub("", script)
+    lines = _NOT_RUN.sub("", script)
+    text = _GOES_ON.sub(_blank_ends, lines)
     functions = set(_FUNCTION.findall(text))
     seen: set[str] = set()
     piped = _QUOTED.sub(_blank, _CASE.sub(_without_patterns, text)) if "|" in text else ""
@@ -92,7 +95,7 @@ def calls_of(script: str) -> Iterator[tuple[str, int]]:
     for match in sorted(found, key=lambda each: each.start(1)):
         if (name := match[1]) not in functions | seen:
             seen.add(name)
-            yield name, text.count("\n", 0, match.start(1)) + 1
+            yield name, lines.count("\n", 0, match.start(1)) + 1
 
 
 def _without_patterns(case: re.Match[str]) -> str:
@@ -102,3 +105,7 @@ def _without_patterns(case: re.Match[str]) -> str:
 
 def _blank(match: re.Match[str]) -> str:
     return blank(match[0])
+
+
+def _blank_ends(match: re.Match[str]) -> str:
+    return " " * len(match[0])
