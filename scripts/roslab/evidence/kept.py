@@ -13,6 +13,7 @@ import marshal
 import os
 import sys
 from contextlib import suppress
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from roslab.knowledge.table import used
@@ -30,6 +31,8 @@ RACY = 2_000_000_000
 """Nanoseconds: some file systems know no shorter time."""
 _FROM = frozenset({"roslab", "packaging", "datetime"})
 """The modules of which a kept value may be: those of evidence, of its requirements and of a commit's time."""
+_PROTOCOL = 5
+"""Of the form in which values are kept, which Python has had since 3.8. https://peps.python.org/pep-0574/"""
 _OWN = f"{__name__.partition('.')[0]}."
 _LENGTH = 8
 """Bytes at the beginning, which tell the length of the state after them; then comes what git told, and the evidence."""
@@ -70,9 +73,11 @@ def _kept(tree: KeptTree, state: tuple[Any, ...], repository: Repository) -> Evi
     if not _holds(content[_LENGTH:end], state):
         return None
     import io  # noqa: PLC0415 - of most trees nothing is kept
-    import pickle  # noqa: PLC0415 - as above
 
-    class Unpickler(pickle.Unpickler):
+    pickle = _pickle()
+    base: Any = pickle.Unpickler
+
+    class Unpickler(base):  # type: ignore[misc]
         """Makes values of these classes alone."""
 
         def find_class(self, module: str, name: str) -> Any:
@@ -104,18 +109,25 @@ def _keep(tree: KeptTree, state: tuple[Any, ...], repository: Repository, eviden
     newest = max((date for file in listing.files for date in listing.stamps[file.path][:2]), default=0)
     if max(newest, *(stamped[0] for _, stamped in program)) >= listing.begun - RACY:
         return
-    import pickle  # noqa: PLC0415 - as above
-
+    pickle = _pickle()
     told = {("checkout",): repository.checkout, **repository.told}
-    made = pickle.dumps((told, evidence), protocol=pickle.HIGHEST_PROTOCOL)
+    made = pickle.dumps((told, evidence), protocol=_PROTOCOL)
     head = marshal.dumps((state, _libraries(), program))
     tree.write(b"".join((len(head).to_bytes(_LENGTH, "little"), head, made)))
+
+
+def _pickle() -> Any:
+    """Return what ``pickle`` itself uses where it can: to import that alone takes half as long."""
+    try:
+        return import_module("_pickle")
+    except ImportError:  # not of this Python
+        return import_module("pickle")
 
 
 def _program() -> list[tuple[str, Stamp]]:
     """Return the files of the program that were imported or read so far, each with its date and its size."""
     modules = {module.__file__ for name, module in sys.modules.items() if name.startswith(_OWN)}
-    stamped = ((file, unchanged.get(file) or stamp(file)) for file in sorted(used.union(filter(None, modules))))
+    stamped = ((file, unchanged.get(file) or stamp(file)) for file in used.union(filter(None, modules)))
     return [(file, found) for file, found in stamped if found]
 
 
