@@ -79,6 +79,9 @@ def _without_html(text: str) -> str:
 
 
 def _printed(event: re.Match[str]) -> str:
-    """Return the line of an event, whose bytes are written as those of Python."""
+    """Return the line of an event, whose bytes are written as those of Python; as it is where they are cut."""
     said = event[2].encode("latin-1", errors="replace")
-    return codecs.escape_decode(said)[0].decode("utf-8", errors="replace") if b"\\" in said else event[2]
+    try:
+        return codecs.escape_decode(said)[0].decode("utf-8", errors="replace") if b"\\" in said else event[2]
+    except ValueError:
+        return event[2]

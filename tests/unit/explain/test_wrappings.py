@@ -148,6 +148,7 @@ WRAPPINGS: dict[str, tuple[Sequence[str], str]] = {
             "[0.000000] (-) TimerEvent: {}",
             "[0.000337] (arm) JobQueued: {'identifier': 'arm', 'dependencies': OrderedDict()}",
             *(f"[{n}.120000] (arm) StderrLine: {{'line': b'{line}\\n'}}" for n, line in enumerate(SAID[2:6])),
+            *(f"[7.4] (arm) StderrLine: {{'line': b'{cut}\\n'}}" for cut in (r"a \xZZ", r"\x4", "b\\")),
             "[7.500000] (arm) CommandEnded: {'returncode': 2}",
             "[7.500000] (arm) JobEnded: {'identifier': 'arm', 'rc': 2}",
         ],
