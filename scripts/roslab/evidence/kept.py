@@ -30,7 +30,7 @@ MOST_FILES = 150_000
 RACY = 2_000_000_000
 """Nanoseconds: some file systems know no shorter time."""
 _FROM = frozenset({"roslab", "packaging", "datetime"})
-"""The modules of which a kept value may be: those of evidence, of its requirements and of a commit's time."""
+"""The packages of which a kept value may be: those of evidence, of its requirements and of a commit's time."""
 _PROTOCOL = 5
 """Of the form in which values are kept, which Python has had since 3.8. https://peps.python.org/pep-0574/"""
 _OWN = f"{__name__.partition('.')[0]}."
@@ -78,15 +78,16 @@ def _kept(tree: KeptTree, state: tuple[Any, ...], repository: Repository) -> Evi
     base: Any = pickle.Unpickler
 
     class Unpickler(base):  # type: ignore[misc]
-        """Makes values of these classes alone."""
+        """Makes values of these classes alone, not of those that their modules import."""
 
         def find_class(self, module: str, name: str) -> Any:
             found = super().find_class(module, name) if module.partition(".")[0] in _FROM else None
-            if not isinstance(found, type):
+            if not isinstance(found, type) or found.__module__.partition(".")[0] not in _FROM:
                 raise pickle.UnpicklingError(f"{module}.{name}")
             return found
 
-    with suppress(pickle.UnpicklingError):
+    # What pickle may raise for what is no longer there: https://docs.python.org/3/library/pickle.html#pickle.PickleError
+    with suppress(pickle.UnpicklingError, AttributeError, ImportError, LookupError, *DAMAGED):
         told, evidence = Unpickler(io.BytesIO(content[end:])).load()
         return evidence if repository.tells(told) else None
     return None

@@ -5,6 +5,9 @@ from __future__ import annotations
 import os
 from codecs import BOM_UTF8
 
+_MOST_OF_GIT = 65_536
+"""Most bytes of a file of git's that are read: HEAD, a branch, the settings."""
+
 
 def read_up_to(descriptor: int, size: int) -> bytes:
     """Return the first bytes of an open file."""
@@ -26,9 +29,12 @@ def decoded(data: bytes) -> str:
 
 
 def text_of(path: str) -> str:
-    """Return the text of a file of git's, ``""`` if it cannot be read."""
+    """Return the text of a file of git's, ``""`` if it cannot be read; of a large one, its beginning."""
     try:
-        with open(path, encoding="utf-8", errors="replace") as stream:  # noqa: PTH123 - as above
-            return stream.read()
-    except OSError:
+        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK)  # a tree that was unpacked may hold a pipe there
+        try:
+            return decoded(read_up_to(descriptor, _MOST_OF_GIT))
+        finally:
+            os.close(descriptor)
+    except (OSError, ValueError):
         return ""

@@ -141,4 +141,4 @@ class ToldByGit:
         return found
 
     def _git_text(self, name: str) -> str:
-        return text_of(f"{self.git_folder}/{name}")[:65536] if self.git_folder else ""
+        return text_of(f"{self.git_folder}/{name}") if self.git_folder else ""

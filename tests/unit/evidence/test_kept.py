@@ -172,6 +172,7 @@ def test_another_commit_of_the_branch_is_seen(
         ("ref: refs/heads/absent\n", ""),
         ("ref: refs/heads/other\n", "ref: refs/heads/main\n"),
         ("nothing\n", ""),
+        ("ref: refs/heads/ma\0in\n", ""),
     ],
 )
 def test_of_a_head_that_names_no_commit_nothing_is_known(
@@ -184,6 +185,23 @@ def test_of_a_head_that_names_no_commit_nothing_is_known(
         (tree / ".git" / "refs" / "heads" / "other").write_text(branch, encoding="utf-8")
     assert Repository.open(tree).checkout is None
     assert [is_read(tree, monkeypatch) for _ in range(2)] == [True, False]
+
+
+def test_a_branch_that_is_no_file_is_not_waited_for(tree: Path) -> None:
+    branch = tree / ".git" / "refs" / "heads" / "main"
+    branch.parent.mkdir(parents=True)
+    (tree / ".git" / "HEAD").write_text("ref: refs/heads/main\n", encoding="utf-8")
+    (tree / ".git" / "commondir").write_text("else\0where\n", encoding="utf-8")
+    os.mkfifo(branch)
+    assert Repository.open(tree).checkout is None
+    branch.unlink()
+    branch.symlink_to("/dev/zero")
+    assert Repository.open(tree).checkout is None
+
+
+def test_a_file_that_points_to_no_folder_of_git_is_none(tree: Path) -> None:
+    (tree / ".git").write_text("gitdir: else\0where\n", encoding="utf-8")
+    assert Repository.open(tree).git_folder is None
 
 
 def test_another_program_reads_anew(folder: Path, tree: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -237,9 +255,15 @@ class Hostile:
         return os.mkdir, ("hostile",)
 
 
-def of_foreign_classes(whole: bytes) -> bytes:
+def in_place_of_evidence(whole: bytes, pickled: bytes) -> bytes:
     end = 12 + int.from_bytes(whole[4:12], "little")
-    return checked(whole[4:end] + pickle.dumps(({}, Hostile())))
+    return checked(whole[4:end] + pickled)
+
+
+def called(module: str, name: str) -> bytes:
+    """Return what has a class of a module make a folder; ``pickle`` itself would not write it."""
+    words = [b"\x8c" + bytes([len(word)]) + word.encode() for word in (module, name, "mkdir", "hostile")]
+    return b"\x80\x04" + words[0] + words[1] + b"\x93]" + words[2] + b"a" + words[3] + b"a\x85R."
 
 
 DAMAGES: dict[str, Callable[[Path], object]] = {
@@ -248,7 +272,18 @@ DAMAGES: dict[str, Callable[[Path], object]] = {
     "cut off": partial(changed, change=lambda whole: whole[:-1]),
     "overwritten": partial(changed, change=lambda whole: whole[:-9] + bytes(9)),
     "of another version": partial(changed, change=lambda _: checked(bytes(8) + marshal.dumps("state"))),
-    "of foreign classes": partial(changed, change=of_foreign_classes),
+    "of foreign classes": partial(changed, change=partial(in_place_of_evidence, pickled=pickle.dumps(({}, Hostile())))),
+    "of a class behind ours": partial(
+        changed, change=partial(in_place_of_evidence, pickled=called("roslab.repository.fetching", "subprocess.Popen"))
+    ),
+    "of a class that is gone": partial(
+        changed, change=partial(in_place_of_evidence, pickled=called("roslab.evidence.facts", "Gone"))
+    ),
+    "of a module that is gone": partial(
+        changed, change=partial(in_place_of_evidence, pickled=called("roslab.gone", "Gone"))
+    ),
+    "of something else": partial(changed, change=partial(in_place_of_evidence, pickled=pickle.dumps(1))),
+    "of nothing": partial(changed, change=partial(in_place_of_evidence, pickled=b"")),
     "writable by others": lambda file: file.chmod(0o620),
     "a link": linked,
     "no file": unreadable,
