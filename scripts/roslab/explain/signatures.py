@@ -19,6 +19,8 @@ from roslab.values.pattern import pattern
 _ERRORS = pattern(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
 _GUESSED = 8
 """From this rank on, a failure only tells how a step ended, which outweighs nothing that is known."""
+_ENDED = 9
+"""This rank does not even outweigh what builds often survive."""
 _WENT_ON = pattern(r"^(?:Complete!$|Successfully (?:installed|built) |OK: \d{1,6} MiB in )", re.MULTILINE)
 """What programs print when they did what they were asked: a failure before it did not stop them."""
 _NEAR = 600
@@ -89,7 +91,7 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
     raw = "\n".join(line.text for line in step.lines[-4000:])
     case = _Case(log=log, step=step, image=image, text=_Text.of(matter.lines(step)), raw=raw)
     for number, rank in groupby(failures(), key=lambda failure: failure.rank):
-        if survived is not None and number >= _GUESSED:
+        if survived is not None and number >= (_ENDED if _harmless(survived, case) else _GUESSED):
             break
         found = [one for failure in rank if (one := _one(failure, case)) is not None]
         stopped = [one for one in found if not _passed(one, case)]
@@ -100,7 +102,7 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
         if stopped:
             return min(stopped, key=_position)[1]
         if found:
-            survived = max(found, key=_position) if survived is not None else min(found, key=_position)
+            survived = max(found, key=_position)
     return survived[1] if survived else None
 
 
@@ -110,7 +112,20 @@ def _position(one: tuple[int, Match]) -> int:
 
 def _passed(one: tuple[int, Match], case: _Case) -> bool:
     """Return whether the build went on after a failure, as far as its kind or the lines after it tell."""
-    return one[1].failure.passing or bool(_WENT_ON.search(case.text.text, one[0]))
+    return _harmless(one, case) or bool(_WENT_ON.search(case.text.text, one[0]))
+
+
+def _harmless(one: tuple[int, Match], case: _Case) -> bool:
+    """Return whether builds go on after a failure by its kind, or because CMake only warned of it."""
+    return one[1].failure.passing or _is_warning(case.text.text, one[0])
+
+
+def _is_warning(text: str, position: int) -> bool:
+    """Return whether a position lies in a warning of CMake: a line that says so, and indented or blank lines."""
+    end = text.find("\n", position)
+    said = text[max(0, position - _NEAR) : end if end >= 0 else None].split("\n")
+    head = next((line for line in reversed(said) if line[:1].strip()), "")
+    return head.startswith(("CMake Warning", "CMake Deprecation Warning"))
 
 
 def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
@@ -118,7 +133,7 @@ def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
     if failure.command and not re.search(failure.command, case.step.command):
         return None
     text = case.text.text
-    matches = list(islice(compiled(failure.pattern).finditer(text), 200))
+    matches = _counted(list(islice(compiled(failure.pattern).finditer(text), 200)), text)
     whole = f"{text}\n{case.step.command}"
     if not matches or not _fits(failure, text, whole, case.raw):
         return None
@@ -126,7 +141,8 @@ def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
     if earlier is None or (failure.not_before and not _never_before(failure, case)):
         return None
     also = compiled(failure.also).search(whole) if failure.also else None
-    for at, found in enumerate(matches):
+    inside = list(enumerate(matches))
+    for at, found in reversed(inside) if failure.passing else inside:  # a build goes on after all but the last of those
         if (failure.copied and not _copied(found["path"], case)) or _only_tried(found.groupdict(), case):
             continue
         names = {
@@ -139,6 +155,11 @@ def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
         if looked or not failure.required:
             return found.start(), _match(failure, case, found, {**names, **looked})
     return None
+
+
+def _counted(matches: list[re.Match[str]], text: str) -> list[re.Match[str]]:
+    """Return the matches that are no warnings of CMake, after which it goes on; all where there are no others."""
+    return [each for each in matches if not _is_warning(text, each.start())] or matches if "CMake " in text else matches
 
 
 def _match(failure: Failure, case: _Case, found: re.Match[str], names: Names) -> Match:

@@ -154,3 +154,52 @@ def test_what_stopped_a_build_from_outside_is_found_around_its_steps() -> None:
     assert (one.id, dict(one.names)) == ("job-time-over", {"minutes": "360"})
     (one,) = explain(io.BytesIO((building + "##[error]The robot is tired.\n").encode())).explanations
     assert (one.id, one.step) == (None, "RUN make")
+
+
+HARMLESS = """
+-- Could NOT find CUDA (missing: CUDA_TOOLKIT_ROOT_DIR CUDA_NVCC_EXECUTABLE)
+%
+-- Checking for module 'libusb-1.0'
+--   No package 'libusb-1.0' found
+-- Checking for module 'zmq'
+%
+CMake Warning at CMakeLists.txt:12 (find_package):
+  By not providing "FindPCL.cmake" in CMAKE_MODULE_PATH this project has
+  asked CMake to find a package configuration file provided by "PCL", but
+
+  Could not find a package configuration file provided by "PCL" with any of
+%
+CMake Warning at CMakeLists.txt:12 (find_package):
+  By not providing "FindPCL.cmake" in CMAKE_MODULE_PATH this project has
+fatal: not a git repository (or any of the parent directories): .git
+%
+WARNING: Retrying (Retry(total=4)) after connection broken by 'ReadTimeoutError("HTTPSConnectionPool(
+%
+System has not been booted with systemd as init system (PID 1). Can't operate.
+fatal: not a git repository (or any of the parent directories): .git
+"""
+"""What builds print and survive."""
+STOPS = {
+    "header-missing": "a.cpp:3:10: fatal error: glog/logging.h: No such file or directory",
+    "cmake-own-check": "CMake Error at CMakeLists.txt:40 (message):\n  The robot needs an arm\nCall Stack:",
+    "cmake-package": 'CMake Error at a/CMakeLists.txt:3 (find_package):\n  By not providing "Findglog.cmake" in',
+    "pkg-config": "--   No package 'zmq' found\nCMake Error at /a/FindPkgConfig.cmake:603 (message):\n  A package",
+    "program-crashed": "Segmentation fault (core dumped)",
+    "pip-no-network": "WARNING: Retrying (Retry(total=0, connect=None)) after connection broken by 'X'\n"
+    "ERROR: No matching distribution found for numpy",
+}
+
+
+@pytest.mark.parametrize("said", HARMLESS.strip().split("\n%\n"))
+@pytest.mark.parametrize("known", STOPS)
+def test_what_builds_survive_outweighs_nothing(said: str, known: str) -> None:
+    one = found(f"{said}\n{STOPS[known]}", "make")
+    assert one.id == known
+    assert "PCL" not in one.cause
+    assert "libusb" not in one.cause
+
+
+def test_a_warning_is_the_cause_where_nothing_else_is_known() -> None:
+    warning = 'CMake Warning at CMakeLists.txt:12 (find_package):\n  By not providing "FindPCL.cmake" in CMAKE_X this'
+    one = found(f"{warning}\n-- Configuring incomplete, errors occurred!", "cmake .")
+    assert (one.id, dict(one.names)["name"]) == ("cmake-package", "PCL")
