@@ -11,6 +11,7 @@ from roslab.explain.answer import Explanation
 from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
+from roslab.knowledge.repairs import repairs
 from roslab.knowledge.ros_sources import ros_sources
 from roslab.repair import missing
 from roslab.repair.change import Given, Worked
@@ -65,6 +66,20 @@ def older_python(found: Explanation, given: Given) -> Worked:
     if not fitting:
         return Worked(why=f"the repository runs on no Python up to {last}: take a newer release of what uses it")
     return Worked(values=(max(fitting, key=Version),))
+
+
+def newer_python(found: Explanation, given: Given) -> Worked:
+    """Take the oldest Python of the table's ``tag`` that the repository runs on, if the image has an older one."""
+    since, now = repairs()[found.id or ""].tag.removeprefix(">="), given.plan.python.version
+    if given.plan.ros_distro:
+        return Worked(why=f"the Python of ROS {given.plan.ros_distro} cannot be exchanged: {found.fix}")
+    if now and Version(now) >= Version(since):
+        return Worked(why=f"the image has Python {now} already")
+    fitting = [each for each in PREFERRED if Version(each) >= Version(since)]
+    fitting = [each for each in fitting if refusing(each, given.evidence.python) is None]
+    if not fitting:
+        return Worked(why=f"the repository runs on no Python from {since} on: {found.fix}")
+    return Worked(values=(min(fitting, key=Version),))
 
 
 def _is(version: str, python: str) -> bool:
@@ -225,6 +240,7 @@ WAYS: Mapping[str, Way] = {
     "jobs": jobs,
     "key": key,
     "module": missing.module,
+    "newer-python": newer_python,
     "newer-ubuntu": newer_ubuntu,
     "numpy": numpy,
     "older-python": older_python,
