@@ -113,7 +113,7 @@ Starting
 argument-missing:
 Included launch description missing required argument 'map' (description: 'no description given'), given: []
 
-nvidia-driver-old:
+cuda-without-driver:
 CUDA driver version is insufficient for CUDA runtime version
 """
 """Each failure with the step that ended, and what it printed; without a step, a log of its own."""
