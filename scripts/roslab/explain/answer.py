@@ -67,6 +67,8 @@ class Answer:
     lines: int
     succeeded: bool
     """Whether the log is that of a successful build."""
+    of_build: bool = False
+    """Whether the log shows a step of a build."""
     left_out: tuple[str, ...] = ()
     """Packages and keys of rosdep that the build itself has left out, as none of its sources has them."""
 
@@ -84,6 +86,7 @@ def explain(stream: IO[bytes]) -> Answer:
         explanations=_distinct(found),
         lines=log.lines,
         succeeded=log.succeeded and not log.failed,
+        of_build=bool(log.steps),
         left_out=_left_out(log),
     )
 

@@ -207,6 +207,28 @@ def test_what_is_named_already_gives_nothing_up(tmp_path: Path) -> None:
     assert found_in(tmp_path / "robot", CODE, Answers().asking, whole=True).left == ()
 
 
+@pytest.mark.parametrize(
+    "said",
+    [
+        b"",
+        b"#5 [2/2] RUN make\n#5 DONE 1.0s\n#6 exporting to image\n#6 naming to a done\n#6 DONE 0.1s\n",
+        b"Traceback (most recent call last):\nModuleNotFoundError: No module named 'zoo'\n",
+    ],
+    ids=["nothing", "a good build", "a run"],
+)
+def test_no_dockerfile_is_generated_where_no_build_failed(tmp_path: Path, said: bytes) -> None:
+    tree_of(tmp_path / "robot", OWN)
+    assert found_in(tmp_path / "robot", said, Answers().asking).left == ()
+
+
+def test_one_is_generated_where_the_builder_cannot_read_the_authors(tmp_path: Path) -> None:
+    tree_of(tmp_path / "robot", OWN)
+    said = b"#1 [internal] load build definition from Dockerfile\n#1 DONE 0.0s\n"
+    said += b"ERROR: failed to solve: dockerfile parse error on line 3: unknown instruction: RUUN\n"
+    (change,) = found_in(tmp_path / "robot", said, Answers().asking).left
+    assert str(change) == "dockerfile: false"
+
+
 def test_what_did_not_help_is_not_proposed_again(tmp_path: Path) -> None:
     tree_of(tmp_path / "robot", WORKSPACE)
     found = found_in(tmp_path / "robot", KNOWN, Answers().asking, again=True)
