@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from hanging import ends
 from roslab.config.model import Config
 from roslab.decide.decision import Decision
 from trees import decided
@@ -96,6 +97,11 @@ SAID = "CMake stops without -DSDK_KIND (it says: Set SDK_KIND): give it in `cmak
         ({"README.md": "```\nmkdir build && cd build\ncmake .. -DSDK_KIND=vendor\nmake\n```\n"}, False),
         ({"CMakePresets.json": '{"configurePresets": [{"cacheVariables": {"SDK_KIND": "a"}}]}'}, False),
         ({"setup.py": "from setuptools import setup\nsetup(name='demo')\n"}, False),
+        ({"cmake/sdk.cmake": "IF(NOT SDK_KIND)\n  message(STATUS none)\nENDIF()\n"}, True),
+        ({"cmake/sdk.cmake": 'string(TOUPPER "a" SDK_KIND)\n'}, False),
+        ({"cmake/sdk.cmake": "find_package(sdk)\n"}, False),
+        ({"cmake/sdk.cmake": "pkg_check_modules(SDK REQUIRED sdk)\n"}, False),
+        ({"cmake/sdk.cmake": "# set(SDK_KIND a)\n"}, True),
     ],
 )
 def test_an_option_that_cmake_demands_is_told(tree: Tree, files: dict[str, str], *, told: bool) -> None:
@@ -107,3 +113,11 @@ def test_an_option_that_roslab_yaml_gives_is_not_told(tmp_path: Path) -> None:
     files = {"CMakeLists.txt": CMAKE + DEFINITION, "demo.cpp": "int main() {}\n"}
     found = decided(tmp_path, files, config=Config(cmake_options="-DSDK_KIND=a"))
     assert SAID not in [each.message for each in found.warnings]
+
+
+def test_many_options_that_cmake_demands_take_no_long_time(tree: Tree) -> None:
+    names = [f"SDK_{number}" for number in range(600)]
+    demands = "".join(f'if(NOT DEFINED {each})\nmessage(FATAL_ERROR "x")\nendif()\n' for each in names)
+    modules = {f"cmake/{number}.cmake": " ".join(names) * 10 for number in range(60)}
+    with ends():
+        tree({"CMakeLists.txt": CMAKE + demands, "demo.cpp": "int main() {}\n", **modules})

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from hanging import ends
 from roslab.config.model import Config
 from roslab.decide.decision import Decision
 from roslab.plan.plan import make_plan
@@ -78,3 +79,15 @@ def test_the_page_and_the_script_are_two_files(tree: Tree) -> None:
     )
     assert "-DACME_ROOT=~/install/acme-3.2.7" in decision.cmake_options
     assert decision.platforms == ("linux/amd64",)
+
+
+def test_a_value_that_cmake_keeps_in_its_cache_may_be_handed(tree: Tree) -> None:
+    cmake = CMAKE.replace("if(NOT", 'set(ACME_ROOT "/usr" CACHE PATH "where it is")\nif(NOT')
+    found = of(tree, AT_HOME, "cmake .. -DACME_ROOT=~/sdk/acme-3.2.7", **{"CMakeLists.txt": cmake})
+    assert "-DACME_ROOT=~/sdk/acme-3.2.7" in found.cmake_options
+
+
+def test_what_is_hostile_takes_no_long_time(tree: Tree) -> None:
+    cmake = CMAKE + "a(ACME_ROOT x " * 4_000
+    with ends():
+        of(tree, AT_HOME, "cmake .. " + "-DACME_ROOT=/a/b " * 10_000, **{"CMakeLists.txt": cmake})

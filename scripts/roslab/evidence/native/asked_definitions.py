@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+from itertools import islice
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.constants import may_be_set
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -15,6 +16,8 @@ from roslab.values.pattern import pattern
 MAX_SIZE = 64 * 1024
 MAX_PACKAGES = 60
 """Most packages that are looked into, those nearest to the root first."""
+MOST = 20
+"""Most options."""
 _UNSET = pattern(r"NOT DEFINED (?!CMAKE_|BUILD_|ROS_)([A-Za-z]\w+)")
 _SIGN = pattern(r"(?i)\bNOT\s+DEFINED\b")
 _IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
@@ -48,13 +51,14 @@ def definitions(repository: Repository) -> tuple[Definition, ...]:
     folders -= {file.folder for file in repository.named(*_IGNORED)}
     files = [file for file in repository.named("CMakeLists.txt") if file.folder in folders]
     files = nearest([file for file in files if file.size <= MAX_SIZE and not places.aside(file.path)])[:MAX_PACKAGES]
-    found = [each for file in files for each in _of(repository.read(file), file.path)]
+    found = list(islice((each for file in files for each in _of(repository.read(file), file.path)), MOST))
     if not found:
         return ()
-    included = [repository.read(file) for file in repository.suffixed(".cmake")[:MAX_PACKAGES]]
+    modules = [file for file in repository.suffixed(".cmake") if file.size <= MAX_SIZE]
+    included = [repository.read(file) for file in nearest(modules)[:MAX_PACKAGES]]
     presets = "".join(repository.read(file) for file in repository.named("CMakePresets.json"))
     free = (each for each in found if f'"{each.name}"' not in presets)
-    return tuple(each for each in free if not any(_is_set(each.name, text) for text in included))
+    return tuple(each for each in free if not any(may_be_set(text, each.name) for text in included))
 
 
 def _of(text: str, file: str) -> Iterator[Definition]:
@@ -62,11 +66,5 @@ def _of(text: str, file: str) -> Iterator[Definition]:
         return
     for call in calls(text, frozenset({"message"})):
         unset = _UNSET.fullmatch(call.conditions[0]) if len(call.conditions) == 1 else None
-        if unset and call.words[:1] == ("FATAL_ERROR",) and not call.in_function and not _is_set(unset[1], text):
+        if unset and call.words[:1] == ("FATAL_ERROR",) and not call.in_function and not may_be_set(text, unset[1]):
             yield Definition(name=unset[1], file=file, line=call.line, said=" ".join(call.words[1:]))
-
-
-def _is_set(name: str, text: str) -> bool:
-    """Tell whether a call other than a condition may set a variable: ``option(X …)``, ``find_path(X …)``."""
-    first = rf"\b(?!(?:if|elseif|while|message)\b)[A-Za-z]\w*[ \t]*\([ \t]*{name}\b"
-    return name in text and bool(re.search(rf"{first}|_VARIABLE[ \t]+{name}\b", text))

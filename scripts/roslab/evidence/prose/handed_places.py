@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.constants import may_be_set
 from roslab.evidence.prose.installs import MentionSource
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass
@@ -15,6 +16,9 @@ from roslab.values.pattern import pattern
 
 MAX_FILES = 60
 """Most CMake files that are searched, those nearest to the root first."""
+MAX_SIZE = 64 * 1024
+MAX_NAMES = 20
+"""Most options for which they are searched."""
 _HANDED = pattern(
     r"-D[ \t]?(?!CMAKE_)([A-Za-z]\w{2,60})(?::[A-Z]+)?=[\"']?((?:~|/|\$\{?HOME\}?)[\w./+${}-]*/[\w.+-]+)/?"
 )
@@ -36,10 +40,15 @@ class Handed:
 def handed(repository: Repository, texts: Iterable[tuple[File, MentionSource, str]]) -> tuple[Handed, ...]:
     """Return the options with a place that pages, scripts, Dockerfiles and CI hand CMake, and that CMake here reads."""
     found: dict[tuple[str, str], Handed] = {}
+    readers: dict[str, str] = {}
     for file, _, text in texts:
         for match in _HANDED.finditer(text) if "-D" in text else ():
             name, folder = match[1], _HOME.sub("~", match[2])
-            if "$" not in folder and (name, folder) not in found and (reader := _reader(name, repository)):
+            if "$" in folder or (name, folder) in found or (name not in readers and len(readers) >= MAX_NAMES):
+                continue
+            if name not in readers:
+                readers[name] = _reader(name, repository)
+            if reader := readers[name]:
                 line = text.count("\n", 0, match.start()) + 1
                 found[name, folder] = Handed(name=name, folder=folder, file=file.path, line=line, reader=reader)
     return tuple(found.values())
@@ -66,10 +75,9 @@ def mentions(said: Iterable[Handed], name: str, folder: str, source: MentionSour
 def _reader(name: str, repository: Repository) -> str:
     """Return the first CMake file of the tree that reads a variable and in which nothing sets it, ``""`` for none."""
     reads = re.compile(rf"\$\{{{name}\}}|\bDEFINED[ \t]+{name}\b")
-    sets = re.compile(rf"\b(?!(?:if|elseif|while|message)\b)[A-Za-z]\w*[ \t]*\([ \t]*{name}\b(?![^)]*\bCACHE\b)")
     files = [*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake")]
-    for file in nearest([file for file in files if not places.aside(file.path)])[:MAX_FILES]:
+    for file in nearest(f for f in files if f.size <= MAX_SIZE and not places.aside(f.path))[:MAX_FILES]:
         text = repository.read(file)
-        if name in text and reads.search(text) and not sets.search(text):
+        if name in text and reads.search(text) and not may_be_set(text, name, in_cache=False):
             return file.path
     return ""
