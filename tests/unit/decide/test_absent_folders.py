@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from hanging import ends
 from roslab.decide.decision import Decision
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -29,6 +30,12 @@ def told(decision: Decision) -> list[tuple[str, str]]:
         ("add_subdirectory(lib)\nadd_subdirectory(../utils)\n", {}, ""),
         ("add_subdirectory(lib)\nexecute_process(COMMAND fetch.sh)\nadd_subdirectory(utils)\n", {}, ""),
         ("add_subdirectory(lib)\nadd_subdirectory(utils)\n", {"get.sh": "git clone https://a.b/c/utils\n"}, ""),
+        ("add_subdirectory(lib)\nadd_subdirectory(utils)\n", {".gitmodules": '[submodule "utils"]\n'}, ""),
+        (
+            "add_subdirectory(lib)\nadd_subdirectory(utils)\n",
+            {**{f"a/b/{number}.txt": "a" for number in range(250)}, "get.sh": "git clone https://a.b/c/utils\n"},
+            "",
+        ),
         ("add_subdirectory(lib)\nadd_subdirectory(${CMAKE_BINARY_DIR}/utils)\n", {}, ""),
     ],
 )
@@ -65,3 +72,14 @@ def test_a_package_that_adds_one_is_left_out(tree: Tree) -> None:
     }
     found = tree({**files, "README.md": "# Demo\nROS Noetic\n"})
     assert told(found) == [("bad/utils", "bad is left out of the build")]
+
+
+def test_many_of_them_take_no_long_time(tree: Tree) -> None:
+    names = [f"part{number}" for number in range(4_000)]
+    page = "git clone https://a.b/c\n" + " ".join(names)
+    files = {f"docs/{number}.md": page for number in range(150)}
+    with ends():
+        found = tree(
+            {**CODE, "CMakeLists.txt": TOP + "".join(f"add_subdirectory({each})\n" for each in names), **files}
+        )
+    assert not told(found)
