@@ -190,6 +190,13 @@ CMD ["bash"]
         ("ros:humble", "COPY . /ws/src/me\nRUN bash /ws/src/me/compile.sh", False),
         ("ros:humble", "COPY . /ws/src/me\nRUN chmod +x /ws/src/me/tools.sh && bash /ws/src/me/tools.sh", True),
         ("ros:humble", "COPY . /ws/src/me\nRUN bash tools.sh && bash gone.sh", False),
+        ("ros:humble", "COPY . /ws/src/me\nRUN bash all.sh", False),
+        ("ros:humble", "COPY . /ws/src/me\nRUN <<EOF\napt-get install -y nano\ncolcon build\nEOF", False),
+        (
+            "ubuntu:22.04",
+            "RUN apt-get install -y \\\n  cmake\nCOPY . /me\nRUN apt-get install -y \\\n  ninja-build",
+            True,
+        ),
         ("ros:humble", 'COPY . /ws/src\nENTRYPOINT ["/ws/src/start.sh"]', False),
         ("ros:humble", "COPY . /opt/me", True),
         ("ros:humble", 'COPY . /opt/me\nCMD ["python3", "/opt/me/a.py"]', False),
@@ -210,6 +217,7 @@ def test_copied_packages_are_built(tmp_path: Path, base: str, text: str, *, prob
         "start.sh": "",
     }
     files |= {"tools.sh": "apt-get install -y nano\npip install setuptools==58.2.0\n"}
+    files |= {"all.sh": "apt-get install -y nano\ncolcon build\n"}
     files |= {"CMakeLists.txt": "project(me)\n"} if base.startswith("ubuntu") else {}
     found = read(tmp_path, files)["Dockerfile"].problem
     assert (found is not None and "builds none of them" in found) is problem

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from hanging import ends
 from roslab.evidence.prose import author_dockerfile
 from roslab.repository.checkout import Repository
 
@@ -53,6 +54,8 @@ def test_it_is_given_or_may_be(tmp_path: Path, step: str) -> None:
         f'set(SDK_ROOT "/opt/sdk")\n{DEMAND}',
         f'option(SDK_ROOT "where" ON)\n{DEMAND}',
         f"find_path(SDK_ROOT sdk.h)\n{DEMAND}",
+        f"find_package(SDK)\n{DEMAND}",
+        f"get_filename_component(ROOT sdk ABSOLUTE)\nfile(TO_CMAKE_PATH /opt SDK_ROOT)\n{DEMAND}",
         f"if(WITH_SDK)\n{DEMAND}endif()\n",
         DEMAND.replace("FATAL_ERROR", "STATUS"),
     ],
@@ -66,3 +69,11 @@ def test_settings_of_colcon_give_it(tmp_path: Path) -> None:
     assert problem(tmp_path, COLCON, DEMAND, colcon_meta=meta) is None
     included = 'if(NOT SDK_ROOT)\n  set(SDK_ROOT "/opt/sdk")\nendif()\n'
     assert problem(tmp_path, COLCON, f"include(cmake/sdk.cmake)\n{DEMAND}", cmake__sdk_cmake=included) is None
+
+
+@pytest.mark.parametrize("text", ["colcon x ", "catkin x ", "catkin_make ", "pip install x ", "a", "a/", "a.sha"])
+@pytest.mark.parametrize("demand", [DEMAND, ""])
+def test_a_hostile_script_takes_no_long_time(tmp_path: Path, text: str, demand: str) -> None:
+    with ends():
+        problem(tmp_path, "RUN bash build.sh", demand, build_sh=(text * (60_000 // len(text))))
+        problem(tmp_path, f"RUN {text * (200_000 // len(text))}", demand)

@@ -13,16 +13,17 @@ from roslab.values.pattern import pattern
 MAX_SIZE = 64 * 1024
 MAX_SCRIPTS = 40
 _TOOLS = pattern(
-    r"\bcolcon[ \t][^;&|\n]*\bbuild\b|\bcatkin_make\w*|\bcatkin[ \t](?:[^;&|\n]*[ \t])?(?:build|b|bt)\b"
+    r"\bcolcon[ \t][^;&|\n]{0,300}\bbuild\b|\bcatkin_make\w*|\bcatkin[ \t](?:[^;&|\n]{0,300}[ \t])?(?:build|b|bt)\b"
     r"|\brosmake\b|\bament[ \t]+build\b"
 )
+_CALL = pattern(r"[^;&|\n]*")
 UNREAD = pattern(
     r"\b(?:just|bazel|ansible\w*|nix\w*|pixi|bloom\w*|dpkg-buildpackage|debuild|rosinstall_generator|tox|nox|scons|waf)\b"
     r"|\|[ \t]*(?:sudo[ \t]+)?(?:ba|z|da)?sh\b|<\(",
 )
 """What may build anything by files that are not read here, or runs what it fetches."""
 _SELECTED = pattern(r"--packages-select((?:[ \t]+[^-\s;&|]\S*)+)")
-_SCRIPT = pattern(r"[^\s\"'=;&|()<>,\[\]]+\.(?:sh|bash|zsh|py)\b|(?<![\w.])\./[\w./-]+")
+_SCRIPT = pattern(r"(?<![^\s\"'=;&|()<>,\[\]])[^\s\"'=;&|()<>,\[\]]+\.(?:sh|bash|zsh|py)\b|(?<![\w.])\./[\w./-]+")
 _SETUP = pattern(r"(?:^|/)(?:local_)?setup\.(?:ba|z)?sh$")
 """What only makes a workspace known that is there."""
 _COMPILES = pattern(r"\b(?:cmake|pip[\d.]*|setup\.py)\b")
@@ -57,7 +58,7 @@ def built(repository: Repository, written: Sequence[Instruction]) -> tuple[str, 
 
 def texts_of(repository: Repository, written: Sequence[Instruction]) -> list[str] | None:
     """Return what steps run with the texts of scripts of the tree that they run, ``None`` where one is not there."""
-    found, seen = [_step(each) for each in written if each.name in _RUNS], set[str]()
+    found, seen = [step(each) for each in written if each.name in _RUNS], set[str]()
     for text in found:
         for name in _SCRIPT.findall(text):
             base = posixpath.basename(name)
@@ -72,7 +73,8 @@ def texts_of(repository: Repository, written: Sequence[Instruction]) -> list[str
     return found
 
 
-def _step(instruction: Instruction) -> str:
+def step(instruction: Instruction) -> str:
+    """Return what a step runs, each command on a line, without comments."""
     text = _plain(instruction.text)
     return text if instruction.script else text.replace("\n", " ")
 
@@ -83,7 +85,13 @@ def _plain(text: str) -> str:
 
 def tools(text: str) -> list[str]:
     """Return the calls of tools that build a workspace, each to its end."""
-    return [re.split(r"[;&|\n]", text[match.start() :], maxsplit=1)[0] for match in _TOOLS.finditer(text)]
+    found: list[str] = []
+    end = 0
+    for match in _TOOLS.finditer(text):
+        if match.start() >= end and (call := _CALL.match(text, match.start())):
+            end = call.end()
+            found.append(call[0])
+    return found
 
 
 def _names(text: str, word: str) -> bool:

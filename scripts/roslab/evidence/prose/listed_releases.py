@@ -16,8 +16,8 @@ _LIBRARIES = {"opencv": "OpenCV", "pcl": "PCL", "boost": "Boost", "eigen": "Eige
 _BUILT = {"gtsam": "GTSAM", "pangolin": "Pangolin"}
 """What pages call those of which the versions of each Ubuntu are known, and those that are built from their source."""
 _NAMED = pattern(
-    r"^(opencv|pcl|boost|eigen|ceres|gtsam|pangolin)(?:[ -]solver)?[\s-]*(?:version\s*|v\.?\s*)?"
-    r"(>=|≥|>|==?)?\s*v?(\d{1,2}(?:\.\d{1,3}){0,2}(?:a\d{1,2})?)"
+    r"^(opencv|pcl|boost|eigen|ceres|gtsam|pangolin)(?:[ -]solver)?[\s-]{0,9}(?:version\s{0,9}|v\.?\s{0,9})?"
+    r"(>=|≥|>|==?)?\s{0,9}v?(\d{1,2}(?:\.\d{1,3}){0,2}(?:a\d{1,2})?)"
     r"(?:\.x)?(\+|\s*\(?(?:or|and)\s+(?:newer|later|above|higher|greater|up)\w*\)?)?(?=$|[\s),.;:])",
     re.IGNORECASE,
 )

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Collection, Iterable, Sequence
 
 from roslab.evidence.lex.dockerfile import Instruction
-from roslab.evidence.prose.built_packages import UNREAD, texts_of
+from roslab.evidence.prose.built_packages import UNREAD, step, texts_of
 from roslab.evidence.service import Service
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -20,10 +20,12 @@ _BUILDS = pattern(
 _COMPILES = pattern(
     r"\b(?:catkin\w*[ \t]|catkin_make\w*|colcon[ \t]|rosmake|ament[ \t]|c?make|ninja|setup\.py|scons|meson|conan|cargo"
     r"|gcc|clang|uv|poetry)\b|\bg\+\+"
-    r"|\bpip[\d.]*[ \t]+install\b[^;&|\n]*(?:[ \t][.~]{0,2}/|[ \t]\.(?:\s|$|\[)|[ \t]-e|--editable)"
+    r"|\bpip[\d.]*[ \t]+install\b[^;&|\n]{0,1000}(?:[ \t][.~]{0,2}/|[ \t]\.(?:\s|$|\[)|[ \t]-e|--editable)"
 )
 """What builds packages where the text of each script is known: pip does where it is given a folder."""
-_OF_SYSTEM = pattern(r"\b(?:apt(?:-get)?|rosdep)\b[^;&|]*|\S*/(?:setup|local_setup)\.(?:ba|z)?sh\b")
+_OF_SYSTEM = pattern(
+    r"\b(?:apt(?:-get)?|rosdep)\b[^;&|\n]*|(?<![^\s;&|])[^\s;&|]*/(?:setup|local_setup)\.(?:ba|z)?sh\b"
+)
 """What only installs packages of a system, or reads a workspace that is there."""
 _RELEASED = pattern(r"\bros-[a-z]+-([a-z][a-z0-9-]*)")
 _OF_PYTHON = ("setup.py", "setup.cfg", "pyproject.toml", "requirements.txt", "environment.yml")
@@ -55,10 +57,10 @@ def unbuilt(
     if any(_installs(each.text, holding) for each in written if each.name == "RUN"):
         return None
     run = [each for each in steps if each.name == "RUN"]
-    started = [*(each.text for each in steps if each.name != "RUN"), *(service.command if service else ())]
+    started = [*(step(each) for each in steps if each.name != "RUN"), *(service.command if service else ())]
     if any(_BUILDS.search(_OF_SYSTEM.sub(" ", text)) for text in started):
         return None
-    if any(_BUILDS.search(_OF_SYSTEM.sub(" ", each.text)) for each in run):
+    if any(_BUILDS.search(_OF_SYSTEM.sub(" ", step(each))) for each in run):
         read = texts_of(repository, run) if packages else None
         if read is None or any(UNREAD.search(text) or _COMPILES.search(_OF_SYSTEM.sub(" ", text)) for text in read):
             return None
