@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from hanging import ends
 from roslab.config.model import Config
 from roslab.decide.decision import Decision
 from trees import decided
@@ -57,3 +58,19 @@ def test_a_program_without_the_ending_of_python(tree: Tree) -> None:
 def test_the_image_of_an_old_configuration_has_none(tmp_path: Path) -> None:
     files = {"play.py": "import git\nrepo = git.Repo()\n"}
     assert not decided(tmp_path, files, config=Config(compatible="later")).git_folder
+
+
+CALL = "check_output(['git', 'log'])\n"
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        f"try:\n    {CALL}except{' ' * 200_000}x:\n    pass\n",
+        f"try:\n    {CALL}except ImportError{' ' * 200_000}x:\n    pass\n",
+    ],
+    ids=["before the first name", "behind it"],
+)
+def test_a_hostile_module_takes_no_long_time(tree: Tree, code: str) -> None:
+    with ends():
+        tree({"play.py": f"import numpy, subprocess\n{code}"})

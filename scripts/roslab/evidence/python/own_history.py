@@ -7,12 +7,15 @@ from collections.abc import Iterator, Sequence
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.lex.indents import depth
 from roslab.evidence.python.modules import modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _IMPORT = pattern(r"^[ \t]*(?:import git\b|from git(?:\.repo)? import [^\n]*\bRepo\b)", re.MULTILINE)
 _WORDS = frozenset({"Repo", "subprocess"})
+MOST = 20
+"""Most calls of a module that are looked at."""
 _OPENS = pattern(
     r"(?<![\w.])(?:git\.)?Repo\(\s*(?:path=)?"
     r"(?:\)|search_parent_directories=True|[\"']\.{1,2}/?[\"']|os\.getcwd\(\)|Path\.cwd\(\)|[^\n)]{0,80}\b__file__\b)"
@@ -26,7 +29,10 @@ _CALLS = pattern(
 )
 """What fails where there is no repository, and raises then; not in the folder of another one.
 https://docs.python.org/3/library/subprocess.html#subprocess.check_output, read 2026-11-28."""
-_WITHOUT_MODULE = pattern(r"except\s*\(?\s*(?:(?:ImportError|ModuleNotFoundError)\s*,?\s*)+\)?\s*(?:as\s+\w+\s*)?:")
+_WITHOUT_MODULE = pattern(
+    r"except[ \t]{0,9}\(?[ \t]{0,9}(?:(?:ImportError|ModuleNotFoundError)[, \t]{0,9})+\)?[ \t]{0,9}"
+    r"(?:as[ \t]+\w+[ \t]*)?:"
+)
 """It goes on without GitPython, not without a repository."""
 
 
@@ -42,7 +48,7 @@ def read(repository: Repository) -> Iterator[Mention]:
             *(_by_line(lines) if opens else ()),
             *((text.count("\n", 0, match.start()), match[0]) for match in _CALLS.finditer(text)),
         )
-        for index, said in sorted(found):
+        for index, said in sorted(found)[:MOST]:
             if "#" not in lines[index].partition(said[:12])[0] and not _tried(lines, index):
                 yield Mention(
                     topic="own_history", value="git", source="code", file=module.file.path, line=index + 1, text=said
@@ -58,28 +64,25 @@ def _by_line(lines: Sequence[str]) -> Iterator[tuple[int, str]]:
 
 def _tried(lines: Sequence[str], index: int) -> bool:
     """Tell whether a line stands in a ``try`` of its own function that goes on without a repository."""
-    depth = _depth(lines[index])
-    for number, line in reversed([*enumerate(lines[:index])]):
-        if line.strip() and _depth(line) < depth:
-            depth = _depth(line)
-            if line.strip().startswith("try:") and _caught(lines[number + 1 :], depth):
+    least = depth(lines[index])
+    for number in range(index - 1, -1, -1):
+        said = lines[number].strip()
+        if said and depth(lines[number]) < least:
+            least = depth(lines[number])
+            if said.startswith("try:") and _caught(lines, number + 1, least):
                 return True
-            if line.strip().startswith("def "):
+            if said.startswith("def "):
                 return False
     return False
 
 
-def _caught(rest: Sequence[str], depth: int) -> bool:
+def _caught(lines: Sequence[str], start: int, least: int) -> bool:
     """Tell whether what follows on a ``try`` catches more than a module that is not there."""
-    for line in rest:
-        if line.strip() and _depth(line) <= depth:
-            said = line.strip()
+    for number in range(start, len(lines)):
+        said = lines[number].strip()
+        if said and depth(lines[number]) <= least:
             if said.startswith("except") and not _WITHOUT_MODULE.match(said):
                 return True
             if not said.startswith(("except", "else", "finally", "#")):
                 return False
     return False
-
-
-def _depth(line: str) -> int:
-    return len(line) - len(line.lstrip())

@@ -29,8 +29,9 @@ def starts(text: str) -> frozenset[int]:
         if not _TRY.match(head) or not body:
             continue
         handlers = []
-        for (_, next_), below in parts[index + 1 :]:
-            caught = _EXCEPT.match(next_)
+        for number in range(index + 1, len(parts)):
+            (_, behind), below = parts[number]
+            caught = _EXCEPT.match(behind)
             if not caught:
                 break
             if _MISSING.match(caught["what"]):
