@@ -19,7 +19,7 @@ from roslab.values.pattern import pattern
 MOST = 6
 """Most programs that are run."""
 _ERROR = "FATAL_ERROR"
-_NAMED = pattern(r"(?:\bcd[ \t]+(?P<folder>[\w./-]{1,200})\s{1,40})?\bpython3?[ \t]+(?P<path>[\w./-]{1,200}\.py)\b")
+_NAMED = pattern(r"(?:\bcd[ \t]+[\w./-]{1,200}\s{1,40})?\bpython3?[ \t]+(?P<path>[\w./-]{1,200}\.py)\b")
 _FOLDER = pattern(
     r"\$\{(?:CMAKE_CURRENT_(?:SOURCE|LIST)_DIR|PROJECT_SOURCE_DIR)\}/(\w{0,40}(?:generated|codegen|autogen)\w{0,40})(?![\w.])"
 )

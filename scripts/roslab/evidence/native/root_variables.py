@@ -10,14 +10,13 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.native.asked_variables import HERE
 from roslab.knowledge.machine_variables import of_every_image, of_one_machine
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_FILES = 400
 """Most files that are searched, those nearest to the root first."""
-HERE = "./"
-"""The repository's folder, as the value of a variable."""
 _SUFFIXES = (".py", ".cpp", ".cc", ".cxx", ".cmake", ".launch")
 _CODE = frozenset({".py", ".cpp", ".cc", ".cxx"})
 _PATH = r"([\w+-][\w.+-]*(?:/[\w.+-]+)*)"
