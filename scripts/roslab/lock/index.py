@@ -18,7 +18,7 @@ from urllib.parse import unquote, urlsplit, urlunsplit
 from roslab.plan.locked import Distribution, Missing
 
 if TYPE_CHECKING:
-    from roslab.values.version import Version
+    from roslab.values.version import Standard
 
 DEFAULT = "from pip._internal.models.index import PyPI; print(PyPI.simple_url)"
 """Prints the index that pip asks where nothing else is said: pip's own value."""
@@ -76,7 +76,7 @@ def _missing(package: Distribution, found: Sequence[File]) -> Missing | None:
     return Missing(kind="pip", name=package.name, wanted=package.version, nearest=nearest)
 
 
-def _version(name: str) -> Version | None:
+def _version(name: str) -> Standard | None:
     from packaging.utils import parse_sdist_filename, parse_wheel_filename  # noqa: PLC0415
 
     try:

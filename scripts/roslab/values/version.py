@@ -7,12 +7,28 @@ from __future__ import annotations
 
 from functools import cache
 
-from roslab.values.pattern import postponed
+from roslab.values.pattern import pattern, postponed
 
 with postponed():
-    from packaging.version import InvalidVersion, Version
+    from packaging.version import InvalidVersion
+    from packaging.version import Version as Standard
 
-__all__ = ["InvalidVersion", "Version", "minor_of", "version_of"]
+__all__ = ["InvalidVersion", "Standard", "Version", "minor_of", "version_of"]
+_LONG = pattern(r"(\d{18})\d+")
+"""A number with more digits than any release has: Python refuses to read one of thousands."""
+
+
+class Version(Standard):
+    r"""A version number in digits of any script, which ``\d`` in a pattern matches, too. Raises ``InvalidVersion``."""
+
+    __slots__ = ()
+
+    def __init__(self, version: str) -> None:
+        if not version.isascii():
+            from unicodedata import decimal  # noqa: PLC0415 - few are written so
+
+            version = "".join(str(decimal(each, each)) for each in version)
+        super().__init__(_LONG.sub(r"\1", version) if len(version) > 18 else version)
 
 
 @cache

@@ -11,7 +11,7 @@ from roslab.values.pattern import pattern
 if TYPE_CHECKING:
     from packaging.tags import Tag
 
-    from roslab.values.version import Version
+    from roslab.values.version import Standard
 
 _CPYTHON = pattern(r"cp(\d)(\d{1,2})")
 
@@ -21,7 +21,7 @@ class Wheel:
     """The parts of a wheel's file name."""
 
     name: str
-    version: Version
+    version: Standard
     tags: frozenset[Tag]
 
     @property
