@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_component
@@ -30,10 +30,12 @@ def first_of_clones(found: Iterable[Candidate], evidence: Evidence, kind: Kind) 
     if kind not in {"ros1", "ros2"} or not names:
         return None
     found = [c for c in found if c.strong and c.argv[0] in LAUNCHERS and not c.tried]
-    if any(own(c.argv, evidence) for c in found if "/" not in c.file):
-        return None
     clones = list(_clones(evidence))
-    brought = [c for c in found if "/" not in c.file and _brings(clones, c, evidence, names)] if clones else []
+    if not clones or any(own(c.argv, evidence) for c in found if "/" not in c.file):
+        return None
+    addresses = {address(git.url) for git in clones}
+    named = {(each.file, each.line) for each in evidence.sources if address(each.url) in addresses}
+    brought = [c for c in found if "/" not in c.file and _brings(clones, c, named, names)]
     first = first_of(brought)
     return replace(first, why=f"{first.why}, of a repository that is cloned beside this one") if first else None
 
@@ -46,7 +48,8 @@ def _clones(evidence: Evidence) -> Iterator[GitSource]:
             yield git
 
 
-def _brings(clones: list[GitSource], candidate: Candidate, evidence: Evidence, names: set[str]) -> bool:
+def _brings(clones: list[GitSource], candidate: Candidate, named: Collection[tuple[str, int]], names: set[str]) -> bool:
+    """Tell whether a clone has the package of a command. ``named``: the lines of pages that have a clone's address."""
     at = 2 + is_component(candidate.argv) if candidate.argv[0] == "ros2" else 1
     package = "".join(candidate.argv[at : at + 1])
     if (
@@ -57,17 +60,10 @@ def _brings(clones: list[GitSource], candidate: Candidate, evidence: Evidence, n
         or meant(package, names)
     ):
         return False
-    return any(_like(package, git) or _named_before(git, candidate, evidence) for git in clones)
+    before = range(candidate.line - NEAR, candidate.line)
+    return any(_like(package, git) for git in clones) or any((candidate.file, line) in named for line in before)
 
 
 def _like(package: str, git: GitSource) -> bool:
     """Tell whether a package is called like a repository, or like a part of it."""
     return akin(package, git.name) and (plain(package).startswith(plain(git.name)) or plain(git.name) in plain(package))
-
-
-def _named_before(git: GitSource, candidate: Candidate, evidence: Evidence) -> bool:
-    """Tell whether the page gives the address of a clone shortly before it runs the command."""
-    said = (
-        each.line for each in evidence.sources if each.file == candidate.file and address(each.url) == address(git.url)
-    )
-    return any(0 < candidate.line - line <= NEAR for line in said)
