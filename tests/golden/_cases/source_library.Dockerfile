@@ -137,7 +137,7 @@ COPY --from=compiled --chown=${NB_UID}:${NB_UID} /home/${NB_USER}/source_library
 COPY --chown=${NB_UID}:${NB_UID} . .
 
 # The build folder, where a README has it
-RUN [ -e /home/${NB_USER}/source_library/build ] || ln --symbolic --relative /home/${NB_USER}/source_library-build /home/${NB_USER}/source_library/build
+RUN [ -e /home/${NB_USER}/source_library/build ] || ln --symbolic --relative --force /home/${NB_USER}/source_library-build /home/${NB_USER}/source_library/build
 
 ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 ENV PATH="/home/${NB_USER}/source_library-build:${PATH}"

@@ -112,7 +112,7 @@ RUN mkdir --parents /home/${NB_USER}/submodule-build \
  && find . \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' -o -name CMakeConfigureLog.yaml \) -delete
 
 # The build folder, where a README has it
-RUN [ -e /home/${NB_USER}/submodule/build ] || ln --symbolic --relative /home/${NB_USER}/submodule-build /home/${NB_USER}/submodule/build
+RUN [ -e /home/${NB_USER}/submodule/build ] || ln --symbolic --relative --force /home/${NB_USER}/submodule-build /home/${NB_USER}/submodule/build
 
 ENV HOME=/home/${NB_USER} USER=${NB_USER} LOGNAME=${NB_USER}
 ENV PATH="/home/${NB_USER}/submodule-build:${PATH}"

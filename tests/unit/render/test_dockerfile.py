@@ -6,6 +6,7 @@ import dataclasses
 import json
 import os
 import re
+import shutil
 import subprocess
 from collections.abc import Callable
 from dataclasses import replace
@@ -316,10 +317,31 @@ def test_programs_that_are_written_into_the_source_are_compiled_where_it_stays(p
     assert "cmake -D" in text
     assert ("AS compiled" in text) == apart
     link = "/home/${NB_USER}/paper/build"
-    linked = f"RUN [ -e {link} ] || ln --symbolic --relative /home/${{NB_USER}}/paper-build {link}\n"
+    linked = f"RUN [ -e {link} ] || ln --symbolic --relative --force /home/${{NB_USER}}/paper-build {link}\n"
     assert linked in text
     assert text.index("cmake -D") < text.index(linked), "CMake lists no file twice"
     assert text.index("COPY --chown=${NB_UID}:${NB_UID} . .") < text.index(linked)
+
+
+@pytest.mark.parametrize(
+    ("there", "to"), [(None, "../paper-build"), ("/nowhere/else", "../paper-build"), ("../own", "../own")]
+)
+def test_the_link_of_the_build_folder_takes_no_place_of_what_is_there(
+    tmp_path: Path, there: str | None, to: str
+) -> None:
+    (tmp_path / "demo").mkdir()
+    for name in ("CMakeLists.txt", "main.cpp"):
+        (tmp_path / "demo" / name).write_text("project(a)\nadd_executable(a main.cpp)\n")
+    text = dockerfile(plan_repository(tmp_path / "demo", folder_name="paper").plan)
+    line = next(each for each in text.splitlines() if each.startswith("RUN [ -e ")).removeprefix("RUN ")
+    for name in ("paper", "own", "paper-build"):
+        (tmp_path / name).mkdir()
+    link = tmp_path / "paper/build"
+    if there:
+        link.symlink_to(there)
+    shell = shutil.which("bash") or pytest.skip("bash is not here")
+    subprocess.run([shell, "-ec", line.replace("/home/${NB_USER}", str(tmp_path))], check=True)
+    assert str(link.readlink()) == to
 
 
 @pytest.mark.parametrize(

@@ -55,12 +55,13 @@ def install_program(plan: Plan) -> str:
 def where_pages_have_it(plan: Plan) -> str:
     """Link the build folder as ``build`` in the source, where a README has it: commands and scripts start from there.
 
-    After the compilation, which may list the source's files, and not where the repository has such a folder itself.
+    After the compilation, which may list the source's files, and not where the repository has such a folder itself; a
+    link of that name that leads nowhere, as to a folder of its author's computer, gives way.
     """
     program = plan.workspace.program
     if program is None or plan.compatible:
         return ""
     link = quote.shell_with_user(f"{workspace.source_folder(plan)}/{program.folder}".rstrip("/") + "/build")
     build = quote.shell_with_user(f"{workspace.HOME}/{program.build}")
-    run = shell.run(f"[ -e {link} ] || ln --symbolic --relative {build} {link}")
+    run = shell.run(f"[ -e {link} ] || ln --symbolic --relative --force {build} {link}")
     return f"# The build folder, where a README has it\n{run}"
