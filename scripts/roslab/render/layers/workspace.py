@@ -286,4 +286,4 @@ def words(items: Iterable[str]) -> str:
 
 
 def _at_home(item: str) -> str:
-    return quote.shell_with_user(item.replace("=~/", f"=/home/{quote.USER}/", 1))
+    return quote.shell_with_user(item.replace("=~/", f"={HOME}/", 1))
