@@ -371,11 +371,14 @@ def test_the_release_that_cmake_asks_for_is_built_where_a_script_builds_it(
     assert [f"{source.repo} {source.ref}" for source in tree(files).source] == built
 
 
-def test_the_header_of_zeromq_is_built_where_ubuntu_has_it_without_its_package_of_cmake(tree: Tree) -> None:
+@pytest.mark.parametrize("ubuntu", ["14.04", "20.04"])
+def test_the_header_of_zeromq_is_built_where_ubuntu_has_it_without_its_package_of_cmake(
+    tree: Tree, ubuntu: str
+) -> None:
     """https://github.com/zeromq/cppzmq/issues/620"""
     wants = {"CMakeLists.txt": "project(demo)\nfind_package(cppzmq REQUIRED)\nadd_executable(demo a.cpp)\n"}
     header = {"a.cpp": "#include <zmq.hpp>\n"}
-    older = tree({**wants, **header, "README.md": "Tested on Ubuntu 20.04\n"})
+    older = tree({**wants, **header, "README.md": f"Tested on Ubuntu {ubuntu}\n"})
     assert [(source.name, source.ref) for source in older.source] == [("cppzmq", "v4.7.1")]
     assert {"libzmq3-dev", "pkg-config"} <= {*older.apt, *older.apt_guessed}
     newer = tree({**wants, **header, "README.md": "Tested on Ubuntu 24.04\n"})
