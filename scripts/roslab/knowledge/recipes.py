@@ -188,6 +188,12 @@ def of_ros(name: str) -> bool:
     return bool((_table(name) or {}).get("of_ros", False))
 
 
+@cache
+def takes_long(name: str) -> bool:
+    """Tell whether a library takes the better part of an hour to compile."""
+    return bool((_table(name) or {}).get("takes_long", False))
+
+
 def recipe(
     name: str, ubuntu: str | None, bounds: Mapping[str, tuple[Bound, ...]] = NO_BOUNDS, day: str | None = None
 ) -> tuple[Recipe, ...]:

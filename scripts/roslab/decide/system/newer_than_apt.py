@@ -6,13 +6,11 @@ from roslab.decide.ros.source_names import address, fixed
 from roslab.decide.system.names import Target
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.knowledge.code_limits import satisfies, version_of
-from roslab.knowledge.recipes import recipe_at
+from roslab.knowledge.recipes import recipe_at, takes_long
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
 _RELEASE = pattern(r"v?(\d+\.\d+(?:\.\d+)*)")
-_LARGE = frozenset({"OpenCV", "PCL", "Boost"})
-"""Libraries that take the better part of an hour to compile, and that ROS's own packages are linked with."""
 
 
 def newer_than_apt(asked: Dependency, target: Target, git: GitSource) -> bool:
@@ -20,7 +18,7 @@ def newer_than_apt(asked: Dependency, target: Target, git: GitSource) -> bool:
 
     The build requires a newer release; where no table tells which one the Ubuntu has, the page builds the very one. Or
     the build requires none, and the page has a release of a library of the table with a higher number than the
-    Ubuntu's: its author would not compile by hand what apt has.
+    Ubuntu's, which does not take long: its author would not compile by hand what apt has.
     """
     if asked.namespace != "cmake" or asked.strength != "declared" or not target.ubuntu:
         return False
@@ -28,8 +26,10 @@ def newer_than_apt(asked: Dependency, target: Target, git: GitSource) -> bool:
     ref, has = fixed(git.ref) or "", version_of(asked.name, target.ubuntu, ros=ros)
     if not asked.version:
         release = _RELEASE.fullmatch(ref)
-        known = has and asked.name not in _LARGE and git.configured and not git.aside and recipe_at(address(git.url))
-        return bool(release and known) and _numbers(release[1] if release else "") > _numbers(has or "")
+        known = recipe_at(address(git.url)) if git.configured and not git.aside else None
+        if release is None or has is None or known is None or takes_long(known):
+            return False
+        return _numbers(release[1]) > _numbers(has)
     if has is None:
         return ref.removeprefix("v") == asked.version
     return not satisfies(asked.name, target.ubuntu, asked.version, ros=ros)
