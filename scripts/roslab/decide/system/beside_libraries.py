@@ -19,8 +19,8 @@ from roslab.knowledge.recipes import beside
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name
 
-EIGEN = ("eigen3", "libeigen3-dev")
-"""Eigen's row of the table, and its package: headers alone, and in those of what is compiled with it."""
+EIGEN = "libeigen3-dev"
+"""Headers alone, which those of what is compiled with them include."""
 
 
 def with_libraries(
@@ -66,8 +66,8 @@ def _of_headers(libraries: Sequence[tuple[Source, Dependency]]) -> frozenset[str
     Not where Eigen itself is built: code that includes such a library's headers alone looks for it nowhere.
     """
     tabled = [source for source, _ in libraries if source.tabled]
-    other = any(source.name == EIGEN[0] for source in tabled)
-    return frozenset(EIGEN[1:] if not other and any(EIGEN[1] in source.depends for source in tabled) else ())
+    itself = any(source.name == "eigen3" for source in tabled)
+    return frozenset({EIGEN} if not itself and any(EIGEN in source.depends for source in tabled) else ())
 
 
 def _doubles(built: Collection[str], evidence: Evidence, config: Config, target: Target) -> frozenset[str]:
