@@ -151,9 +151,27 @@ def test_what_stopped_a_build_from_outside_is_found_around_its_steps() -> None:
     building = "#9 [3/4] RUN make\n#9 20.2 [ 71%] Building CXX object a.o\n"
     end = "##[error]The job running on runner GitHub 12 has exceeded the maximum execution time of 360 minutes.\n"
     (one,) = explain(io.BytesIO((building + end).encode())).explanations
-    assert (one.id, dict(one.names)) == ("job-time-over", {"minutes": "360"})
+    assert (one.id, dict(one.names)) == ("job-time-over", {"time": "360 minutes"})
     (one,) = explain(io.BytesIO((building + "##[error]The robot is tired.\n").encode())).explanations
     assert (one.id, one.step) == (None, "RUN make")
+
+
+@pytest.mark.parametrize(
+    ("line", "cause"),
+    [
+        ("The Compose file './compose.yml' is invalid because:", "has a key that this Docker Compose does not know"),
+        ("remote: Write access to repository not granted.", "git may not write to the repository: the token of"),
+        (
+            "Invalid workflow file: .github/workflows/a.yml#L12",
+            "cannot read the workflow .github/workflows/a.yml (line",
+        ),
+        ("Are you trying to mount a directory onto a file?", "A volume is mounted onto something of another kind: of"),
+        ("The launch file may have a syntax error, or its format is unknown", "A launch file cannot be read."),
+        ("CUDA error: out of memory", "has no room for what was asked for: the model"),
+    ],
+)
+def test_a_cause_is_a_sentence_where_a_message_has_no_name(line: str, cause: str) -> None:
+    assert cause in found(f"{line}\n").cause
 
 
 HARMLESS = """
