@@ -132,6 +132,24 @@ def test_a_command_of_cmake_is_found_with_its_package() -> None:
     assert "the package that defines robot_add" in found('  Unknown CMake command "robot_add".', "cmake .").fix
 
 
+@pytest.mark.parametrize(
+    ("name", "package"),
+    [
+        ("ament_package", "ament_cmake REQUIRED"),
+        ("ament_add_gtest_executable", "ament_cmake_gtest REQUIRED"),
+        ("ament_lint_auto_find_test_dependencies", "ament_lint_auto REQUIRED"),
+        ("catkin_generate_virtualenv", "catkin REQUIRED COMPONENTS catkin_virtualenv"),
+        ("catkin_install_python", "catkin REQUIRED"),
+    ],
+)
+def test_a_command_is_that_of_its_own_package(name: str, package: str) -> None:
+    assert f"find_package({package})" in found(f'  Unknown CMake command "{name}".', "cmake .").fix
+
+
+def test_whose_a_command_of_some_linter_is_stays_open() -> None:
+    assert "the package that defines ament_cpplint" in found('  Unknown CMake command "ament_cpplint".', "cmake .").fix
+
+
 def test_a_package_that_all_ubuntus_call_the_same_needs_no_ubuntu() -> None:
     one = found("CMake Error at a.cmake:2 (message):\n  Could NOT find Python3 (missing: Development)", "cmake .")
     assert one.repair == (("apt", ("python3-dev",)),)
