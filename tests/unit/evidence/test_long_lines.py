@@ -11,10 +11,10 @@ from hanging import ends
 from roslab.evidence.launch_file import LaunchFile
 from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.yaml import Scalar
-from roslab.evidence.prose import ci_variables, container_scripts
+from roslab.evidence.prose import called_in_scripts, ci_variables, container_scripts
 from roslab.evidence.prose.ros_in_image import ros_of
 from roslab.evidence.python import conda, on_gpu
-from roslab.evidence.ros import handed_lists, only_in_manifest, own_setup, package_xml
+from roslab.evidence.ros import handed_lists, named_in_code, only_in_manifest, own_setup, package_xml
 from roslab.evidence.ros.only_programs import only_programs
 from trees import tree_of
 
@@ -162,3 +162,21 @@ def test_a_step_of_many_settings() -> None:
     assert len(written) == 17
     with ends():
         assert ros_of(written, "ubuntu:20.04") == "none"
+
+
+def test_a_long_word_of_a_script_is_no_function() -> None:
+    word = "a." * 12 * LONG
+    with ends():
+        assert [*called_in_scripts.calls_of(word)] == [(word, 1)]
+
+
+def test_a_line_of_many_addresses(tmp_path: Path) -> None:
+    code = "# " + "https://github.com/a/b " * (named_in_code.MAX_SIZE // 23 - 1)
+    with ends():
+        (found,) = named_in_code.read(tree_of(tmp_path, {"a.py": code}))
+    assert not found.taken
+
+
+def test_what_is_said_before_an_address(tmp_path: Path) -> None:
+    code = f"{'a' * LONG} taken from https://github.com/a/b\n# see https://github.com/a/c\n"
+    assert [each.taken for each in named_in_code.read(tree_of(tmp_path, {"a.py": code}))] == [True, False]

@@ -30,7 +30,7 @@ _CASE = pattern(r"\bcase[ \t][^\n]{0,200}?[ \t]in\b(?:(?!\besac\b)[^`]){0,4000}\
 _PATTERNS = pattern(r"(?:(?<=\bin)|(?<=;;)|(?<=;&))\s{0,200}\(?[\w.*?|+/ \t\[\]-]{1,300}\)")
 _QUOTED = pattern(r"'[^'\n]{0,1000}'|\"[^\"$`\\\n]{0,1000}\"")
 """What is in quotes and starts no program of its own."""
-_FUNCTION = pattern(r"\b([A-Za-z][\w.+-]*)[ \t]*\(\)")
+_FUNCTION = pattern(r"(?<![\w.+-])([A-Za-z][\w.+-]*)[ \t]*\(\)")
 _NOT_RUN = pattern(
     r"(?m)(?:^|(?<=\s))#.*$|(?<![\w./-])(?:echo|printf)\s(?:\"(?:[^\"\\\n]|\\[^\n]){0,500}\"|'[^'\n]{0,500}'|[^;&|\"'\n]){0,500}"
 )

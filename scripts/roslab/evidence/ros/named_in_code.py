@@ -14,6 +14,8 @@ MAX_SIZE = 256 * 1024
 MAX_FILES = 2_000
 """Most files that are opened, those nearest to the root first."""
 MAX_FOUND = 50
+BEFORE = 400
+"""Most characters of a line before an address."""
 _CODE = (".cpp", ".cc", ".cxx", ".h", ".hpp", ".py", ".launch", ".yaml", ".xacro")
 _ADDRESS = pattern(r"https://(?:github|gitlab)\.com/[\w-]+/([\w.-]*\w)(?:/(?:-/)?(?:blob|tree)/([\w.-]+))?")
 _TAKEN = pattern(
@@ -31,7 +33,8 @@ def read(repository: Repository) -> tuple[GitSource, ...]:
         for match in _ADDRESS.finditer(text):
             url = text[match.start() : match.end(1)].removesuffix(".git")
             first = found.get(url)
-            taken = bool(_TAKEN.search(text, max(text.rfind("\n", 0, match.start()), 0), match.start()))
+            line = text.rfind("\n", 0, match.start()) + 1
+            taken = bool(_TAKEN.search(text, max(line, match.start() - BEFORE), match.start()))
             if first and match[2] and (not first.ref or (taken and not first.taken)):
                 found[url] = replace(first, ref=match[2], taken=taken)
             elif not first and len(found) < MAX_FOUND:
