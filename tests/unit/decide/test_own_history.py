@@ -50,6 +50,19 @@ def test_a_program_that_asks_its_own_repository_is_told(tree: Tree, code: str, l
     assert ("git" in {*decision.apt, *decision.apt_guessed}) or not line
 
 
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import numpy, subprocess\ntop = subprocess.check_output(['git', 'rev-parse', '--show-toplevel'])\n",
+        "import git\ntop = git.Repo('.', search_parent_directories=True).working_tree_dir\n",
+    ],
+)
+def test_a_program_that_asks_for_the_folder_alone_is_not_told(tree: Tree, code: str) -> None:
+    decision = tree({"play.py": code})
+    assert decision.git_folder
+    assert not [w for w in decision.warnings if "own git repository" in w.message]
+
+
 def test_a_program_without_the_ending_of_python(tree: Tree) -> None:
     code = "#!/usr/bin/env python3\nimport git\nrepo = git.Repo(__file__, search_parent_directories=True)\n"
     assert tree({"scripts/play": code}).git_folder

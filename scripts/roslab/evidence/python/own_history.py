@@ -17,17 +17,20 @@ _WORDS = frozenset({"Repo", "subprocess"})
 MOST = 20
 """Most calls of a module that are looked at."""
 _OPENS = pattern(
-    r"(?<![\w.])(?:git\.)?Repo\(\s*(?:path=)?"
+    r"(?<![\w.])(?:git\.)?Repo\((?![^\n]{0,120}\bsearch_parent_directories\s?=\s?True\s?\)\.working_(?:tree_)?dir\b)"
+    r"\s*(?:path=)?"
     r"(?:\)|search_parent_directories=True|[\"']\.{1,2}/?[\"']|os\.getcwd\(\)|Path\.cwd\(\)|[^\n)]{0,80}\b__file__\b)"
 )
 """``git.Repo()`` without a path, or with that of the code itself; a path that is a variable may be another one's.
+Not where only the folder is asked for, in which it lies.
 https://gitpython.readthedocs.io/en/stable/reference.html#git.repo.base.Repo"""
 
 _CALLS = pattern(
-    r"(?<!\w)check_output\(\s{0,40}[\[(]?\s{0,40}[\"']git[\"',\s]{1,9}(?:rev-parse|log|show|status|diff|branch|symbolic-ref)\b"
+    r"(?<!\w)check_output\(\s{0,40}[\[(]?\s{0,40}[\"']git[\"',\s]{1,9}"
+    r"(?:rev-parse(?![\"',\s]{1,9}--(?:show-toplevel|git-dir)\b)|log|show|status|diff|branch|symbolic-ref)\b"
     r"(?![^\n]{0,200}\bcwd[ \t]*=(?![^\n]{0,80}__file__))"
 )
-"""What fails where there is no repository, and raises then; not in the folder of another one.
+"""What fails where there is no repository, and raises then; not in the folder of another one, nor for the folder alone.
 https://docs.python.org/3/library/subprocess.html#subprocess.check_output, read 2026-11-28."""
 _WITHOUT_MODULE = pattern(
     r"except[ \t]{0,9}\(?[ \t]{0,9}(?:(?:ImportError|ModuleNotFoundError)[, \t]{0,9})+\)?[ \t]{0,9}"
