@@ -7,6 +7,7 @@ from itertools import islice
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
+from roslab.evidence.hidden import hidden
 from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.constants import may_be_set
 from roslab.repository.checkout import Repository, nearest
@@ -20,7 +21,6 @@ MOST = 20
 """Most options."""
 _UNSET = pattern(r"NOT DEFINED (?!CMAKE_|BUILD_|ROS_)([A-Za-z]\w+)")
 _SIGN = pattern(r"(?i)\bNOT\s+DEFINED\b")
-_IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -48,7 +48,7 @@ def read(repository: Repository) -> Iterator[Mention]:
 def definitions(repository: Repository) -> tuple[Definition, ...]:
     """Return what CMake at the root and of the tree's packages of ROS demands, by ``if(NOT DEFINED X)`` alone."""
     folders = {"", *(file.folder for file in repository.named("package.xml"))}
-    folders -= {file.folder for file in repository.named(*_IGNORED)}
+    folders = {folder for folder in folders if not hidden(repository, folder)}
     files = [file for file in repository.named("CMakeLists.txt") if file.folder in folders]
     files = nearest([file for file in files if file.size <= MAX_SIZE and not places.aside(file.path)])[:MAX_PACKAGES]
     found = list(islice((each for file in files for each in _of(repository.read(file), file.path)), MOST))

@@ -12,11 +12,18 @@ from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
-_LIBRARIES = {"opencv": "OpenCV", "pcl": "PCL", "boost": "Boost", "eigen": "Eigen3", "ceres": "Ceres"}
-_BUILT = {"gtsam": "GTSAM", "pangolin": "Pangolin"}
+_LIBRARIES = {
+    "opencv": "OpenCV",
+    "pcl": "PCL",
+    "boost": "Boost",
+    "eigen": "Eigen3",
+    "ceres": "Ceres",
+    "gtsam": "GTSAM",
+    "pangolin": "Pangolin",
+}
 """What pages call those of which the versions of each Ubuntu are known, and those that are built from their source."""
 _NAMED = pattern(
-    r"^(opencv|pcl|boost|eigen|ceres|gtsam|pangolin)(?:[ -]solver)?[\s-]{0,9}(?:version\s{0,9}|v\.?\s{0,9})?"
+    rf"^({'|'.join(_LIBRARIES)})(?:[ -]solver)?[\s-]{{0,9}}(?:version\s{{0,9}}|v\.?\s{{0,9}})?"
     r"(>=|≥|>|==?)?\s{0,9}v?(\d{1,2}(?:\.\d{1,3}){0,2}(?:a\d{1,2})?)"
     r"(?:\.x)?(\+|\s*\(?(?:or|and)\s+(?:newer|later|above|higher|greater|up)\w*\)?)?(?=$|[\s),.;:])",
     re.IGNORECASE,
@@ -45,7 +52,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
             match = _NAMED.match(item.strip())
             if match is None or _OTHER.search(_behind(item.strip()[match.end() :])):
                 continue
-            library = (_LIBRARIES | _BUILT)[match[1].lower()]
+            library = _LIBRARIES[match[1].lower()]
             number, below = bounds_of(library, match[3])
             least = bool(match[4]) or match[2] in {">=", "≥", ">"}
             limit = CodeLimit(
