@@ -19,6 +19,8 @@ MAX_FILES = 60
 MAX_SIZE = 64 * 1024
 MAX_NAMES = 20
 """Most options for which they are searched."""
+MAX_FOUND = 100
+"""Most options with a place."""
 _HANDED = pattern(
     r"-D[ \t]?(?!CMAKE_)([A-Za-z]\w{2,60})(?::[A-Z]+)?=[\"']?((?:~|/|\$\{?HOME\}?)[\w./+${}-]*/[\w.+-]+)/?"
 )
@@ -48,7 +50,7 @@ def handed(repository: Repository, texts: Iterable[tuple[File, MentionSource, st
                 continue
             if name not in readers:
                 readers[name] = _reader(name, repository)
-            if reader := readers[name]:
+            if (reader := readers[name]) and len(found) < MAX_FOUND:
                 line = text.count("\n", 0, match.start()) + 1
                 found[name, folder] = Handed(name=name, folder=folder, file=file.path, line=line, reader=reader)
     return tuple(found.values())

@@ -153,7 +153,8 @@ def read(repository: Repository) -> Prose:
             if said := tuple(handed_places.mentions(handed, name_of(each.url), each.folder, source)):
                 found += (_archive(each, file, source, said[0].inside), *said)
     first = {(m.topic, m.value.partition("=")[0] if m.topic in _NAMED else m.value): m for m in reversed(found)}
-    return Prose((), (), (), tuple(dict.fromkeys(m for m in found if m in first.values())))
+    chosen = frozenset(first.values())
+    return Prose((), (), (), tuple(dict.fromkeys(m for m in found if m in chosen)))
 
 
 def _archive(each: _Unpacked, file: File, source: MentionSource, reader: str) -> Mention:
