@@ -63,6 +63,7 @@ def test_an_archive_for_each_processor(tree: Tree, key: bool, asked: str) -> Non
     ("day", "code", "release"),
     [
         ("2022-10-01", "", "1.12.1"),
+        ("2022-10-01", "auto name = session.GetInputNameAllocated(0, allocator);", "1.13.1"),
         ("2023-12-24", "", "1.16.3"),
         ("2023-12-24", "auto name = session.GetInputName(0, allocator);", "1.12.1"),
         ("2023-12-24", "auto name = session.GetInputNameAllocated(0, allocator);", "1.16.3"),
