@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
+from roslab.config.cited import shown
 from roslab.config.model import BuildTool, Config
 from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Choice, Download, Warning_
@@ -30,6 +31,8 @@ from roslab.values.requirement import Requirement
 
 SET = 40
 """Weight of the reason; nothing competes with it."""
+LONGEST_MESSAGE = 200
+"""Characters of an error of the code that are cited."""
 _SEARCHED = frozenset({"PATH", "PYTHONPATH"})
 _HOME, _FOLDER = "CUDA_HOME", "/usr/local/cuda"
 """https://docs.nvidia.com/cuda/cuda-installation-guide-linux/, read 2026-11-26."""
@@ -132,8 +135,13 @@ def _said(evidence: Evidence, downloads: Iterable[Download]) -> Iterator[Mention
 
 def _demanded(mention: Mention) -> Warning_:
     what = "CMake" if mention.file.endswith("CMakeLists.txt") else "a program"
-    message = f"{what} stops without the variable {mention.value} (it says: {mention.text.strip()})"
+    message = f"{what} stops without the variable {mention.value} (it says: {_message(mention)})"
     return warn(f"{message}: set it under `env` in roslab.yaml", mention)
+
+
+def _message(mention: Mention) -> str:
+    """Return an error of the code on one line, as far as it tells what is lacking."""
+    return shown(" ".join(mention.text.replace("\\n", " ").split()), LONGEST_MESSAGE)
 
 
 def _options_lacking(evidence: Evidence, config: Config) -> Iterator[Warning_]:
@@ -148,7 +156,7 @@ def _options_lacking(evidence: Evidence, config: Config) -> Iterator[Warning_]:
     said = f" {taken} {config.cmake_options} {' '.join(config.build_args)}"
     for option, mention in demanded.items():
         if not any(f"{option}{sign}" in said for sign in "=:"):
-            message = f"CMake stops without {option} (it says: {mention.text.strip()})"
+            message = f"CMake stops without {option} (it says: {_message(mention)})"
             yield warn(f"{message}: give it in `cmake_options` in roslab.yaml", mention)
 
 

@@ -121,3 +121,14 @@ def test_many_options_that_cmake_demands_take_no_long_time(tree: Tree) -> None:
     modules = {f"cmake/{number}.cmake": " ".join(names) * 10 for number in range(60)}
     with ends():
         tree({"CMakeLists.txt": CMAKE + demands, "demo.cpp": "int main() {}\n", **modules})
+
+
+@pytest.mark.parametrize(
+    ("condition", "asked"), [("NOT DEFINED SDK_KIND", "-DSDK_KIND"), ("NOT DEFINED ENV{SDK_KIND}", "SDK_KIND")]
+)
+def test_a_message_of_cmake_is_cited_on_one_line_as_far_as_it_tells(tree: Tree, condition: str, asked: str) -> None:
+    said = f'message(FATAL_ERROR "Set SDK_KIND\n   as the page\\nhas it {"long " * 900}")'
+    files = {"CMakeLists.txt": f"{CMAKE}if({condition})\n{said}\nendif()\n", "demo.cpp": "int main() {}\n"}
+    (message,) = (each.message for each in tree(files).warnings if f" {asked} " in each.message)
+    assert "(it says: Set SDK_KIND as the page has it long " in message
+    assert len(message) < 400
