@@ -55,3 +55,16 @@ def test_it_is_built(tree: Tree, find: str, clone: str, name: str, ref: str) -> 
 )
 def test_apt_has_it(tree: Tree, find: str, clone: str, after: str) -> None:
     assert not built(tree, find, clone, after)
+
+
+def test_a_release_beside_that_of_ross_packages_is_told_whatever_its_repository_is_called(tree: Tree) -> None:
+    cmake = (
+        "project(demo)\nfind_package(catkin REQUIRED)\nfind_package(Eigen3 REQUIRED)\nadd_executable(demo main.cpp)\n"
+    )
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "README.md": PAGE.format("https://gitlab.com/libeigen/eigen.git -b 3.4.0", "eigen", INSTALL) + "ROS Noetic\n",
+    }
+    found = tree({**files, "CMakeLists.txt": cmake, "main.cpp": "int main() {}\n"})
+    assert [(each.name, each.ref) for each in found.source] == [("eigen", "3.4.0")]
+    assert [each for each in found.warnings if each.message.startswith("eigen 3.4.0 is built beside the release")]

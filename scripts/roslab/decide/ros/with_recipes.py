@@ -53,7 +53,7 @@ def with_recipes(
                 warnings.append(
                     warn(f"what links {source.name} starts only with {needed}, which no image brings", asked)
                 )
-            if ros and of_ros(source.name):
+            if ros and of_ros(recipe_at(address(source.repo or "")) or source.name):
                 message = (
                     f"{source.name} {source.ref} is built beside the release that packages of ROS are compiled with"
                 )
