@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import os
+import re
 import resource
 import shutil
 import subprocess
 import sys
+import tempfile
 from collections import Counter, defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from functools import cache
+from itertools import count
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from lab import durations, why
+from lab.home import memory
 
 ROOT = Path(__file__).resolve().parent.parent
 KINDS = ("unit", "golden", "bad_input", "lab", "lint")
@@ -42,6 +47,37 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip(f"no folder {folder}: name it with REPRO_SHARED")
     return folder
+
+
+@pytest.fixture(scope="session")
+def in_memory() -> Iterator[Path | None]:
+    """Give a folder of this process whose files lie in memory, ``None`` where there can be none."""
+    room = memory()
+    if room is None:
+        yield None
+        return
+    folder = Path(tempfile.mkdtemp(prefix="repro-tests-", dir=room))
+    yield folder
+    with suppress(OSError):  # what a test that failed wrote is kept
+        folder.rmdir()
+
+
+@pytest.fixture
+def tmp_path(request: pytest.FixtureRequest, in_memory: Path | None) -> Iterator[Path]:
+    """Give a test its own folder as pytest does, but in memory: nearly every test writes a small tree and removes it.
+
+    Those of the lab, whose files may be large, have theirs on the disk, and those that are marked so.
+    """
+    if in_memory is None or _kind(request.node.nodeid) == "lab" or request.node.get_closest_marker("on_disk"):
+        yield request.getfixturevalue("tmp_path")
+        return
+    name = re.sub(r"\W", "_", request.node.name)[:30]  # as pytest names it
+    folder = next(place for number in count() if not (place := in_memory / f"{name}{number}").exists())
+    folder.mkdir()
+    failed = request.session.testsfailed
+    yield folder
+    if request.session.testsfailed == failed:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 @pytest.fixture(scope="session")

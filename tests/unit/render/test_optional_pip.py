@@ -41,8 +41,8 @@ def _run(folder: Path, *packages: str, installed: str = "", refused: str = "", b
     (folder / "modules").touch()
     (folder / "python3").write_text(STAND_IN.format(folder=folder))
     (folder / "python3").chmod(0o755)
-    again = (SCRIPT.parent / "ask-pip-again.sh").read_text().replace("/usr/local/share/roslab", str(folder))
-    (folder / "ask-pip-again").write_text(again.replace("/dev/shm", str(folder)))
+    again = (SCRIPT.parent / "ask-pip-again.sh").read_text().replace("/dev/shm", str(folder))
+    (folder / "ask-pip-again").write_text(again.replace("/usr/local/share/roslab", str(folder)))
     (folder / "ask-pip-again").chmod(0o755)
     script = SCRIPT.read_text().replace("/usr/local/share/roslab/left-out.txt", f"{folder}/left-out.txt")
     subprocess.run(
