@@ -10,6 +10,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.hidden import hidden
 from roslab.evidence.lex.cmake import calls
 from roslab.evidence.lex.constants import may_be_set
+from roslab.evidence.native.asked_variables import said, stops
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
@@ -64,7 +65,6 @@ def definitions(repository: Repository) -> tuple[Definition, ...]:
 def _of(text: str, file: str) -> Iterator[Definition]:
     if "FATAL_ERROR" not in text or not _SIGN.search(text):
         return
-    for call in calls(text, frozenset({"message"})):
-        unset = _UNSET.fullmatch(call.conditions[0]) if len(call.conditions) == 1 else None
-        if unset and call.words[:1] == ("FATAL_ERROR",) and not call.in_function and not may_be_set(text, unset[1]):
-            yield Definition(name=unset[1], file=file, line=call.line, said=" ".join(call.words[1:]))
+    for name, call in stops(calls(text, frozenset({"message"})), _UNSET):
+        if not may_be_set(text, name):
+            yield Definition(name=name, file=file, line=call.line, said=said(call))

@@ -6,6 +6,7 @@ of any CMake where the tree has the folder, with the library that ``find_library
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
@@ -47,32 +48,40 @@ def read(repository: Repository, projects: Iterable[CMakeProject]) -> Iterator[M
             yield from (each for each in _by_cmake(text, project.file) if each.value not in held)
     for file in repository.suffixed(*_SUFFIXES):
         text = "" if places.aside(file.path) else repository.read(file)
-        for name, said, line in _demanded(text) if "getenv" in text else ():
+        for name, demand, line in _demanded(text) if "getenv" in text else ():
             if name not in told:
                 told.add(name)
-                root = _ROOT.search(said)
-                yield _mention(file, line, name, said, here=root is not None and bare_name(root[1]) in own)
+                root = _ROOT.search(demand)
+                yield _mention(file, line, name, demand, here=root is not None and bare_name(root[1]) in own)
+
+
+def stops(found: Iterable[Call], unset: re.Pattern[str]) -> Iterator[tuple[str, Call]]:
+    """Yield each ``message(FATAL_ERROR …)`` that waits for nothing but a variable, with its name."""
+    for call in found:
+        match = unset.fullmatch(call.conditions[0]) if len(call.conditions) == 1 else None
+        if match and call.words[:1] == ("FATAL_ERROR",) and not call.in_function:
+            yield match[1], call
+
+
+def said(call: Call) -> str:
+    """Return what such a message says."""
+    return " ".join(call.words[1:])
 
 
 def _by_cmake(text: str, file: str) -> Iterator[Mention]:
-    for call in calls(text, frozenset({"message"})) if "ENV{" in text else ():
-        unset = _UNSET.fullmatch(call.conditions[0]) if len(call.conditions) == 1 else None
-        if unset and call.words[:1] == ("FATAL_ERROR",) and not call.in_function:
-            said = " ".join(call.words[1:])
-            yield Mention(topic="demanded", value=unset[1], source="code", file=file, line=call.line, text=said)
+    found = calls(text, frozenset({"message"})) if "ENV{" in text else ()
+    for name, call in stops(found, _UNSET):
+        yield Mention(topic="demanded", value=name, source="code", file=file, line=call.line, text=said(call))
 
 
 def _held(repository: Repository, text: str, file: str) -> Iterator[Mention]:
     """Yield ``NAME=./FOLDER`` for each that CMake stops without, where one folder of the tree has its library."""
     found = list(calls(text, frozenset({"message", "find_library"}))) if "ENV{" in text else []
-    for call in found:
-        unset = _OTHERWISE.fullmatch(call.conditions[0]) if len(call.conditions) == 1 else None
-        if unset and call.words[:1] == ("FATAL_ERROR",) and not call.in_function:
-            folders = {each for other in found for each in _with_library(repository, other, f"$ENV{{{unset[1]}}}/")}
-            said = " ".join(call.words[1:])
-            for folder in folders if len(folders) == 1 else ():
-                value = f"{unset[1]}={HERE}{folder}"
-                yield Mention(topic="variable", value=value, source="code", file=file, line=call.line, text=said)
+    for name, call in stops(found, _OTHERWISE):
+        folders = {each for other in found for each in _with_library(repository, other, f"$ENV{{{name}}}/")}
+        for folder in folders if len(folders) == 1 else ():
+            value = f"{name}={HERE}{folder}"
+            yield Mention(topic="variable", value=value, source="code", file=file, line=call.line, text=said(call))
 
 
 def _with_library(repository: Repository, call: Call, start: str) -> Iterator[str]:
@@ -86,12 +95,12 @@ def _with_library(repository: Repository, call: Call, start: str) -> Iterator[st
 def _demanded(text: str) -> Iterator[tuple[str, str, int]]:
     for match in _READ.finditer(text):
         below = (each[1] for each in _TEXT.finditer(text[match.end() : match.end() + NEAR]))
-        said = next((each for each in below if match[1] in each and _DEMANDS.search(each)), "")
-        if said:
-            yield match[1], said, text.count("\n", 0, match.start()) + 1
+        demand = next((each for each in below if match[1] in each and _DEMANDS.search(each)), "")
+        if demand:
+            yield match[1], demand, text.count("\n", 0, match.start()) + 1
 
 
-def _mention(file: File, line: int, name: str, said: str, *, here: bool) -> Mention:
+def _mention(file: File, line: int, name: str, demand: str, *, here: bool) -> Mention:
     value = f"{name}={HERE}" if here else name
     topic: Literal["variable", "demanded"] = "variable" if here else "demanded"
-    return Mention(topic=topic, value=value, source="code", file=file.path, line=line, text=said)
+    return Mention(topic=topic, value=value, source="code", file=file.path, line=line, text=demand)
