@@ -12,6 +12,7 @@ from roslab.decide.decision import Decision
 Tree = Callable[[dict[str, str]], Decision]
 TOP = "cmake_minimum_required(VERSION 3.10)\nproject(demo CXX)\n"
 CODE = {"lib/CMakeLists.txt": "add_library(demo demo.cpp)\n", "lib/demo.cpp": "int a;\n"}
+MODULE = '[submodule "third/utils"]\npath = third/utils\nurl = https://a.b/c/utils\n'
 EACH = "foreach(part lib utils)\n  add_subdirectory(${part})\nendforeach()\n"
 
 
@@ -37,6 +38,14 @@ def told(decision: Decision) -> list[tuple[str, str]]:
             "",
         ),
         ("add_subdirectory(lib)\nadd_subdirectory(${CMAKE_BINARY_DIR}/utils)\n", {}, ""),
+        ("add_subdirectory(lib)\nadd_subdirectory(third/utils/src)\n", {}, "third/utils/src"),
+        ("add_subdirectory(lib)\nadd_subdirectory(third/utils/src)\n", {".gitmodules": MODULE}, ""),
+        (
+            "add_subdirectory(lib)\nadd_subdirectory(third/utils/src)\n",
+            {"get.sh": "git clone https://a.b/c/utils\n"},
+            "",
+        ),
+        ("add_subdirectory(lib)\nadd_subdirectory(lib/src)\n", {".gitmodules": MODULE}, "lib/src"),
     ],
 )
 def test_a_folder_that_is_not_there(tree: Tree, lines: str, files: dict[str, str], absent: str) -> None:

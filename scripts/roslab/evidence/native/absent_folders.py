@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from itertools import islice
 
-from roslab.evidence.git_modules import FILE
+from roslab.evidence.git_modules import FILE, entries
 from roslab.evidence.lex.cmake import calls
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
@@ -50,14 +50,19 @@ def _absent(text: str, path: str, repository: Repository) -> Iterator[tuple[str,
 
 
 def _brought(folder: str, repository: Repository) -> bool:
-    """Tell whether a submodule, or what a page or a script fetches, may lie there."""
-    word = posixpath.basename(folder)
-    name = re.compile(rf"(?<![\w-]){re.escape(word)}(?![\w-])")
-    return any(word in text and name.search(text) for text in repository.once(_fetching))
+    """Tell whether a submodule, or what a page or a script fetches, may lie there, or around it."""
+    parts = folder.split("/")
+    around = ["/".join(parts[: end + 1]) for end in range(len(parts))]
+    absent = [part for part, path in zip(parts, around, strict=True) if path not in repository.folders]
+    name = re.compile(rf"(?<![\w-])(?:{'|'.join(map(re.escape, absent))})(?![\w-])")
+    modules = repository.read(FILE) if repository.has(FILE) else ""
+    if name.search(modules) or not {each.path for each in entries(modules)}.isdisjoint(around):
+        return True
+    return any(name.search(text) for text in repository.once(_fetching) if any(part in text for part in absent))
 
 
 def _fetching(repository: Repository) -> tuple[str, ...]:
-    """Return the list of submodules, and the pages and scripts that fetch anything."""
+    """Return the pages, lists and scripts that fetch something."""
     files = nearest(file for file in repository.suffixed(*_TOLD) if file.size <= MAX_SIZE)[:MAX_FILES]
     texts = (repository.read(file) for file in files)
-    return (repository.read(FILE), *(text for text in texts if any(sign in text for sign in _FETCHES)))
+    return tuple(text for text in texts if any(sign in text for sign in _FETCHES))
