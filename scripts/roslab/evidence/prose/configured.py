@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -28,6 +27,7 @@ _BUILD_FOLDER = pattern(r"(?:^|/)build[\w-]*(?:/.*)?$")
 
 _NAME = pattern(r"-D(?!CMAKE_|BUILD_SHARED_LIBS|BUILD_TESTING)([A-Za-z_]\w*)")
 """The name of an option that a project declares itself, not CMake or a module of it."""
+_WORD = pattern(r"\w+")
 MAX_SIZE = 256 * 1024
 PRESET = "--preset="
 _PREPARES = pattern(r"\.{1,2}/|(?:.*/)?(?:configure|qmake|python|ba?sh)\b")
@@ -43,9 +43,14 @@ def of_another(said: Mention, repository: Repository) -> bool:
     names = _NAME.findall(said.text)
     if said.value != "." or not names or repository.has(".gitmodules"):
         return False
-    word = re.compile(rf"\b(?:{'|'.join(names)})\b")
+    return repository.once(_words).isdisjoint(names)
+
+
+def _words(repository: Repository) -> frozenset[str]:
+    """Return the words of the files of CMake, once for all calls of a page."""
     files = (*repository.named("CMakeLists.txt"), *repository.suffixed(".cmake"))
-    return not any(word.search(repository.read(file)) for file in files if file.size <= MAX_SIZE)
+    texts = (repository.read(file) for file in files if file.size <= MAX_SIZE)
+    return frozenset(word for text in texts for word in _WORD.findall(text))
 
 
 def options_of(words: Sequence[str]) -> str:
