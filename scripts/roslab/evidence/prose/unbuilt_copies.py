@@ -18,8 +18,8 @@ _BUILDS = pattern(
 )
 """What may build packages, itself or by way of a script."""
 _COMPILES = pattern(
-    r"\b(?:catkin\w*[ \t]+|catkin_make\w*|colcon[ \t]+|rosmake|ament[ \t]+|c?make|ninja|setup\.py|scons|meson|conan|cargo"
-    r"|gcc|clang|uv|poetry)\b|\bg\+\+"
+    r"\b(?:catkin\w*[ \t]+|catkin_make\w*|colcon[ \t]+|rosmake|ament[ \t]+|c?make|ninja|setup\.py|scons|meson"
+    r"|conan|cargo|gcc|clang|uv|poetry)\b|\bg\+\+"
     r"|\bpip[\d.]*[ \t]+install\b[^;&|\n]{0,1000}(?:[ \t][.~]{0,2}/|[ \t]\.(?:\s|$|\[)|[ \t]-e|--editable)"
 )
 """What builds packages where the text of each script is known: pip does where it is given a folder."""
