@@ -17,6 +17,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from roslab.knowledge.table import used
+from roslab.repository.git import unanswered
 from roslab.values.kept_file import DAMAGED, Stamp, stamp
 from roslab.values.kept_modules import unchanged
 from roslab.values.kept_trees import KeptTree
@@ -104,7 +105,9 @@ def _holds(head: memoryview, state: tuple[Any, ...]) -> bool:
 
 
 def _keep(tree: KeptTree, state: tuple[Any, ...], repository: Repository, evidence: Evidence) -> None:
-    """Keep evidence, if nothing that it comes from was changed so lately that it may change again unseen."""
+    """Keep evidence, if git answered and nothing that it comes from was changed so lately that it may change unseen."""
+    if repository.path in unanswered:
+        return
     listing = repository.listing
     program = _program()
     newest = max((date for file in listing.files for date in listing.stamps[file.path][:2]), default=0)

@@ -19,6 +19,10 @@ _ENVIRONMENT = {"GIT_ALLOW_PROTOCOL": "none", "GIT_NO_LAZY_FETCH": "1", "GIT_TER
 """A missing object is not fetched. https://git-scm.com/docs/git#_environment_variables"""
 
 
+unanswered: set[str] = set()
+"""The folders of which git did not answer in time: what it would have said is not known."""
+
+
 def head(root: Root) -> tuple[str, int | None]:
     """Return the commit of a checkout and its time in seconds since 1970, ``("", None)`` if there is none."""
     answer = _read(root, "log", "-1", "--format=%H %ct")
@@ -86,7 +90,10 @@ def _read(root: Root, *command: str) -> str:
             timeout=SECONDS,
             check=False,
         )
-    except (OSError, subprocess.TimeoutExpired):  # no git on this machine
+    except subprocess.TimeoutExpired:
+        unanswered.add(os.fspath(root))
+        return ""
+    except OSError:  # no git on this machine
         return ""
     return answer.stdout.strip()
 

@@ -353,3 +353,15 @@ def test_a_value_is_kept_without_its_hash(tree: Path) -> None:
 def test_every_example_is_kept_as_it_is_read(folder: Path, examples: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for tree in sorted(path for path in examples.iterdir() if path.is_dir()):
         assert [is_read(tree, monkeypatch) for _ in range(2)] == [True, False], tree.name
+
+
+def test_what_git_did_not_answer_in_time_is_asked_again(
+    folder: Path, tree: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    commit(tree, "2021-03-01")
+    with monkeypatch.context() as patch:
+        patch.setattr(git, "SECONDS", 0.0)
+        assert [is_read(tree, monkeypatch) for _ in range(2)] == [True, True]
+    assert git.unanswered
+    git.unanswered.clear()
+    assert [is_read(tree, monkeypatch) for _ in range(2)] == [True, False]
