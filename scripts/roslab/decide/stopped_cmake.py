@@ -38,7 +38,6 @@ def _stopped(evidence: Evidence) -> tuple[CMakeProject, tuple[str, int, str]] | 
     folder = posixpath.dirname(top.file) if top else ""
     for project in evidence.cmake if top else ():
         ours = project is top or (project.always and project.top == folder)
-        absent = any(not path.startswith("/") for path, _ in project.parts)
-        if ours and absent and (found := stopping(project)):
+        if ours and project.absent and (found := stopping(project)):
             return project, found
     return None

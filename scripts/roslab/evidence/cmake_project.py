@@ -78,8 +78,9 @@ class CMakeProject:
     without: tuple[tuple[str, int], ...] = ()
     """Of these the ones that are not there and that it names in any case, each with its line: CMake stops at them."""
     parts: tuple[tuple[str, int], ...] = ()
-    """Folders and files of its author's computer that it adds, includes or links in any case, each with its line, and
-    folders of the tree that it adds so and that are not there, by relative paths."""
+    """Folders and files of its author's computer that it adds, includes or links in any case, each with its line."""
+    absent: tuple[tuple[str, int], ...] = ()
+    """The first folder of the tree that it adds in any case and that is not there, with its line: CMake stops at it."""
     guards: tuple[tuple[str, str], ...] = ()
     """Programs that are built only where a package was found, each with the package's name in lower case."""
     optional: tuple[tuple[str, str], ...] = ()

@@ -70,7 +70,9 @@ def test_a_program_without_the_ending_of_python(tree: Tree) -> None:
 
 def test_the_image_of_an_old_configuration_has_none(tmp_path: Path) -> None:
     files = {"play.py": "import git\nrepo = git.Repo()\n"}
-    assert not decided(tmp_path, files, config=Config(compatible="later")).git_folder
+    found = decided(tmp_path, files, config=Config(compatible="later"))
+    assert not found.git_folder
+    assert not any("git repository" in warning.message for warning in found.warnings)
 
 
 CALL = "check_output(['git', 'log'])\n"

@@ -258,7 +258,7 @@ def decide_python(
             *left_frameworks(evidence, kind, everything),
             *lost(evidence, kind, chosen, ubuntu if manager == "system" else None, ros_distro, brought=by_conda),
             *unread(chosen.projects),
-            *without_history(evidence),
+            *(() if config.compatible else without_history(evidence)),
             *consents(chosen.guessed, evidence),
             *part.warnings,
             *ignored_environments(evidence, kind, chosen),

@@ -60,11 +60,12 @@ def stopping(project: CMakeProject) -> tuple[str, int, str] | None:
         return f"CMake compiles {path}, which the tree does not have", line, "add the file, or correct the path"
     if project.parts:
         path, line = project.parts[0]
-        if not path.startswith("/"):
-            return f"CMake adds {path}, which the tree does not have", line, "add the folder, or correct the path"
         if LIBRARY.fullmatch(path):
             return f"CMake links {path}, a file of its author's computer", line, "add the library to the tree"
         return f"CMake adds {path}, a folder of its author's computer", line, "add the folder to the tree"
+    if project.absent:
+        path, line = project.absent[0]
+        return f"CMake adds {path}, which the tree does not have", line, "add the folder, or correct the path"
     return None
 
 

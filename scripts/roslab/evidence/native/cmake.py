@@ -232,7 +232,8 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
         optional=tuple((reading.written.file(name), variable) for name, variable in reading.optional),
         settled=settled((variable.removeprefix("OFF ") for _, variable in reading.optional), repository),
         lacks=_lacks(repository, file.folder, reading),
-        parts=(*authors_parts(text, repository), *absent_folders(text, file.path, repository)) if always else (),
+        parts=tuple(authors_parts(text, repository)) if always else (),
+        absent=tuple(absent_folders(text, file.path, repository)) if always else (),
         without=code_not_there(reading.always, text, file.folder, repository) if always else (),
     )
 
