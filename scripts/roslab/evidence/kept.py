@@ -17,7 +17,6 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from roslab.knowledge.table import used
-from roslab.repository.git import unanswered
 from roslab.values.kept_file import DAMAGED, Stamp, stamp
 from roslab.values.kept_modules import unchanged
 from roslab.values.kept_trees import KeptTree
@@ -106,7 +105,7 @@ def _holds(head: memoryview, state: tuple[Any, ...]) -> bool:
 
 def _keep(tree: KeptTree, state: tuple[Any, ...], repository: Repository, evidence: Evidence) -> None:
     """Keep evidence, if git answered and nothing that it comes from was changed so lately that it may change unseen."""
-    if repository.path in unanswered:
+    if not repository.answered:
         return
     listing = repository.listing
     program = _program()

@@ -61,6 +61,11 @@ class ToldByGit:
         asked = {question: answer for question, answer in answers.items() if not (same and question[0] in _OF_COMMIT)}
         return all(self._answer(*question) == answer for question, answer in asked.items())
 
+    @property
+    def answered(self) -> bool:
+        """Whether git answered in time whatever was asked of this folder."""
+        return self.path not in git.unanswered
+
     def _answer(self, name: str, *about: Any) -> Any:
         answer = getattr(self, name)
         return answer(*about) if about else answer
