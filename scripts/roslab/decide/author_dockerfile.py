@@ -10,7 +10,7 @@ from roslab.decide.best_dockerfile import PUBLISHED, best_of
 from roslab.decide.chains import Local, local_bases
 from roslab.decide.command import decide_command
 from roslab.decide.decision import Choice, Reason, Warning_
-from roslab.decide.image_warnings import empty_folders, unbounded_jobs, without_source
+from roslab.decide.image_warnings import empty_folders, unbounded_jobs, without_source, without_use
 from roslab.decide.launch_calls import started_launch
 from roslab.decide.newest_pip import files_of
 from roslab.decide.python.raised_pins import raised_pins
@@ -21,7 +21,7 @@ from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import cuda_image
 from roslab.knowledge.os_releases import has_ended, release_of
-from roslab.values.dataclass import dataclass
+from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
@@ -55,6 +55,11 @@ def decide_dockerfile(
 
     It can be used if it belongs to the project, copies the source and can be built.
     """
+    choice = _choose(evidence, config, kind, ros_distro)
+    return choice if choice.answer else replace(choice, warnings=(*choice.warnings, *without_use(config)))
+
+
+def _choose(evidence: Evidence, config: Config, kind: Kind, ros_distro: str | None) -> Choice[Dockerfile | None]:
     if config.dockerfile:
         said = configured(config, "dockerfile", config.dockerfile, "dockerfile")
         authored = next((each for each in evidence.dockerfiles if each.file == config.dockerfile), None)

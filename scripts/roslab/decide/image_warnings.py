@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from roslab.config.model import Config
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import AuthorDockerfile, Evidence
@@ -39,3 +40,17 @@ def without_source(authored: AuthorDockerfile) -> tuple[Warning_, ...]:
         "can give it; add COPY . to the folder that is mounted, or leave `dockerfile` out of roslab.yaml"
     )
     return (warn(message, Place(file=authored.file, line=authored.base_line)),)
+
+
+def without_use(config: Config) -> tuple[Warning_, ...]:
+    """Return a warning for each key that is for an author's Dockerfile, where one is generated."""
+    given = {"args": config.args, "context": config.context, "target": config.target}
+    return tuple(
+        warn(
+            f"`{key}` is for a Dockerfile of your own and has no effect: one is generated here "
+            "(`roslab inspect --explain dockerfile` says why)",
+            config.origin(key),
+        )
+        for key, value in given.items()
+        if value
+    )

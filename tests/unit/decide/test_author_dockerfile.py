@@ -126,6 +126,27 @@ def test_the_configuration_has_one_generated_beside_the_authors() -> None:
     assert "dockerfile: false\n" in written(config), "as roslab migrate writes it"
 
 
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("dockerfile: false\nargs: {A: b}\ntarget: run\n", {("`args` is for", 3), ("`target` is for", 4)}),
+        ("context: docker\n", {("`context` is for", 2)}),
+        ("dockerfile: false\n", set()),
+    ],
+)
+def test_what_is_for_an_authors_dockerfile_is_told_where_one_is_generated(
+    tmp_path: Path, text: str, told: set[tuple[str, int]]
+) -> None:
+    config = read(f"format: 3\n{text}", file="roslab.yaml")
+    (tmp_path / "main.py").write_text("print(1)\n")
+    warnings = decide(gather(Repository.open(tmp_path)), config, folder_name="demo").warnings
+    assert {
+        (each.message[: each.message.index("for") + 3], each.line)
+        for each in warnings
+        if "has no effect" in each.message
+    } == told
+
+
 def test_a_dockerfile_in_a_copy_of_another_project_is_not_the_authors(tmp_path: Path) -> None:
     package = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>"
     files = {
