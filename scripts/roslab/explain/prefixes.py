@@ -31,6 +31,7 @@ _PREFIXES: dict[str, re.Pattern[str]] = {
     # act: [workflow/job], and a bar before what a step printed; a clock in brackets would be taken for it
     "act": pattern(r"\[[^\]\n]{1,200}\] {1,3}(?:\| ?)?"),
 }
+_OF_BUILDKIT = pattern(r"#\d{1,6} \S")
 _NODE = pattern(r"^\[[\w.+-]{1,100}-\d{1,4}\] ", re.MULTILINE)
 """What launch of ROS 2 writes before each line of a node; it says when it starts one."""
 _STARTED = "]: process started with pid ["
@@ -52,7 +53,7 @@ def stripper(text: str) -> Callable[[str], str] | None:
     """Return a function that removes the prefix that most lines of a text have; ``None`` if they have none."""
     filled = [line for line in text.split("\n", _SAMPLE)[:_SAMPLE] if line.strip()]
     votes = Counter(name for line in filled for name, prefix in _PREFIXES.items() if prefix.match(line))
-    chosen = next((_PREFIXES[name] for name in _PREFIXES if votes[name] > 0.6 * len(filled)), None)
+    chosen = next((_PREFIXES[name] for name in _PREFIXES if votes[name] > 0.6 * len(filled)), None) or _indent(filled)
     section = any("section_start:" in line for line in filled)
     launched = _STARTED in text
     events = _OF_EVENT in text
@@ -69,6 +70,14 @@ def stripper(text: str) -> Callable[[str], str] | None:
         return _SECTION.sub("", plain) if "section_" in plain else plain
 
     return strip
+
+
+def _indent(lines: list[str]) -> re.Pattern[str] | None:
+    """Return the blanks that all lines begin with, where BuildKit's do: a page indents them."""
+    width = min((len(line) - len(line.lstrip(" \t")) for line in lines), default=0)
+    if not width or not any(_OF_BUILDKIT.match(line, width) for line in lines):
+        return None
+    return re.compile(rf"[ \t]{{{width}}}")
 
 
 def _without_html(text: str) -> str:

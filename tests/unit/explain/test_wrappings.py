@@ -107,6 +107,7 @@ ACTION = (
 WRAPPINGS: dict[str, tuple[Sequence[str], str]] = {
     "BuildKit, plain": (PLAIN, STEP),
     "BuildKit, terminal": (TERMINAL, STEP),
+    "BuildKit, indented in a page": (behind("    ", PLAIN), STEP),
     "BuildKit 0.10, its repetition": ([f"#0 {each}" if each[:1].isdigit() else each for each in TERMINAL], STEP),
     "BuildKit, the end alone": ((*AGAIN, f"ERROR: failed to solve: {END}"), STEP),
     "classic builder": (CLASSIC, STEP),
