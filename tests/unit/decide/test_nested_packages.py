@@ -108,3 +108,42 @@ def test_a_copied_project_in_a_package_is_not_on_python_s_path(tree: Tree, folde
     }
     decision = tree({**package("arm", "rospy"), **project, "arm/scripts/a.py": NODE, "README.md": "ROS Noetic\n"})
     assert ("ros-noetic-dynamixel-sdk" not in {*decision.apt, *decision.apt_guessed}) == own
+
+
+ACME = "arm/acme_msgs"
+
+
+@pytest.mark.parametrize("tool", ["ament_cmake", "ament_python"])
+def test_what_a_package_of_ros_2_needs_is_built_inside_it(tree: Tree, tool: str) -> None:
+    """colcon is told of it: no distribution released what is called so, and nothing else can have brought it."""
+    outer = package("arm", "acme_msgs", tool=tool) | {
+        "arm/setup.py": "from setuptools import setup\nsetup(name='arm')\n"
+    }
+    inside = package(ACME, "acme_types", tool="ament_cmake") | package("arm/acme_types", tool="ament_cmake")
+    decision = tree({**outer, **inside, **package("arm/other", tool="ament_cmake"), "README.md": "ROS 2 humble\n"})
+    assert decision.packages == (f"{ACME}/package.xml", "arm/acme_types/package.xml", "arm/package.xml")
+    assert decision.hidden == (ACME, "arm/acme_types")
+    assert not {"acme_msgs", "acme_types"} & {*decision.rosdep}
+    (told,) = [each.message for each in decision.warnings if "inside another package" in each.message]
+    assert told.endswith("arm/other")
+
+
+@pytest.mark.parametrize(
+    ("outer", "folder", "inside"),
+    [
+        (package("arm", "sound_play", tool="ament_cmake"), "arm/sound_play", {}),
+        (package("arm", tool="ament_cmake"), ACME, {}),
+        (package("arm", "acme_msgs", tool="ament_cmake"), ACME, {f"{ACME}/COLCON_IGNORE": ""}),
+        (package("arm", "acme_msgs", cmake="add_subdirectory(acme_msgs)\n", tool="ament_cmake"), ACME, {}),
+        (package("arm", "acme_msgs", tool="ament_cmake") | package("acme_msgs", tool="ament_cmake"), ACME, {}),
+    ],
+    ids=["released", "not needed", "marked", "added", "beside"],
+)
+def test_what_else_is_inside_is_not(tree: Tree, outer: dict[str, str], folder: str, inside: dict[str, str]) -> None:
+    decision = tree({**outer, **package(folder, tool="ament_cmake"), **inside, "README.md": "ROS 2 humble\n"})
+    assert decision.hidden == ()
+
+
+def test_catkin_is_told_of_none(tree: Tree) -> None:
+    decision = tree({**package("arm", "acme_msgs"), **package(ACME), "README.md": "ROS Noetic\n"})
+    assert (decision.packages, decision.hidden) == (("arm/package.xml",), ())

@@ -1,4 +1,4 @@
-"""Packages below a project of plain CMake, where colcon does not look: it takes that for a package of its own."""
+"""Packages below a project of plain CMake, or inside another package, where colcon does not look by itself."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from roslab.config.model import BuildTool, Config
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because, warn
 from roslab.decide.ros.workspace import Packages
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.values.dataclass import dataclass
 from roslab.values.words import line_of
 
@@ -17,6 +17,9 @@ BASE_PATHS = "--base-paths"
 _OF_CATKIN = "Project"
 """The name of the project in the CMakeLists.txt that catkin puts into a workspace, which colcon passes by."""
 _TOLD = "colcon is told of it, which takes the project above for a package and looks for none below"
+_INSIDE = (
+    "another package of the repository needs it: colcon is told of it, which looks for none inside another package"
+)
 _NOT_BUILT = "not built, for no package of ROS below this project asks for it; compile it under `custom` in roslab.yaml"
 
 
@@ -53,10 +56,14 @@ def decide_hidden(
     built = [m for m in packages.built if m.name not in left_out]
     own = {manifest.file.rpartition("/")[0] for manifest in built}
     hiding: dict[str, list[str]] = {}
+    outer = {manifest.file.rpartition("/")[0]: manifest for manifest in packages.built}
+    inside: dict[str, PackageManifest] = {}
     for folder in sorted(own):
         for above in _above(folder) if not (folder in projects and projects[folder].added) else ():
             project = projects.get(above)
-            if project and above not in own and not project.ignored and project.name != _OF_CATKIN:
+            if above in outer:
+                inside[folder] = outer[above]
+            elif project and not project.ignored and project.name != _OF_CATKIN:
                 hiding.setdefault(folder, []).append(above)
     tops = {above for there in hiding.values() for above in there}
     names = {d.name.lower() for m in built if m.file.rpartition("/")[0] in hiding for d in m.dependencies}
@@ -64,9 +71,10 @@ def decide_hidden(
     started = {word.rpartition("/")[2] for word in line_of(command).split()}
     kept = {top for top in tops if _names(evidence, top) & names or _makes(evidence, top) & started}
     told = {m.name or "": projects[hiding[folder][0]] for m in built if (folder := m.file.rpartition("/")[0]) in hiding}
-    reasons = (because("workspace", name, _TOLD, project, weight=WEIGHT) for name, project in told.items())
+    reasons = [because("workspace", name, _TOLD, project, weight=WEIGHT) for name, project in told.items()]
+    reasons += [because("workspace", folder, _INSIDE, above, weight=WEIGHT) for folder, above in inside.items()]
     warnings = (warn(_NOT_BUILT, projects[top]) for top in sorted(tops - kept))
-    answer = Hidden(folders=tuple(hiding), above=tuple(sorted(tops - kept)))
+    answer = Hidden(folders=tuple(sorted({*hiding, *inside})), above=tuple(sorted(tops - kept)))
     return Choice(answer=answer, reasons=tuple(reasons), warnings=tuple(warnings))
 
 

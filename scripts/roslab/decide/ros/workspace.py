@@ -13,6 +13,7 @@ from roslab.decide.ros.unbuildable import unbuildable
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.evidence.ros.conditions import holds
+from roslab.evidence.ros.needed_inside import needed_inside
 from roslab.evidence.ros.rosbuild import BUILD_TYPE
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
@@ -141,13 +142,18 @@ def _packages(
     if beside or (len(vendored) == len(built) and "CMakeLists.txt" in cmake):
         left_out += vendored  # another package of the tree, or the project at its root, builds these itself
         built = [m for m in built if m not in vendored]
+    added = {file.rpartition("/")[0] for file in always}
+    folders = {manifest.file.rpartition("/")[0] for manifest in built}
+    inside = {m.file.rpartition("/")[0]: m for m in left_out if m.name not in seen}
+    found = [m for f, m in inside.items() if f in buildable - added and _below(f, folders) and not _below(f, doubles)]
+    built += (inner := tuple(needed_inside(built, found)))
     return Packages(
         built=tuple(sorted(built, key=lambda m: m.file)),
         assets=tuple(assets),
-        left_out=tuple(left_out),
+        left_out=tuple(m for m in left_out if m not in inner),
         names=frozenset(m.name for m in manifests if m.name),
         doubles=tuple(sorted(doubles - {""})),
-        nested=tuple(_added_to(built, left_out, {file.rpartition("/")[0] for file in always})),
+        nested=tuple(_added_to(built, left_out, added)),
     )
 
 

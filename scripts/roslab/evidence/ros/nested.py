@@ -14,6 +14,7 @@ from collections.abc import Set as AbstractSet
 
 from roslab.evidence.facts import PackageManifest
 from roslab.evidence.on_path import on_path
+from roslab.evidence.ros.needed_inside import needed_inside
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -47,11 +48,18 @@ def without(
     """Return the repository and the manifests without such packages; the same objects where there are none.
 
     A package that the outer one's build files, its page, a script beside them or a line that adds to Python's path
-    names stays: the outer one may compile or import it, or the reader does.
+    names stays: the outer one may compile or import it, or the reader does. So does what the others need.
     """
     outer = {posixpath.dirname(m.file): m for m in manifests if _stops(m, repository)}
-    inner = [(folder, above) for folder in _folders(manifests) if (above := _above(folder, outer)) is not None]
-    left_out = tuple(f"{folder}/" for folder, above in inner if not _named(folder, above, outer[above], repository))
+    inner = {folder: above for folder in _folders(manifests) if (above := _above(folder, outer)) is not None}
+    inside = [manifest for manifest in manifests if posixpath.dirname(manifest.file) in inner]
+    others = [manifest for manifest in manifests if manifest not in inside]
+    needed = {posixpath.dirname(each.file) for each in needed_inside(others, inside)}
+    left_out = tuple(
+        f"{folder}/"
+        for folder, above in inner.items()
+        if folder not in needed and not _named(folder, above, outer[above], repository)
+    )
     if not left_out:
         return repository, manifests
     files = {file.path for file in repository.files if file.path.startswith(left_out)}
