@@ -118,12 +118,23 @@ def test_what_cmake_did_not_find_is_told_in_a_line(tmp_path: Path) -> None:
     ]
 
 
-@pytest.mark.parametrize(("packages", "prefix"), [("ros-noetic-visp\n", "/opt/ros/noetic"), ("libeigen3-dev\n", "")])
-def test_what_ros_brought_is_found(tmp_path: Path, packages: str, prefix: str) -> None:
+@pytest.mark.parametrize(
+    ("packages", "there", "prefix"),
+    [
+        ("ros-noetic-visp\n", "", "/opt/ros/noetic"),
+        ("libeigen3-dev\n", "ros-noetic-roscpp\n", ""),
+        ("", "ros-noetic-roscpp\nros-noetic-visp\n", "/opt/ros/noetic"),
+    ],
+)
+def test_what_ros_brought_is_found(tmp_path: Path, packages: str, there: str, prefix: str) -> None:
+    """Also what the plan alone has installed for the library: the base has no package of that name."""
     programs = tmp_path / "bin"
     programs.mkdir()
-    (programs / "cmake").write_text('#!/bin/bash\necho "${CMAKE_PREFIX_PATH:-}"\n', encoding="utf-8")
-    (programs / "cmake").chmod(0o755)
+    (tmp_path / "there").write_text(there)
+    (tmp_path / "base-packages").write_text("bash\t5.1\nros-noetic-roscpp\t1.16.0\n")
+    for name, body in (("cmake", 'echo "${CMAKE_PREFIX_PATH:-}"'), ("dpkg-query", f"cat {tmp_path}/there")):
+        (programs / name).write_text(f"#!/bin/bash\n{body}\n", encoding="utf-8")
+        (programs / name).chmod(0o755)
     (tmp_path / "required").mkdir()
     (tmp_path / "required/acme.txt").write_text(packages, encoding="utf-8")
     text = SCRIPT.read_text(encoding="utf-8").replace("/usr/local/share/roslab", str(tmp_path))

@@ -32,6 +32,12 @@ def required(folder: Path, files: dict[str, str], *options: str) -> list[str]:
     [
         ("find_package(VISP REQUIRED)\nfind_package(Ceres 1.14 REQUIRED)\nfind_package(Qt5)", ["Ceres", "VISP"]),
         ("project(VISP)\nfind_package(VISP REQUIRED)", []),
+        ("find_package(gsl CONFIG)\ninclude_directories(x ${gsl_INCLUDE_DIRS})", ["gsl"]),
+        ("find_package(gsl)\ntarget_link_libraries(x PUBLIC ${GSL_LIBRARIES})", ["gsl"]),
+        ("find_package(GSL)\ntarget_link_libraries(x GSL::gsl)", ["GSL"]),
+        ("find_package(GSL)\nif(GSL_FOUND)\ntarget_link_libraries(x GSL::gsl)\nendif()", []),
+        ("if(A)\nfind_package(GSL)\nendif()\ntarget_link_libraries(x ${GSL_LIBRARIES})", []),
+        ("find_package(GSL QUIET)\ntarget_link_libraries(x ${GSL_LIBRARIES})", []),
         ("find_package(GSL)\nif(NOT GSL_FOUND)\nmessage(FATAL_ERROR no)\nendif()", ["GSL"]),
         ("find_package(Gsl)\nif(NOT GSL_FOUND)\nmessage(FATAL_ERROR no)\nendif()", ["Gsl"]),
         ("find_package(GSL)\nif(NOT GSL_FOUND)\nmessage(WARNING no)\nendif()", []),

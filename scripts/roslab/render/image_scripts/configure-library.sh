@@ -36,8 +36,15 @@ ended() {
 }
 trap ended EXIT
 
-# CMake looks into the folder of ROS for what the library requires and ROS brought
-if grep --quiet --recursive --no-messages '^ros-' /usr/local/share/roslab/required; then
+# CMake looks into the folder of ROS for what was installed of it for the library
+installed_of_ros() {
+  local share=/usr/local/share/roslab
+  if grep --quiet --recursive --no-messages '^ros-' "${share}/required"; then return; fi
+  if [ ! -r "${share}/base-packages" ]; then return 1; fi
+  [ -n "$(dpkg-query --show --showformat '${Package}\n' 'ros-*' 2>/dev/null | LC_ALL=C sort |
+    LC_ALL=C comm -23 - <(cut --fields=1 "${share}/base-packages" | LC_ALL=C sort))" ]
+}
+if installed_of_ros; then
   export CMAKE_PREFIX_PATH="/opt/ros/${ROS_DISTRO}${CMAKE_PREFIX_PATH:+:${CMAKE_PREFIX_PATH}}"
   export PKG_CONFIG_PATH="/opt/ros/${ROS_DISTRO}/lib/pkgconfig${PKG_CONFIG_PATH:+:${PKG_CONFIG_PATH}}"
 fi

@@ -62,6 +62,12 @@ required() {
       total = split(names, all, " ")
       for (i = 1; i <= total; i++) if (library) taken[all[i]] = 1; else print all[i]
     }
+    # The variables and the targets by which a package is used that CMake may not find
+    function note_found(name,    i, ends, total) {
+      total = split("_INCLUDE_DIRS} _INCLUDE_DIR} _LIBRARIES} _LIBRARY} _LIBS}", ends, " ")
+      for (i = 1; i <= total; i++) found["${" name ends[i]] = found["${" toupper(name) ends[i]] = name
+      found[name "::"] = name
+    }
     BEGIN {
       value["WIN32"] = value["MSVC"] = value["APPLE"] = value["ANDROID"] = value["IOS"] = 0
       total = split(given, options, " ")
@@ -108,14 +114,16 @@ required() {
     }
     programs { next }
     command == "find_package" {
-      required = components = 0
+      required = components = quiet = 0
       for (i = 2; i <= count; i++) {
         if (words[i] == "REQUIRED") required = 1
+        if (words[i] == "QUIET") quiet = 1
         if (words[i] == "COMPONENTS") components = 1
         else if (components && words[1] == "catkin") take(words[i])
       }
       if (required && words[1] != "catkin") take(words[1])
       looked[words[1] "_FOUND"] = looked[toupper(words[1]) "_FOUND"] = words[1]
+      if (depth == 0 && !quiet && words[1] != "catkin") note_found(words[1])
     }
     !library { next }
     command == "project" { own[tolower(words[1])] = 1 }
@@ -140,7 +148,12 @@ required() {
     }
     # What is used in any case, and what stops CMake where it is not there
     depth == 0 && command ~ /^(target_)?(link_libraries|include_directories)$/ {
-      for (i = 1; i <= count; i++) if (words[i] in found) take(found[words[i]])
+      for (i = 1; i <= count; i++) {
+        if (words[i] in found) take(found[words[i]])
+        else if (match(words[i], /^[A-Za-z0-9_.-]+::/) && (substr(words[i], 1, RLENGTH) in found)) {
+          take(found[substr(words[i], 1, RLENGTH)])
+        }
+      }
     }
     command == "message" && words[1] == "FATAL_ERROR" && depth > 0 && without[depth] in looked { take(looked[without[depth]]) }
     END { for (name in taken) if (!(tolower(name) in own)) print name }'
