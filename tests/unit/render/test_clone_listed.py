@@ -177,6 +177,21 @@ def test_packages_of_the_other_ros(
     assert (answer.returncode, (tmp_path / "copy/a/package.xml").read_text()) == (0, taken), answer.stderr
     assert told in answer.stdout
     assert (f"of ROS {1 if '--ros2' in options else 2} alone" in answer.stdout) == bool(told)
+    passed_by = "no branch" in told
+    assert [(tmp_path / "copy" / f"{tool}_IGNORE").exists() for tool in ("CATKIN", "COLCON")] == [passed_by] * 2
+
+
+def test_what_calls_the_macros_of_this_ros_is_not_passed_by(
+    tmp_path: Path, remote: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (remote / "a").mkdir()
+    (remote / "a/package.xml").write_text(CATKIN)
+    (remote / "a/CMakeLists.txt").write_text("find_package(ament_cmake REQUIRED)\nament_package()\n")
+    _git(remote, "add", ".")
+    _git(remote, "commit", "--quiet", "--message", "a")
+    monkeypatch.setenv("ROS_DISTRO", "humble")
+    assert _run("--ros2", remote.as_uri(), str(tmp_path / "copy")).returncode == 0
+    assert not (tmp_path / "copy/COLCON_IGNORE").exists()
 
 
 @pytest.mark.parametrize(("kind", "option"), [("ros1", "--ros1 "), ("ros2", "--ros2 ")])

@@ -1,7 +1,8 @@
 #!/bin/bash
 # usage: take-ros-branch 1|2 URL FOLDER [DAY]
 # Where all packages of the clone of URL in FOLDER are of the other ROS, checks a branch for this one out, if there is one: of
-# a usual name, or whose last part is the distribution's (feature/noetic). Which one is told.
+# a usual name, or whose last part is the distribution's (feature/noetic). Which one is told. Where there is none, build tools
+# pass the clone by, unless a CMakeLists.txt of it calls the macros of this ROS.
 #   DAY  the newest commit not after this day (YYYY-MM-DD)
 set -eo pipefail
 
@@ -14,12 +15,13 @@ of_day() { # BRANCH
   commit="$(git -C "${folder}" rev-list --max-count=1 --first-parent --before="${day}T23:59:59Z" "$1")"
   echo "${commit:-$1}"
 }
+calls() { git -C "${folder}" grep --quiet --ignore-case --extended-regexp "$1" HEAD -- CMakeLists.txt '*/CMakeLists.txt'; }
 has() { git -C "${folder}" grep --quiet --extended-regexp "$1" "$2" -- 'package.xml' '*/package.xml'; }
 catkin='<buildtool_depend[^>]*>\s*catkin' ament='ament|<build_type>\s*cmake'
 if [ "${ros}" = 1 ]; then
-  ours="${catkin}" theirs=ament
+  ours="${catkin}" theirs=ament macros='catkin_(package|simple|metapackage)'
 else
-  ours="${ament}" theirs="${catkin}"
+  ours="${ament}" theirs="${catkin}" macros='ament_(auto_)?package'
 fi
 if ! has "${theirs}" HEAD || has "${ours}" HEAD; then exit 0; fi
 said="${url} has packages of ROS $((3 - ros)) alone at $(git -C "${folder}" rev-parse --short HEAD)"
@@ -39,3 +41,4 @@ for other in "${named[@]}"; do
   fi
 done
 echo "roslab: ${said}, and no branch for ROS ${ros}: what needs it cannot be built"
+if ! calls "${macros}"; then touch "${folder}/CATKIN_IGNORE" "${folder}/COLCON_IGNORE"; fi
