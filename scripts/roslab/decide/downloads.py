@@ -63,6 +63,8 @@ def decide_downloads(
             continue
         meant = path in named if folder is None else any(_in_archive(each, path, folder) for each in named)
         reader = "the command" if meant else archive.value if archive else ""
+        if reader and not meant and _renamed(mention.value, path):
+            reader = ""
         if reader or (mention.inside and mention.line == before):
             why = f"{reader} names it, and the page fetches it" if reader else "the page fetches it before the command"
             reason = because("downloads", mention.value, why, mention, weight=WEIGHT)
@@ -119,6 +121,13 @@ def _before(fetched: list[Mention], page: Candidate | None) -> int:
         return 0
     same = (m for m in fetched if m.inside and (m.file, m.heading) == (page.file, page.heading))
     return max((m.line for m in same if m.line < page.line), default=0)
+
+
+def _renamed(url: str, path: str) -> bool:
+    """Tell whether a repository's archive has another name than its folder, by which a build file would name it."""
+    from roslab.evidence.prose.archives import is_release  # noqa: PLC0415 - few pages unpack what a build file names
+
+    return stem_of(url) != stem_of(path) and is_release(url)
 
 
 def _near(mention: Mention) -> bool:

@@ -371,6 +371,32 @@ def test_the_release_that_cmake_asks_for_is_built_where_a_script_builds_it(
     assert [f"{source.repo} {source.ref}" for source in tree(files).source] == built
 
 
+CAMERA = """\
+```
+wget https://github.com/luxonis/depthai-core/releases/download/v3.2.1/{}-v3.2.1.tar.gz
+tar -xvf {}-v3.2.1.tar.gz
+cd {}-v3.2.1
+mkdir build && cd build
+cmake ..
+make && sudo make install
+```
+"""
+
+
+@pytest.mark.parametrize(("archive", "built"), [("depthai-core", True), ("depthai-core-linux-x64", False)])
+def test_a_release_that_is_called_like_its_repository_wins_over_the_package_of_ros(
+    tree: Tree, archive: str, built: bool
+) -> None:
+    """CMake asks for it without the word behind the hyphen; of another name it is a file for one system."""
+    made = "project(demo)\nfind_package(ament_cmake REQUIRED)\nfind_package(depthai CONFIG REQUIRED)\nament_package()\n"
+    package = PACKAGE.replace("catkin", "ament_cmake")
+    page = f"ROS 2 Humble\n{CAMERA.replace('{}', archive)}"
+    decision = tree({"package.xml": package, "CMakeLists.txt": made, "README.md": page})
+    assert [(source.name, source.ref) for source in decision.source] == [("depthai-core", "v3.2.1")] * built
+    assert ("ros-humble-depthai" in decision.apt_guessed) is not built
+    assert all("libudev-dev" in source.depends for source in decision.source)
+
+
 @pytest.mark.parametrize("ubuntu", ["14.04", "20.04"])
 def test_the_header_of_zeromq_is_built_where_ubuntu_has_it_without_its_package_of_cmake(
     tree: Tree, ubuntu: str

@@ -60,6 +60,17 @@ def test_what_the_build_names(tree: Tree, folder: str, there: bool) -> None:
     assert len(told) == (not there)
 
 
+@pytest.mark.parametrize(("name", "there"), [("4.8.0.zip", False), ("lidar.zip", False), ("lidar-4.8.0.zip", True)])
+def test_an_archive_of_a_repository_has_its_own_folder(tree: Tree, name: str, there: bool) -> None:
+    """A page may give it the name of a library that CMake asks for."""
+    url = f"https://github.com/lab/lidar/archive/{'lidar-' * there}4.8.0.zip"
+    folder = "lidar-4.8.0" if there else "lidar"
+    made = f"project(demo)\nfind_package(lidar REQUIRED)\nadd_executable(demo a.cpp)\ninclude_directories({folder})\n"
+    page = f"wget -O {name} {url}\nunzip {name}\n"
+    files = {"CMakeLists.txt": made, "a.cpp": "int main() {}\n", "README.md": f"```\n{page}```\n"}
+    assert tree(files).downloads == ((Download(url=url, path=name, unpack="."),) if there else ())
+
+
 def test_a_command_that_names_no_file_needs_none(tree: Tree) -> None:
     assert planned(tree, f"wget -P weights {URL}", "python demo.py").downloads == ()
 

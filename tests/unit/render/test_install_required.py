@@ -188,6 +188,23 @@ def test_what_is_built_already_is_not_installed(tmp_path: Path) -> None:
     assert stage.library("find_package(Ceres REQUIRED)") == ([], "")
 
 
+@pytest.mark.parametrize(
+    ("cmake", "installed"),
+    [
+        (
+            "execute_process(COMMAND ./bootstrap-vcpkg.sh)\n",
+            ["curl", "ninja-build", "pkg-config", "tar", "unzip", "zip"],
+        ),
+        ("include(vcpkg)\n", []),
+    ],
+)
+def test_what_starts_vcpkg_is_installed_where_cmake_fetches_it(
+    tmp_path: Path, cmake: str, installed: list[str]
+) -> None:
+    calls, said = Stage(tmp_path).library(cmake)
+    assert (calls, said) == ([installed] if installed else [], "")
+
+
 def test_a_library_that_can_be_built_before_is_told_with_what_to_write(tmp_path: Path) -> None:
     calls, said = Stage(tmp_path, "libeigen3-dev").library("find_package(GTSAM REQUIRED)")
     assert calls == []

@@ -32,7 +32,7 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.words import written
 
-_SDK = pattern(r"_(?:sdk|cpp|library)$|(?<=[a-z]{3})lib$")
+_SDK = pattern(r"_(?:sdk|cpp|core|library)$|(?<=[a-z]{3})lib$")
 
 SCRIPTS = (".sh", ".bash", ".zsh")
 SHORTEST = 3

@@ -11,10 +11,11 @@ from roslab.values.pattern import pattern
 
 _ARCHIVE = pattern(r"(https://github\.com/[\w-]+/([\w.-]+))/archive/(?:refs/tags/)?([\w.+-]+?)\.(?:zip|tar\.gz|tgz)$")
 _RELEASE = pattern(
-    r"(https://github\.com/[\w-]+/[\w.-]+)/releases/download/(v?([\d.]+))/"
-    r"([A-Za-z]\w*)-v?\3\.(?:zip|tgz|tar\.(?:gz|bz2|xz))$"
+    r"(https://github\.com/[\w-]+/([\w.-]+))/releases/download/(v?([\d.]+))/"
+    r"([A-Za-z]\w*|\2)-v?\4\.(?:zip|tgz|tar\.(?:gz|bz2|xz))$"
 )
-"""A file of a release whose name is that of the project and the release only: its source, and no program."""
+"""A file of a release whose name is that of the project and the release only: its source, and no program. One with a
+hyphen is the repository's: others say for which system it is."""
 
 
 def is_release(url: str) -> bool:
@@ -26,7 +27,7 @@ def archives(command: Command, file: str) -> Iterator[GitSource]:
     """Yield the repositories and tags whose archives ``wget`` or ``curl`` fetches, each by the name of its folder."""
     for word in command.words:
         archive, release = _ARCHIVE.match(word), _RELEASE.match(word)
-        found = archive.group(1, 2, 3) if archive else release.group(1, 4, 2) if release else source_archive(word)
+        found = archive.group(1, 2, 3) if archive else release.group(1, 5, 3) if release else source_archive(word)
         if found:
             url, name, ref = found
             yield GitSource(

@@ -80,6 +80,12 @@ packages() {
 }
 mkdir --parents "${lists}" "/installed${lists}"
 packages "$@" >"${lists}/${name}.txt"
+# vcpkg, which the library's own CMake fetches, starts with these programs
+# https://learn.microsoft.com/en-us/vcpkg/concepts/supported-hosts, 2026-11-28
+if grep --quiet --recursive --binary-files=without-match --include=CMakeLists.txt --include='*.cmake' bootstrap-vcpkg "${folder}"; then
+  echo "roslab: CMake of ${name} fetches vcpkg: what starts that is installed"
+  printf '%s\n' curl ninja-build pkg-config tar unzip zip >>"${lists}/${name}.txt"
+fi
 rm -f /tmp/apt-*.bin
 cp "${lists}/${name}.txt" "/installed${lists}/"
 if [ -s "${lists}/${name}.txt" ]; then echo "roslab: ${name} requires, and apt installs: $(tr '\n' ' ' <"${lists}/${name}.txt")"; fi
