@@ -146,6 +146,12 @@ def test_nothing_is_looked_for_that_is_known_or_no_package_of_ros(tree: Tree, ke
     assert not _sought(decision)
 
 
+@pytest.mark.parametrize(("name", "looked"), [("libarm_ros", True), ("libarm_msgs", True), ("libarm_rosy", False)])
+def test_what_ends_as_packages_of_ros_do_is_no_library_of_the_system(tree: Tree, name: str, looked: bool) -> None:
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", name) | {"README.md": "ROS Noetic.\n"})
+    assert (f"{LAB}/{name}" in _sought(decision)) is looked
+
+
 @pytest.mark.parametrize(
     ("header", "looked"), [("libarm/Arm.hpp", True), ("libarm.h", False), ("arm/Arm.hpp", False), ("vector", False)]
 )

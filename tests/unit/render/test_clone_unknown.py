@@ -270,6 +270,13 @@ def test_what_is_no_name_of_a_package_of_ros_is_not_tried(image: Path) -> None:
     assert _run(image, "libboosted-dev") == (1, ["docs", "lib"])
 
 
+def test_what_ends_as_packages_of_ros_do_is_looked_for(image: Path) -> None:
+    _manifest(image / "lab/libnumeric_ros", "libnumeric_ros")
+    _commit(image / "lab/libnumeric_ros")
+    _manifest(image / "ws/src/lib", "lib", "libnumeric_ros")
+    assert _run(image, "libnumeric_ros") == (0, ["docs", "lib", "libnumeric_ros"])
+
+
 @pytest.mark.parametrize(("header", "found"), [("libnumeric/a.hpp", True), ("libnumeric.h", False)])
 def test_a_package_may_be_called_like_a_library_where_the_clone_includes_its_headers(
     image: Path, header: str, found: bool

@@ -31,8 +31,8 @@ from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
-PACKAGE = pattern(r"(?!lib|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
-"""A name that a package of ROS may have (REP 144), and no package of a system is likely to."""
+PACKAGE = pattern(r"(?!lib(?!\w+_(?:ros2?|msgs|srvs|interfaces)(?!\w))|python)[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
+"""A name that a package of ROS may have (REP 144), and no package of a system is likely to: ``libvelo_ros``."""
 _LIBRARY = pattern(r"lib[a-z0-9]+(?:_[a-z0-9]+)*")
 _OF_SYSTEM = pattern(r"[^a-z0-9-]|^(?:lib|python|ros-)|-(?:dev|pip)$")
 """In a name with a dash that is none of a package of ROS."""

@@ -117,9 +117,10 @@ for key in "$@"; do
     manifest="$(lists_alone)"
     if [ -z "${manifest}" ]; then continue; fi
   fi
-  # What is called like a library of the system is a package where the code includes headers of a folder of its name
+  # What is called like a library of the system is a package where the code includes headers of a folder of its name, or
+  # where it ends as packages of ROS do
   headers="^ *# *include *[<\"]${key}/"
-  if [[ "${key}" = lib* ]] && ! grep --quiet --recursive --exclude-dir=.git "${headers}" "$(dirname "${manifest}")"; then continue; fi
+  if [[ "${key}" = lib* && ! "${key}" =~ _(ros2?|msgs|srvs|interfaces)$ ]] && ! grep --quiet --recursive --exclude-dir=.git "${headers}" "$(dirname "${manifest}")"; then continue; fi
   origin="$(git -c safe.directory='*' -C "$(dirname "${manifest}")" config --get remote.origin.url)" || continue
   # A part is with the whole: in X for X_msgs, and in X_Y for X_Y_Z
   for name in $(sed --regexp-extended 'p; s/_(msgs|srvs|interfaces|lib)$//; p; :a; s/^([^_]+_.+)_[^_]*$/\1/; p; ta; d' <<<"${key}" | uniq); do
