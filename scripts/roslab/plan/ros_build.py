@@ -9,7 +9,7 @@ from typing import Literal, get_args
 
 from roslab.config.model import Config, Source, WorkspaceTool
 from roslab.decide.decision import Decision
-from roslab.decide.ros.hidden_packages import BASE_PATHS
+from roslab.decide.ros.base_paths import BASE_PATHS
 from roslab.decide.ros.linked_install import OPTION
 from roslab.decide.ros.source_names import address
 from roslab.decide.system.missing import skipping

@@ -128,6 +128,14 @@ def test_what_a_package_of_ros_2_needs_is_built_inside_it(tree: Tree, tool: str)
     assert told.endswith("arm/other")
 
 
+@pytest.mark.parametrize("told", ["--base-paths src/repo/arm src/repo/arm/panel", "--base-paths=src/repo/arm/panel/"])
+def test_what_a_page_tells_colcon_of_is_built(tree: Tree, told: str) -> None:
+    page = f"ROS 2 humble\n```\ncolcon build {told} --symlink-install arm/other\n```\n"
+    inside = package("arm/panel", tool="ament_cmake") | package("arm/other", tool="ament_cmake")
+    decision = tree({**package("arm", tool="ament_cmake"), **inside, "README.md": page})
+    assert (decision.package_names, decision.hidden) == (("arm", "panel"), ("arm/panel",))
+
+
 @pytest.mark.parametrize(
     ("outer", "folder", "inside"),
     [

@@ -7,13 +7,13 @@ from collections.abc import Collection, Iterator
 from roslab.config.model import BuildTool, Config
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because, warn
+from roslab.decide.ros.base_paths import BASE_PATHS
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.values.dataclass import dataclass
 from roslab.values.words import line_of
 
 WEIGHT = 60
-BASE_PATHS = "--base-paths"
 _OF_CATKIN = "Project"
 """The name of the project in the CMakeLists.txt that catkin puts into a workspace, which colcon passes by."""
 _TOLD = "colcon is told of it, which takes the project above for a package and looks for none below"

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Literal
 
 from roslab.config.model import BuildTool, Kind
+from roslab.decide.ros.base_paths import base_paths
 from roslab.decide.ros.other_workspaces import Launches, other_workspaces, page_launches, started
 from roslab.decide.ros.unbuildable import unbuildable
 from roslab.evidence import places
@@ -57,7 +58,8 @@ def packages_of(evidence: Evidence) -> Packages:
         tuple(p.file for p in evidence.cmake),
         tuple(p.folder for p in evidence.python),
         tuple(p.file for p in evidence.cmake if p.always),
-        page_launches(evidence),
+        launches=page_launches(evidence),
+        told=base_paths(evidence),
     )
     lost = unbuildable(found.assets, found.built, evidence.cmake)
     return replace(found, names=found.names - lost) if lost else found
@@ -99,12 +101,14 @@ def _packages(
     cmake: tuple[str, ...],
     python: tuple[str, ...],
     always: tuple[str, ...],
+    *,
     launches: Launches,
+    told: tuple[str, ...],
 ) -> Packages:
     """Sort the manifests; ``cmake`` are the CMakeLists.txt, ``python`` the folders that Python's tools can install.
 
     ``always``: those CMakeLists.txt that others add whatever the options are; ``launches``: what pages start. Of copies
-    of a package at the same depth the one with what is started first is built.
+    of a package at the same depth the one with what is started first is built. ``told``: where pages have colcon look.
     """
     built: list[PackageManifest] = []
     assets: list[PackageManifest] = []
@@ -146,7 +150,7 @@ def _packages(
     folders = {manifest.file.rpartition("/")[0] for manifest in built}
     inside = {m.file.rpartition("/")[0]: m for m in left_out if m.name not in seen}
     found = [m for f, m in inside.items() if f in buildable - added and _below(f, folders) and not _below(f, doubles)]
-    built += (inner := tuple(needed_inside(built, found)))
+    built += (inner := tuple(needed_inside(built, found, told)))
     return Packages(
         built=tuple(sorted(built, key=lambda m: m.file)),
         assets=tuple(assets),

@@ -1,11 +1,13 @@
-"""Packages of ROS 2 inside the folder of a package that needs them, which colcon builds where it is told of them.
+"""Packages of ROS 2 inside the folder of another package, which colcon builds where it is told of them.
 
-No distribution released them: there is no other one that the author can have had.
+Those that the outer one needs and no distribution released: there is no other one that the author can have had. And
+those of which a page tells colcon.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import posixpath
+from collections.abc import Collection, Iterable, Iterator
 
 from roslab.evidence.facts import PackageManifest
 from roslab.knowledge.released import ever_released
@@ -13,16 +15,22 @@ from roslab.knowledge.released import ever_released
 _NEEDS = frozenset({"buildtool", "build", "build_export", "exec"})
 
 
-def needed_inside(outer: Iterable[PackageManifest], inner: Iterable[PackageManifest]) -> Iterator[PackageManifest]:
-    """Yield those of the inner packages that one of the outer ones needs, or one that is itself needed."""
+def needed_inside(
+    outer: Iterable[PackageManifest], inner: Iterable[PackageManifest], told: Collection[str] = ()
+) -> Iterator[PackageManifest]:
+    """Yield those of the inner packages that one of the outer ones needs, or one that is itself taken.
+
+    ``told``: the names of the folders in which pages have colcon look.
+    """
     needed = {name for manifest in outer for name in _needs(manifest)}
     left: dict[str, PackageManifest] = {}
     for each in inner:
         if each.name and not each.ignored and _of_ament(each):
             left.setdefault(each.name, each)
-    while found := next((name for name in left if name in needed), None):
+    shown = {name for name, each in left.items() if posixpath.basename(posixpath.dirname(each.file)) in told}
+    while found := next((name for name in left if name in needed or name in shown), None):
         manifest = left.pop(found)
-        if not ever_released(found):
+        if found in shown or not ever_released(found):
             needed |= _needs(manifest)
             yield manifest
 
