@@ -45,12 +45,21 @@ def as_written(
     """Give the libraries of the table the ref of a list or a link, or ref and options with which a page builds them."""
     listed = (git for git in evidence.sources if git.kind == "vcs")
     by_url = {address(git.url): git for group in (listed, built_by_hand(evidence)) for git in group}
+    forks = {plain(git.name): git for git in built_by_hand(evidence) if _of_its_own(git)}
     links, date = linked_releases(evidence), dated(evidence)
     day = date.value if date else ""
-    named = ((by_url.get(address(each.repo or "")) or of_release(each, links), each, asked) for each, asked in sources)
+    named = (
+        (by_url.get(address(each.repo or "")) or forks.get(plain(each.name)) or of_release(each, links), each, asked)
+        for each, asked in sources
+    )
     return tuple(
         (with_beside(_like(source, git, day), git, evidence) if git else source, asked) for git, source, asked in named
     )
+
+
+def _of_its_own(git: GitSource) -> bool:
+    """Tell whether a clone is at a ref that others' repositories need not have: what is a fork adds to it there."""
+    return git.kind == "clone" and not (git.aside or git.by_make or moves(git.ref)) and bool(fixed(git.ref))
 
 
 def built_by_hand(evidence: Evidence) -> Iterator[GitSource]:
@@ -74,6 +83,8 @@ def _authored(evidence: Evidence, purpose: Literal["project", "ci"]) -> Iterator
 def _like(source: Source, git: GitSource, day: str) -> Source:
     options = _options(shlex.split(source.cmake_options), git)
     place = Place(file=git.file, line=git.line)
+    if source.repo and git.kind == "clone" and address(git.url) != address(source.repo):
+        return replace(source, repo=https(git.url), ref=fixed(git.ref), cmake_options=options, place=place)
     if not (ref := fixed(git.ref)):
         return replace(source, cmake_options=options, place=place) if git.options else source
     ref = source.ref if moves(ref) and source.ref else ref

@@ -163,10 +163,7 @@ class Collector:
         index = words.index("install") + 1
         while index < len(words):
             word, line = words[index].strip("\"'`"), command.lines[index]
-            index += 1
-            if word in _APT_VALUED:
-                index += 1
-                continue
+            index += 2 if word in _APT_VALUED else 1
             if word.startswith("-") or UNKNOWN in word:
                 continue
             name = word.rstrip(",.:;)") if not word.endswith("++") else word
@@ -243,12 +240,14 @@ class Collector:
         """Note what CMake is told, and, where something is installed, the clone in whose folder the text is now."""
         from roslab.evidence.prose.archives import archives  # noqa: PLC0415 - few pages compile by hand
         from roslab.evidence.prose.checkouts import clone_at, titled  # noqa: PLC0415 - as above
+        from roslab.evidence.prose.found_where_built import with_found  # noqa: PLC0415 - as above
 
         words, here = command.words, workspaces.longer(self.folder, self.place)
         if program in {"wget", "curl"}:
             self.sources += archives(command, self.file)
             return
         if program == "cmake":
+            self.sources = with_found(words, self.sources, self.mentions)
             self._mention("build_tool", "cmake", command)
             if not {"--build", "--install", "--version"} & {*words}:
                 self.options, self.configured, self.below = options_of(words), True, folder_of(words, here)
