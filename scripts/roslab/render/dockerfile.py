@@ -67,7 +67,6 @@ END: tuple[Block, ...] = (
     program.install_program,
     program.where_pages_have_it,
     own_scripts.after_program,
-    git_folder.made,
     final.custom,  # 7.
     final.environment,
     final.start,
@@ -131,6 +130,7 @@ TODAY = Order(
         wheel_libraries.after_projects,
         owners.own_projects,
         workspace.any_processor,
+        git_folder.made,  # CMake may ask, too
         own_scripts.before_program,
         inside.compile_inside,
         *END,

@@ -60,3 +60,50 @@ def test_the_commit_of_the_image_is_one(tmp_path: Path) -> None:
         head = subprocess.run([git, "-C", str(folder), "rev-parse", "HEAD"], check=True, capture_output=True, text=True)
         made.append(head.stdout)
     assert made[0] == made[1]
+
+
+ASKED = "execute_process(COMMAND git rev-parse HEAD OUTPUT_VARIABLE ID)\n"
+BY_SHELL = "execute_process(COMMAND bash -c \"git rev-parse HEAD | awk '{print $1}'\" OUTPUT_VARIABLE ID)\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "made"),
+    [
+        (f"{ASKED}add_definitions(-DCOMMIT=${{ID}})\n", True),
+        (f"{BY_SHELL}add_compile_definitions(COMMIT=${{ID}})\n", True),
+        (f"{ASKED}target_compile_definitions(demo PRIVATE\n  COMMIT=${{ID}})\n", True),
+        (ASKED.replace("git", "${GIT_EXECUTABLE}") + "add_definitions(-DCOMMIT=${ID})\n", True),
+        ("execute_process(COMMAND git log -1 COMMAND_ERROR_IS_FATAL ANY)\n", True),
+        (f'{ASKED}add_definitions(-DCOMMIT="${{ID}}")\n', False),  # nothing is a value here
+        (f'{ASKED}add_definitions("-DCOMMIT=\\"${{ID}}\\"")\n', False),
+        (f"{ASKED}add_definitions(-DCOMMIT=${{OTHER}})\n", False),
+        (f"{ASKED}message(STATUS ID=${{ID}})\n", False),
+        (ASKED.replace("rev-parse HEAD", "describe") + "add_definitions(-DCOMMIT=${ID})\n", False),
+        (f"if(EXISTS ${{CMAKE_SOURCE_DIR}}/.git)\n{ASKED}add_definitions(-DCOMMIT=${{ID}})\nendif()\n", False),
+        (f"# {ASKED}add_definitions(-DCOMMIT=${{ID}})\n", False),
+        ("execute_process(COMMAND digit rev-parse x OUTPUT_VARIABLE ID)\nadd_definitions(-DC=${ID})\n", False),
+    ],
+)
+def test_cmake_that_needs_a_commit_is_called_where_there_is_one(tmp_path: Path, cmake: str, *, made: bool) -> None:
+    root = tmp_path / "demo"
+    root.mkdir()
+    (root / "CMakeLists.txt").write_text(f"project(demo CXX)\n{cmake}add_executable(demo demo.cpp)\n", encoding="utf-8")
+    (root / "demo.cpp").write_text("int main() {}\n", encoding="utf-8")
+    text = dockerfile(plan_repository(root).plan)
+    before, found, after = text.partition("RUN git init --quiet")
+    assert bool(found) is made
+    assert not made or ("&& cmake " in after and "&& cmake " not in before)
+    assert not made or "\n      git \\" in before or " git" in before
+
+
+@pytest.mark.parametrize("apart", [True, False])
+def test_so_it_is_where_the_compilation_has_a_stage_of_its_own(tmp_path: Path, *, apart: bool) -> None:
+    code = f"project(demo CXX)\n{ASKED}add_definitions(-DCOMMIT=${{ID}})\nadd_executable(demo demo.cpp)\n"
+    own = {} if apart else {"roslab.yaml": 'format: 3\ncustom: ["true"]\n'}
+    files = {"CMakeLists.txt": code, "demo.cpp": "int main() {}\n", **own}
+    for path, text in files.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    plan = plan_repository(tmp_path).plan
+    assert plan.compiled_apart is apart
+    stages = dockerfile(plan).split("\nFROM ")
+    assert [("&& cmake " in stage, "RUN git init --quiet" in stage) for stage in stages].count((True, True)) == 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from roslab.plan.plan import Plan
 from roslab.plan.ros_build import WORKSPACE
 from roslab.render import quote
-from roslab.render.layers import compiler_cache, program, workspace
+from roslab.render.layers import compiler_cache, git_folder, program, workspace
 from roslab.render.layers.workspace import HOME, WS
 
 SOURCE = "source"
@@ -36,6 +36,7 @@ def compiled(plan: Plan) -> str:
         before,
         copy,
         workspace.any_processor(plan),
+        git_folder.made(plan),
         run,
         program.compile_program(plan),
     )

@@ -20,7 +20,7 @@ def made(plan: Plan) -> str:
         return ""
     folder = quote.shell_with_user(source_folder(plan))
     return (
-        f"# The code asks git for the repository's folder; the history is in no image\nUSER ${{NB_USER}}\n"
+        f"# The code asks git about the repository's folder; the history is in no image\nUSER ${{NB_USER}}\n"
         f"RUN git init --quiet --template= {folder} \\\n"
         f" && GIT_AUTHOR_DATE={_DAY} GIT_COMMITTER_DATE={_DAY} {_AUTHOR} -C {folder} \\\n"
         "      commit --quiet --allow-empty --message 'The history is in no image'"
