@@ -51,6 +51,18 @@ def test_what_is_installed_is_made(tree: Tree, lines: tuple[str, ...], made: tup
     assert all(path in told[0] for path in made)
 
 
+@pytest.mark.parametrize("named", ["arm", "${MY_NAME}"])
+def test_the_folder_of_the_project_is_that_of_the_file_which_begins_it(tree: Tree, named: str) -> None:
+    """A file below it that begins none installs from there."""
+    install = "install(DIRECTORY ${PROJECT_SOURCE_DIR}/config/ DESTINATION share)\n"
+    xml = "<package><name>arm</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    made = f"set(MY_NAME arm)\nproject({named})\nfind_package(ament_cmake REQUIRED)\nadd_subdirectory(src)\n"
+    files = {"package.xml": xml, "CMakeLists.txt": made, "src/CMakeLists.txt": install, "config/a.yaml": ""}
+    assert tree(files).not_there == ()
+    files["CMakeLists.txt"] += install.replace("config", "launch")
+    assert tree(files).not_there == ("launch/",)
+
+
 def test_the_devel_space_needs_none(tree: Tree) -> None:
     assert tree(package("catkin", FOLDERS)).not_there == ()
 

@@ -50,6 +50,17 @@ def test_what_is_installed_is_made(tmp_path: Path, cmake: str, made: set[str]) -
     assert _made(tmp_path, cmake) == made
 
 
+def test_the_folder_of_the_project_is_that_of_the_file_which_begins_it(tmp_path: Path) -> None:
+    (tmp_path / "src/arm/launch").mkdir(parents=True)
+    (tmp_path / "src/arm/lib").mkdir()
+    install = "install(DIRECTORY ${PROJECT_SOURCE_DIR}/launch/ ${PROJECT_SOURCE_DIR}/rviz DESTINATION share)\n"
+    (tmp_path / "src/arm/CMakeLists.txt").write_text(f"project(arm)\nadd_subdirectory(lib)\n{install}")
+    (tmp_path / "src/arm/lib/CMakeLists.txt").write_text(install)
+    subprocess.run(["make-installed-folders", "src"], cwd=tmp_path, check=True)
+    assert {each.name for each in (tmp_path / "src/arm").iterdir() if each.is_dir()} == {"launch", "lib", "rviz"}
+    assert [each.name for each in (tmp_path / "src/arm/lib").iterdir()] == ["CMakeLists.txt"]
+
+
 def test_a_link_stays(tmp_path: Path) -> None:
     (tmp_path / "src/arm/arm_description").mkdir(parents=True)
     (tmp_path / "src/arm/arm_description/launch").symlink_to("nowhere")

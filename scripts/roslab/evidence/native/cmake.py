@@ -259,7 +259,7 @@ def _note(call: Call, path: str, reading: Reading) -> None:
     name, words = call.name, call.words
     told = replace(call, conditions=(*reading.switches, *call.conditions)) if reading.switches else call
     reading.targets |= target(call) if name in _TARGETS else {}
-    reading.installed += installed(call, path.rpartition("/")[0])
+    reading.installed += installed(call, path.rpartition("/")[0], own=bool(reading.name) or "/" not in path)
     reading.configs |= configs(call)
     for target_name, folder in installed_programs.placed(call):
         reading.placed.setdefault(target_name, set()).add(folder)

@@ -19,7 +19,8 @@ https://cmake.org/cmake/help/latest/command/install.html, read 2026-11-26."""
 _SHARED = "INSTALL_TO_SHARE"
 """What follows are folders.
 https://github.com/ament/ament_cmake (ament_cmake_auto/cmake/ament_auto_package.cmake), 2026-11-26"""
-_HERE = pattern(r"^\$\{(?:CMAKE_CURRENT|PROJECT)_SOURCE_DIR\}/")
+_HERE = pattern(r"^\$\{CMAKE_CURRENT_SOURCE_DIR\}/")
+_PROJECT = "${PROJECT_SOURCE_DIR}/"
 _PATH = pattern(r"[\w.+@-]+(?:/[\w.+@-]+)*/?")
 MAX_PATHS = 60
 _WRITES = pattern(
@@ -30,8 +31,11 @@ _WRITES = pattern(
 """What may make a file or a folder before it is installed, and asks whether it is there."""
 
 
-def installed(call: Call, folder: str) -> Iterator[InstalledPath]:
-    """Yield the paths that a call installs whatever the conditions are; ``folder`` is that of its file."""
+def installed(call: Call, folder: str, *, own: bool) -> Iterator[InstalledPath]:
+    """Yield the paths that a call installs whatever the conditions are; ``folder`` is that of its file.
+
+    ``own``: that is also the folder of the project, and of none that a file above it begins.
+    """
     words, folders = call.words, True
     if call.conditions or call.in_function or not words:
         return
@@ -42,7 +46,7 @@ def installed(call: Call, folder: str) -> Iterator[InstalledPath]:
     else:
         return
     for word in list(takewhile(lambda each: not _keyword(each), words))[:MAX_PATHS]:
-        if _PATH.fullmatch(written := _HERE.sub("", word)):
+        if _PATH.fullmatch(written := (_HERE.sub("", word.removeprefix(_PROJECT) if own else word))):
             path = posixpath.normpath(posixpath.join(folder, written))
             if not path.startswith("..") and path not in {".", folder}:
                 yield InstalledPath(path=path, folder=folders, line=call.line)

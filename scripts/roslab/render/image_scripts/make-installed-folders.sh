@@ -21,7 +21,7 @@ installed() {
     command == "file" && words[1] ~ /^(DOWNLOAD|MAKE_DIRECTORY|WRITE|APPEND|COPY|GENERATE|CONFIGURE|ARCHIVE_EXTRACT)$/ { writes = 1 }
     command ~ /^(if|function|macro)$/ { depth++ }
     command ~ /^end(if|function|macro)$/ { depth-- }
-    command == "project" { name = words[1] }
+    command == "project" { name = words[1]; own = 1 }
     depth > 0 || text ~ /(^| )OPTIONAL( |$)/ { next }
     {
       first = 0
@@ -30,7 +30,8 @@ installed() {
       for (i = first; first && i <= count; i++) {
         if (words[i] ~ /^[A-Z_]+$/ && words[i] ~ /^(DESTINATION|TYPE|FILES_MATCHING|PATTERN|REGEX|COMPONENT|CONFIGURATIONS|EXCLUDE_FROM_ALL|MESSAGE_NEVER)$|PERMISSIONS$/) break
         path = words[i]
-        sub(/^\$\{(CMAKE_CURRENT|PROJECT)_SOURCE_DIR\}\//, "", path)
+        sub(/^\$\{CMAKE_CURRENT_SOURCE_DIR\}\//, "", path)
+        if (own) sub(/^\$\{PROJECT_SOURCE_DIR\}\//, "", path) # of a file above, it is the folder of that
         gsub(/\$\{PROJECT_NAME\}/, name, path)
         if (path ~ /^[A-Za-z0-9_.+@-][A-Za-z0-9_.+@\/-]*$/ && path !~ /(^|\/)\.\.?(\/|$)/) found[++total] = path
       }
