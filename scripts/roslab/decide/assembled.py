@@ -241,6 +241,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         not_there=() if of.own.answer else not_there.answer,
         lacking=() if of.own.answer else of.missing.answer.lacking,
         undeclared=of.missing.answer.undeclared,
+        copied_scripts=tuple(m.value for m in evidence.mentions if m.topic == "copied_script"),
         by_links=by_links(evidence, config, of.build_tool.answer),
         workspace=of.layout.answer.workspace,
         set_up_links=of.layout.answer.set_up_links,

@@ -228,6 +228,8 @@ class Decision:
     """A package requires another one of the repository that its package.xml does not name."""
     by_links: bool = False
     """colcon installs links to the source: a program imports what lies beside it and is not installed."""
+    copied_scripts: tuple[str, ...] = ()
+    """Names of scripts that CMake copies among the programs of ROS 2 without the right to be executed."""
     ended: tuple[str, ...] = ()
     """Packages that manifests of rosbuild name and this ROS no longer has."""
     workspace: Literal["none", "overlay", "root"] = "none"

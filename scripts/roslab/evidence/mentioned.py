@@ -44,7 +44,7 @@ from roslab.evidence.python import (
     typestores,
     usetex,
 )
-from roslab.evidence.ros import handed_lists, on_machines, own_setup, started_by_scripts
+from roslab.evidence.ros import copied_scripts, handed_lists, on_machines, own_setup, started_by_scripts
 from roslab.repository.checkout import Repository
 
 MENTIONED = (
@@ -67,7 +67,10 @@ BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, generator
 """What code and files tell beside what pages say."""
 OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""
-_OF_ROS = (on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read)
+_OF_ROS = (
+    *(on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read),
+    copied_scripts.read,
+)
 
 
 def of_ros(repository: Repository, whole: Repository) -> Iterator[Mention]:

@@ -59,6 +59,8 @@ class RosBuild:
     """Folders (``a/b/``) and files of the repository that its packages install, made empty where they are not there."""
     undeclared: bool = False
     """Packages may require others of the workspace that their package.xml does not name."""
+    executable: tuple[str, ...] = ()
+    """Names of scripts that get the right to be executed where they are installed: ros2 finds no program without it."""
     raised: tuple[tuple[str, str], ...] = ()
     """Standards of C++ that the Ubuntu's libraries ask for, each with the names of these: cloned packages that need one
     and name an older standard are compiled with this one."""
@@ -93,8 +95,15 @@ def ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...], f
         lacking=decision.lacking if own else (),
         not_there=decision.not_there if own else (),
         undeclared=not config.compatible and tool != "rosmake" and (decision.undeclared or bool(sisters)),
+        executable=_executable(decision, config) if own and tool == "colcon" else (),
         raised=raised(decision.ubuntu) if sisters and not config.compatible and tool != "rosmake" else (),
     )
+
+
+def _executable(decision: Decision, config: Config) -> tuple[str, ...]:
+    """Return the scripts that get the right to be executed, where colcon installs into the workspace's own folder."""
+    elsewhere = any(word.startswith("--install-base") for word in config.build_args)
+    return () if config.compatible or elsewhere else decision.copied_scripts
 
 
 def _unsure(sisters: tuple[Source, ...]) -> Iterator[str]:

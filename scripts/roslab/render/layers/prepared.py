@@ -62,5 +62,12 @@ def ignoring(source: str, build: RosBuild) -> Iterator[str]:
         yield f"touch {' '.join(_within(source, f'{folder}/{marker}'.lstrip('/')) for folder in build.ignored)}"
 
 
+def executable(build: RosBuild) -> Iterator[str]:
+    """Yield the command that gives scripts the right to be executed where CMake installed them without it."""
+    if build.executable:
+        names = " -o ".join(f"-name {quote.shell(name)}" for name in build.executable)
+        yield rf"find install -path '*/lib/*' -type f \( {names} \) -exec chmod +x {{}} +"
+
+
 def _within(source: str, path: str) -> str:
     return quote.shell_with_user(f"{source}/{path}".rstrip("/"))

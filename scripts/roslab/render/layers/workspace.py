@@ -235,7 +235,8 @@ def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     declared = [f"{DECLARED} src"] if build.undeclared else []
     before = [*prepared.not_there(source, build), *prepared.ignoring(source, build), *unsure]
     before += [*prepared.lacking(source, build), *prepared.of_clones(plan, build), *declared]
-    return [*before, *prepared.raised(plan.workspace, build), *_building(plan, build, again)]
+    made = _building(plan, build, again)
+    return [*before, *prepared.raised(plan.workspace, build), *made, *prepared.executable(build)]
 
 
 def without_doubles(build: RosBuild) -> str:
