@@ -10,9 +10,10 @@ from roslab.config.edit import Edits, is_text, quoted
 from roslab.config.model import Config
 from roslab.config.node import Mapping, Node, Sequence
 from roslab.config.reader import mapping_of, read
+from roslab.config.source import named
 from roslab.errors import ConfigurationError, Problem
 from roslab.knowledge.distros import ubuntus
-from roslab.knowledge.repairs import LISTS
+from roslab.knowledge.repairs import CLONES, LISTS
 from roslab.repository.checkout import printable
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Place
@@ -35,7 +36,7 @@ class Entry:
     """One value for one key."""
 
     key: str
-    """One of ``LISTS``, ``WORDS`` and ``SINGLE``."""
+    """One of ``LISTS``, ``WORDS`` and ``SINGLE``, or ``CLONES``."""
     value: str
     instead: str = ""
     """The value of the list that it replaces."""
@@ -90,6 +91,8 @@ def has(config: Config, entry: Entry) -> bool:
     if entry.key in LISTS:
         said = getattr(config, entry.key)
         return entry.value in said and not (entry.instead and entry.instead in said)
+    if entry.key == CLONES:
+        return named(entry.value) in {source.name for source in config.source}
     if entry.key in WORDS:
         return entry.value in getattr(config, entry.key).split()
     return value_of(config, entry.key) == entry.value
@@ -109,7 +112,7 @@ def _group(edits: Edits, root: Mapping, key: str, entries: list[Entry]) -> str:
     node = root.get(key)
     if "." in entries[0].key:
         return _nested(edits, node, key, entries)
-    if key in LISTS:
+    if key in (*LISTS, CLONES):
         return _list(edits, node, key, _replaced(edits, node, entries))
     if node is None:
         value = " ".join(entry.value for entry in entries) if key in WORDS else entries[-1].value
@@ -162,23 +165,25 @@ def _replaced(edits: Edits, node: Node | None, entries: list[Entry]) -> list[Ent
 
 
 def _list(edits: Edits, node: Node | None, key: str, entries: list[Entry]) -> str:
-    values = [_word(entry.value) for entry in entries]
+    written = {entry: entry.value if key == CLONES else _word(entry.value) for entry in entries}
+    values = [*written.values()]
     if not values:
         return ""
     if isinstance(node, Sequence) and node.items and node.flow:
         at = node.items[-1].end.index
         edits.put(at, at, "".join(f", {value}" for value in values))
     elif isinstance(node, Sequence) and node.items:
-        at = _line_end(edits.text, node.items[-1].end.index)
+        end = node.items[-1].end.index  # of a mapping that of the line below
+        at = _line_end(edits.text, len(edits.text[:end].rstrip()))
         indent = " " * (node.start.column - 1)
-        edits.put(at, at, "".join(f"\n{indent}- {_word(one.value)}{_note(one.note)}" for one in entries))
+        edits.put(at, at, "".join(f"\n{indent}- {text}{_note(one.note)}" for one, text in written.items()))
     elif node is not None and is_text(node):
         old = edits.text[node.start.index : node.end.index]
         edits.put(node.start.index, node.end.index, f"[{', '.join([old, *values])}]")
     elif node is not None:
         edits.put(node.start.index, node.end.index, f"[{', '.join(values)}]")
     else:
-        return f"{key}:\n" + "".join(f"  - {_word(entry.value)}{_note(entry.note)}\n" for entry in entries)
+        return f"{key}:\n" + "".join(f"  - {text}{_note(one.note)}\n" for one, text in written.items())
     return ""
 
 

@@ -6,6 +6,7 @@ from typing import cast
 
 from roslab.config import packages
 from roslab.config.cited import shown
+from roslab.config.edit import quoted
 from roslab.config.model import Source, SourceBuild
 from roslab.config.node import Mapping, Scalar, Sequence
 from roslab.config.reading import Reading, Text
@@ -17,8 +18,30 @@ OLD_TOOLS = {"catkin_build": "catkin_tools"}
 """Names of build tools in the old formats."""
 _FLAG = pattern(r"(?:^|\s)(?:-b|--branch)[ =]+(\S+)|(?:^|\s)--(?:single-branch|depth[ =]\d+)")
 _SSH = pattern(r"(?:ssh://)?git@([^/:]+)[/:](.+)")
+_IN_FLOW = pattern(r"[A-Za-z][\w./+-]*(?::[\w./+-]+)?")
+"""Text that YAML reads as text without quotes within ``{}``, apart from these words."""
+_WORDS = {"yes", "no", "on", "off", "true", "false", "null", "y", "n"}
 _PUBLIC = ("github.com", "gitlab.com", "bitbucket.org")
 """Hosts whose public repositories have the same path by https."""
+
+
+_NAME = pattern(r"\{name: ([^,}]{1,200})")
+
+
+def flow(name: str, repo: str, *, ref: str | None, build: str, options: str = "") -> str:
+    """Return a source as it is written on one line of roslab.yaml: ``{name: …, repo: …}``."""
+    said = {"name": name, "repo": repo, "ref": ref, "build": build, "cmake_options": options}
+    return f"{{{', '.join(f'{key}: {_plain(value)}' for key, value in said.items() if value)}}}"
+
+
+def named(line: str) -> str:
+    """Return the name in a line of ``flow``."""
+    found = _NAME.match(line)
+    return found[1].strip('"') if found else ""
+
+
+def _plain(value: str) -> str:
+    return value if _IN_FLOW.fullmatch(value) and value.lower() not in _WORDS else quoted(value)
 
 
 def sources(reading: Reading, root: Mapping, key: str) -> tuple[Source, ...]:

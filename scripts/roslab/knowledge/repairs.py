@@ -33,6 +33,8 @@ from roslab.values.dataclass import dataclass
 
 SKIP = "skip_packages"
 """The key of packages that are left out."""
+CLONES = "source"
+"""The key of repositories that are cloned: a list of mappings, each written as ``{name: …, repo: …}``."""
 LISTS = ("apt", "pip", "skip_keys", SKIP, "build_args")
 """The keys of roslab.yaml with lists of texts to which repairs add; the others have one value each."""
 

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from roslab.config.addition import Entry
 from roslab.config.model import Config
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.repairs import LISTS
+from roslab.knowledge.repairs import CLONES, LISTS
 from roslab.plan.plan import Plan
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.origin import Origin, Place
 
-STARTING = ("apt", "pip", "gui", "env.PYTHONPATH", "submodules")
+STARTING = ("apt", "pip", "gui", "env.PYTHONPATH", "submodules", CLONES)
 """Keys that give a program what it lacks at its start; the others change how the image is compiled."""
 
 
@@ -87,7 +87,7 @@ class Change:
 
     def __str__(self) -> str:
         value = f"{self.instead} becomes {self.value}" if self.instead else self.value
-        return f"{self.key}: {value}" if self.key not in LISTS else f"{self.key}: [{value}]"
+        return f"{self.key}: {value}" if self.key not in (*LISTS, CLONES) else f"{self.key}: [{value}]"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

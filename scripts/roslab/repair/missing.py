@@ -10,6 +10,7 @@ from roslab.explain.answer import Explanation
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.python2_packages import system_package
 from roslab.knowledge.released import released
+from roslab.repair import clones
 from roslab.repair.asked import FRAME, here, in_log
 from roslab.repair.change import Given, Worked
 from roslab.values.home import HOME
@@ -40,7 +41,15 @@ def module(found: Explanation, given: Given) -> Worked:
         return package
     if pip:
         return _installed(top, pip, found, given) or Worked(values=(pip,))
-    return _released(top, given) or Worked(why=found.fix)
+    return _released(top, given) or _named_by_tree(top, given) or Worked(why=found.fix)
+
+
+def _named_by_tree(module: str, given: Given) -> Worked | None:
+    """Return the repository that the tree names for a module: of the workspace of ROS, else one that pip installs."""
+    if given.plan.workspace.ros:
+        return clones.cloned((module,), given)
+    own = clones.named(module, given)
+    return Worked(values=(clones.of_pip(own),)) if own else None
 
 
 def _installed(module: str, package: str, found: Explanation, given: Given) -> Worked | None:

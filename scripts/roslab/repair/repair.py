@@ -8,7 +8,7 @@ from roslab.config.addition import SINGLE, WORDS, has
 from roslab.explain.answer import Answer, Explanation
 from roslab.explain.signatures import filled
 from roslab.knowledge.repairs import LISTS, repairs
-from roslab.repair import ways
+from roslab.repair import clones, ways
 from roslab.repair.asked import asked, in_log
 from roslab.repair.by_hand import yielding
 from roslab.repair.change import Change, Given, Repair, Worked
@@ -23,6 +23,8 @@ _MAY_BE_SUBMODULES = (
     "python-module-missing",
 )
 """Failures that a submodule that is not checked out causes too."""
+_HELD = ("header-missing", "ros-message-header", "cmake-package", "cmake-package-status")
+"""Failures that name what a package of ROS or a repository may hold by its name."""
 
 
 def repair(answer: Answer, given: Given) -> Repair:
@@ -88,4 +90,5 @@ def _worked(found: Explanation, given: Given) -> tuple[str, Worked]:
     for key, values in found.repair:
         if key in (*LISTS, *WORDS, *SINGLE):
             return key, Worked(values=values)
-    return "", Worked(why=found.fix)
+    held = clones.brought(found, given) if found.id in _HELD else None
+    return (held.key, held) if held else ("", Worked(why=found.fix))

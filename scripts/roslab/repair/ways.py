@@ -12,8 +12,7 @@ from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
-from roslab.knowledge.ros_sources import ros_sources
-from roslab.repair import missing
+from roslab.repair import clones, missing
 from roslab.repair.change import Given, Worked
 from roslab.repair.releases import nearest
 from roslab.values.pattern import pattern
@@ -152,9 +151,10 @@ def ros(found: Explanation, given: Given) -> Worked:
     lacking = ", ".join(wanted)
     if not distro:
         return Worked(why=f"{lacking} is of ROS, and this image has none: `base.ros` in roslab.yaml names one")
-    known_sources = (source for word in wanted for source in ros_sources(word, _generation(distro), distro))
-    lines = [f"{{name: {each.package}, url: {each.repo}, ref: {each.ref}}}" for each in known_sources]
-    where = f": `source: [{', '.join(lines)}]`" if lines else ""
+    if found_there := clones.cloned(wanted, given):
+        return found_there
+    addresses = dict.fromkeys(row.repo for word in wanted for row in clones.tabled(word, given))
+    where = f": {', '.join(addresses)}" if addresses else ""
     return Worked(why=f"{lacking} is not released for ROS {distro}: name its repository under `source`{where}")
 
 

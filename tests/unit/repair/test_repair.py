@@ -200,9 +200,9 @@ def test_another_base_is_likely_and_never_certain(tmp_path: Path, yaml: str, tex
             log(
                 "catkin_make",
                 "Could not find a package configuration file provided by",
-                '  "catkin_simple" with any of the following names: /opt/ros/noetic',
+                '  "minkindr" with any of the following names: /opt/ros/noetic',
             ),
-            "`source: [{name: catkin_simple, url: https://github.com/catkin/catkin_simple.git, ref: ",
+            "minkindr is not released for ROS noetic: name its repository under `source`: https://github.com/",
         ),
     ],
 )

@@ -1,0 +1,124 @@
+"""A repository that the tree or a table names by what is missing is cloned in the next round."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from roslab.cli.repairing import given
+from roslab.config.addition import added
+from roslab.config.reader import read
+from roslab.explain.answer import explain
+from roslab.pipeline import plan_repository
+from roslab.repair.change import Repair
+from roslab.repair.repair import repair
+
+PACKAGE = """\
+<package format="2"><name>robot</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@example.org">a</maintainer><license>MIT</license><buildtool_depend>catkin</buildtool_depend>
+</package>
+"""
+ROS = {"package.xml": PACKAGE, "CMakeLists.txt": "project(robot)\n", "roslab.yaml": "format: 3\nbase: {ros: noetic}\n"}
+CPP = {"CMakeLists.txt": "project(robot CXX)\nadd_executable(robot main.cpp)\n", "main.cpp": "int main() {}\n"}
+PYTHON = {"requirements.txt": "numpy\n", "main.py": "import numpy\n"}
+
+PAGE = """\
+# robot
+
+The arm comes from [robot_arm](https://github.com/example/robot_arm), and its camera from a private repository.
+
+```
+git clone -b noetic https://github.com/example/arm_driver.git
+```
+"""
+NO_ARM = (
+    "-- Could not find the required component 'robot_arm'. The following CMake error indicates that",
+    "CMake Error at /opt/ros/noetic/share/catkin/cmake/catkinConfig.cmake:83 (find_package):",
+)
+NO_HEADER = "/home/jovyan/ws/src/robot/src/a.cpp:3:10: fatal error: {}: No such file or directory"
+NO_MODULE = "ModuleNotFoundError: No module named 'arm_driver'"
+ARM = "source: [{name: robot_arm, repo: https://github.com/example/robot_arm, build: catkin_make}]"
+DRIVER = (
+    "source: [{name: arm_driver, repo: https://github.com/example/arm_driver.git, ref: noetic, build: catkin_make}]"
+)
+
+
+def made(folder: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    return folder
+
+
+def log(command: str, *lines: str) -> str:
+    said = "".join(f"#6 1.2 {line}\n" for line in lines)
+    return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
+
+
+def repaired(folder: Path, text: str) -> Repair:
+    return repair(explain(io.BytesIO(text.encode())), given(plan_repository(folder)))
+
+
+@pytest.mark.parametrize(
+    ("files", "text", "wanted"),
+    [
+        (ROS, log("catkin_make", *NO_ARM), [ARM]),
+        (ROS, log("catkin_make", NO_HEADER.format("arm_driver/arm.h")), [DRIVER]),
+        (ROS, log("catkin_make", NO_HEADER.format("pluginlib/class_loader.h")), ["apt: [ros-noetic-pluginlib]"]),
+        (ROS, log("catkin_make", NO_HEADER.format("other_driver/arm.h")), []),
+        (ROS, "Traceback (most recent call last):\n" + NO_MODULE + "\n", [DRIVER]),
+        (PYTHON, log("python3 main.py", NO_MODULE), ["pip: [git+https://github.com/example/arm_driver.git@noetic]"]),
+        (
+            CPP,
+            log("make", NO_HEADER.format("arm_driver/arm.h")),
+            [DRIVER.replace("catkin_make", "cmake")],
+        ),
+    ],
+)
+def test_what_a_log_lacks_is_cloned_from_where_the_tree_says(
+    tmp_path: Path, files: dict[str, str], text: str, wanted: list[str]
+) -> None:
+    found = repaired(made(tmp_path, {**files, "README.md": PAGE}), text)
+    assert [str(change) for change in found.certain.changes] == wanted
+
+
+def test_what_a_table_knows_is_cloned_with_its_needs(tmp_path: Path) -> None:
+    said = "-- Could not find the required component 'minkindr_conversions'. The following CMake error indicates that"
+    wanted = said.replace("minkindr_conversions", "eigen_catkin")
+    found = repaired(made(tmp_path, ROS), log("catkin_make", wanted, NO_ARM[1]))
+    assert [str(change)[:40] for change in found.certain.changes] == [
+        "source: [{name: catkin_simple, repo: htt",
+        "source: [{name: eigen_catkin, repo: http",
+    ]
+    assert repaired(tmp_path, log("catkin_make", said, NO_ARM[1])).changes == ()  # minkindr's checkout is changed first
+
+
+def test_what_roslab_yaml_clones_already_is_not_cloned_again(tmp_path: Path) -> None:
+    source = "source: [{name: arm, repo: 'https://github.com/example/arm_driver', build: catkin_make}]\n"
+    files = {**ROS, "README.md": PAGE, "roslab.yaml": ROS["roslab.yaml"] + source}
+    found = repaired(made(tmp_path, files), log("catkin_make", NO_HEADER.format("arm_driver/arm.h")))
+    assert found.changes == ()
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        (None, "format: 3\nsource:\n  - "),
+        ("format: 3\nsource: [{name: a, repo: 'https://example.org/a'}]\n", "a'}, "),
+        ("format: 3\nsource:\n- name: a\n  repo: https://example.org/a\n", "/a\n- "),
+    ],
+)
+def test_the_line_of_a_clone_is_added_and_read(tmp_path: Path, before: str | None, after: str) -> None:
+    files = {**ROS, "README.md": PAGE}
+    entries = repaired(made(tmp_path, files), log("catkin_make", NO_HEADER.format("arm_driver/arm.h"))).entries
+    text = added(before, entries)
+    assert f"{after}{{name: arm_driver, " in text
+    last = read(text).source[-1]
+    assert (last.name, last.repo, last.ref, last.build) == (
+        "arm_driver",
+        "https://github.com/example/arm_driver.git",
+        "noetic",
+        "catkin_make",
+    )
+    assert added(text, entries) == text
