@@ -264,6 +264,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "header": _library("include", "header"),
     "go-since": _since_go,
     "hidden": _hidden,
+    "ignored": lambda names, _: worked.ignored(names),
     "include-path": _built_with,
     "latex": lambda _names, _where: {"package": " ".join(latex())},
     "link": _library("link", "library"),

@@ -12,7 +12,7 @@ from roslab.knowledge.released import released
 
 
 def package(names: Mapping[str, str], ros: str | None, ubuntu: str | None) -> dict[str, str]:
-    """Name the apt package of a ROS package; return nothing for a name that is known as a CMake library.
+    """Name the apt package of a ROS package that is released; return nothing for a name that is a CMake library's.
 
     ``released`` holds those that this distribution, or any where it is not known, has released, as the images of ROS
     name them: they set ``ROS_DISTRO``.
@@ -21,7 +21,7 @@ def package(names: Mapping[str, str], ros: str | None, ubuntu: str | None) -> di
     if not wanted or libraries.library("cmake", wanted[0], ubuntu) is not None:
         return {}
     there = [name.replace("_", "-") for name in wanted if _is_released(name, ros)]
-    own = f"ros-{ros}-{wanted[0].replace('_', '-')}" if ros else ""
+    own = f"ros-{ros}-{wanted[0].replace('_', '-')}" if ros and _is_released(wanted[0], ros) else ""
     return {"package": own, "released": " ".join(f"ros-$ROS_DISTRO-{name}" for name in there)}
 
 

@@ -101,3 +101,19 @@ def cuda_architecture(names: Mapping[str, str]) -> dict[str, str]:
             return {"since": f"known since CUDA {row['cuda']}", "architectures": older}
         older = row["architectures"]
     return {}
+
+
+_IGNORED = pattern(r"(?:^|[;:]) {0,3}(\d[\w.!+]{0,40}) Requires-Python ")
+_CUT = "…"
+
+
+def ignored(names: Mapping[str, str]) -> dict[str, str]:
+    """Tell whether pip ignored a release that is asked for: nothing where all that it ignored are others.
+
+    A line that is cut, or a version that is none, tells nothing against it.
+    """
+    said = names.get("versions", "") + names.get("others", "")
+    wanted = specifiers(names.get("version", ""))
+    known = [match[1] for match in _IGNORED.finditer(said)]
+    fits = wanted is None or not known or _CUT in said or any(wanted.contains(each) for each in known)
+    return {"ignored": "yes"} if fits else {}

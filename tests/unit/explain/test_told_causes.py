@@ -1,0 +1,55 @@
+"""What a message says and what it does not: the cause that is told, and none that the message rules out."""
+
+from __future__ import annotations
+
+import io
+
+import pytest
+
+from roslab.explain.answer import explain
+
+
+def log(command: str, *lines: str) -> str:
+    said = "".join(f"#6 1.2 {line}\n" for line in lines)
+    return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
+
+
+IGNORED = "ERROR: Ignored the following versions that require a different python version: "
+
+
+@pytest.mark.parametrize(
+    ("text", "cause"),
+    [
+        (
+            log(
+                "pip install .",
+                f"{IGNORED}0.52.0 Requires-Python >=3.6,<3.9; 0.53.0 Requires-Python >=3.6,<3.10",
+                "ERROR: Could not find a version that satisfies the requirement example>=1.23 (from versions: 0.1)",
+                "ERROR: No matching distribution found for example>=1.23",
+            ),
+            "pip-no-version",
+        ),
+        (
+            log(
+                "pip install .",
+                f"{IGNORED}1.23.0 Requires-Python >=3.12; 1.24.0 Requires-Python >=3.12",
+                "ERROR: No matching distribution found for example>=1.23",
+            ),
+            "pip-version-needs-newer-python",
+        ),
+        (
+            "resource not found: robot_description\nROS path [0]=/opt/ros/melodic/share/ros\n",
+            "ros-package-not-found",
+        ),
+    ],
+)
+def test_the_cause_is_what_the_message_says(text: str, cause: str) -> None:
+    assert [found.id for found in explain(io.BytesIO(text.encode())).explanations] == [cause]
+
+
+def test_a_package_of_ros_that_is_not_released_is_no_package_of_apt() -> None:
+    said = "-- Could not find the required component '{}'. The following CMake error indicates that you either need to"
+    distro = "CMake Error at /opt/ros/noetic/share/catkin/cmake/catkinConfig.cmake:83 (find_package):"
+    for name, named in (("pluginlib", "ros-noetic-pluginlib under `apt`"), ("my_own_arm", "its repository under")):
+        (found,) = explain(io.BytesIO(log("catkin_make", said.format(name), distro).encode())).explanations
+        assert named in found.fix
