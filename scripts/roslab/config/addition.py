@@ -23,7 +23,7 @@ WORDS = ("cmake_options",)
 """Keys with one text, to whose end values are added."""
 SINGLE = (
     *("base.python", "base.ros", "base.ubuntu", "base.cmake_update", "dockerfile", "env.PYTHONPATH", "gui"),
-    "submodules",
+    *("submodules", "env.CFLAGS", "env.CXXFLAGS"),
 )
 """Keys with one value, which is set."""
 _PLAIN = pattern(r"[A-Za-z][\w.+-]*")

@@ -123,7 +123,8 @@ def _api(names: Names, _: Image) -> Names:
     row = min(found, key=lambda each: each[0])[1] if found else None
     if row is None or (names.get("standard") and "C++" not in row["why"]):
         return {}
-    return {"why": row["why"], "repair_words": row["fix"]}
+    flag = {"setting": row["key"], "flag": row["value"]} if row["key"] else {}
+    return {"why": row["why"], "repair_words": row["fix"], **flag}
 
 
 def _since_go(names: Names, _: Image) -> Names:

@@ -26,6 +26,8 @@ _KINDS = (
 FRAME = pattern(r'File "(?P<file>[^"\n]{1,300})", line (?P<line>\d{1,6})')
 _CMAKE = pattern(r"(?m)(?:CMake Error at |^ {1,4})(?P<file>[\w./+-]{1,300}):(?P<line>\d{1,6}) \(")
 """The place of an error, or a line of the calls that led to it."""
+_NAMED = pattern(r"'([^'\n]{1,80})'")
+"""What an error of a compiler is about."""
 _AT = pattern(r"(?P<file>[\w./+-]{1,300}\.\w{1,8}):(?P<line>\d{1,6})\b")
 
 
@@ -46,6 +48,8 @@ def asked(found: Explanation, given: Given, value: str = "") -> Asked:
                 return Asked(what=f"{title} {word}", place=place)
         if words:
             return Asked(what=f"{title} {words[0]}", place=in_log(found, given))
+    if names.get("flag") and (quoted := _NAMED.search(found.error)):
+        return Asked(what=f"what is said of {quoted[1]}", place=in_log(found, given))
     what = f"numpy without {names['symbol']}" if names.get("symbol") and "numpy" in value else found.id or ""
     return Asked(what=what.replace("-", " "), place=in_log(found, given) or _named_by_plan(given, value))
 

@@ -16,7 +16,8 @@ def yielding(change: Change, given: Given) -> Change:
     if change.key not in SINGLE or change.key in given.added:
         return change
     old = value_of(given.config, change.key)
-    if not old or old == change.value or change.value.endswith(f":{old}"):  # which adds to a path
+    adds = change.value.endswith(f":{old}") or change.value.startswith(f"{old} ")  # to a path, or to flags
+    if not old or old == change.value or adds:
         return change
     written = given.config.origin(change.key) or Place(file=given.config.file or "roslab.yaml")
     return replace(change, certain=False, instead=old, written=written)

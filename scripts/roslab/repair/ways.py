@@ -12,7 +12,7 @@ from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
-from roslab.repair import clones, missing
+from roslab.repair import clones, flags, missing
 from roslab.repair.change import Given, Worked
 from roslab.repair.releases import nearest
 from roslab.values.pattern import pattern
@@ -237,6 +237,7 @@ def absent(given: Given) -> tuple[str, ...]:
 
 WAYS: Mapping[str, Way] = {
     "cmake": cmake,
+    "flags": flags.flags,
     "jobs": jobs,
     "key": key,
     "module": missing.module,

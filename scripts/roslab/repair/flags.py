@@ -1,0 +1,35 @@
+"""What a compiler must be told where the code does not fit it: a header that it no longer brings along, a standard."""
+
+from __future__ import annotations
+
+from roslab.explain.answer import Explanation
+from roslab.repair.change import Given, Worked
+
+_CXX_FLAGS = "-DCMAKE_CXX_FLAGS="
+"""The option that is planned for flags; it is none where they stand in the variable, so that it takes them over."""
+
+
+def flags(found: Explanation, given: Given) -> Worked:
+    """Compile with the flag that answers an error, behind those that the plan or somebody gives."""
+    names = dict(found.names)
+    key, flag = names.get("setting", ""), names.get("flag", "")
+    if not flag:
+        return Worked(why=found.fix)
+    if not key.startswith("env."):
+        return Worked(key=key, values=(flag,))
+    before = compiler_flags(key.partition(".")[2], given)
+    if flag in before:
+        return Worked(why=f"it is compiled with {flag} already, and that did not help")
+    return Worked(key=key, values=(f"{before} {flag}".strip(),))
+
+
+def compiler_flags(variable: str, given: Given) -> str:
+    """Return the flags of a variable that compilers take: those under ``env``, else those of the plan."""
+    said = dict(given.config.env).get(variable)
+    if said is not None:
+        return said
+    place = given.plan.workspace
+    options = (place.ros.cmake_options if place.ros else ()) + (place.program.cmake_options if place.program else ())
+    of_cmake = [word.removeprefix(_CXX_FLAGS) for word in options if word.startswith(_CXX_FLAGS)]
+    planned = dict(place.variables).get(variable, "")
+    return " ".join((planned, *(of_cmake if variable == "CXXFLAGS" else ()))).strip()

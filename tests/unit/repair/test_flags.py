@@ -1,0 +1,62 @@
+"""What the compiler is told after an error that a flag answers, behind the flags that are there."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from roslab.cli.repairing import given
+from roslab.config.addition import added
+from roslab.config.reader import read
+from roslab.explain.answer import explain
+from roslab.pipeline import plan_repository
+from roslab.repair.change import Repair
+from roslab.repair.repair import repair
+
+CPP = {"CMakeLists.txt": "project(robot CXX)\nadd_executable(robot main.cpp)\n", "main.cpp": "int main() {}\n"}
+CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
+
+
+def log(command: str, *lines: str) -> str:
+    said = "".join(f"#6 1.2 {line}\n" for line in lines)
+    return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
+
+
+def repaired(folder: Path, text: str, files: dict[str, str]) -> Repair:
+    for name, content in files.items():
+        (folder / name).write_text(content)
+    return repair(explain(io.BytesIO(text.encode())), given(plan_repository(folder)))
+
+
+@pytest.mark.parametrize(
+    ("said", "wanted"),
+    [
+        (CSTDINT, "env.CXXFLAGS: -include cstdint, for what is said of uint32_t (main.cpp:1)"),
+        (
+            "main.cpp:1:3: error: 'numeric_limits' is not a member of 'std'",
+            "env.CXXFLAGS: -include limits, for what is said of numeric_limits (main.cpp:1)",
+        ),
+        (
+            "main.cpp:1:3: error: 'auto_ptr' is not a member of 'std'",
+            "cmake_options: -DCMAKE_CXX_STANDARD=14, for what is said of auto_ptr (main.cpp:1)",
+        ),
+        ("main.cpp:1:3: error: 'CV_BGR2GRAY' was not declared in this scope", ""),
+    ],
+)
+def test_an_error_that_a_flag_answers_gets_the_flag(tmp_path: Path, said: str, wanted: str) -> None:
+    found = repaired(tmp_path, log("make", said), CPP)
+    assert [change.told for change in found.certain.changes] == ([wanted] if wanted else [])
+
+
+def test_a_flag_comes_behind_those_of_the_plan_and_of_roslab_yaml(tmp_path: Path) -> None:
+    files = {**CPP, "main.cpp": "double most = DBL_MAX;\nint main() {}\n"}
+    planned = repaired(tmp_path, log("make", CSTDINT), files)
+    assert [change.value for change in planned.certain.changes] == ["-include cfloat -include cstdint"]
+    text = "format: 3\nenv: {CXXFLAGS: -Wall}\n"
+    own = repaired(tmp_path, log("make", CSTDINT), {"roslab.yaml": text})
+    assert [change.value for change in own.certain.changes] == ["-Wall -include cstdint"]
+    assert dict(read(added(text, own.entries)).env) == {"CXXFLAGS": "-Wall -include cstdint"}
+    there = "format: 3\nenv: {CXXFLAGS: -include cstdint}\n"
+    assert repaired(tmp_path, log("make", CSTDINT), {"roslab.yaml": there}).changes == ()
