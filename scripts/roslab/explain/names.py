@@ -161,7 +161,8 @@ def _symbol(names: Names, _: Image) -> Names:
     for said in (_OF_CLASS.sub("", symbol), symbol):
         for row in rows("symbols"):
             if compiled(row["pattern"]).match(said):
-                return {"library": row["library"], "how": row["how"]}
+                link = {"link": row["link"]} if row["link"] else {}
+                return {"library": row["library"], "how": row["how"], **link}
     return {}
 
 

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from roslab.explain.answer import Explanation
 from roslab.repair.change import Given, Worked
+from roslab.values.pattern import pattern
 
+_LIBRARIES = "-DCMAKE_CXX_STANDARD_LIBRARIES="
+_LIBRARIES_OF_C = "-DCMAKE_C_STANDARD_LIBRARIES="
+"""What all programs are linked with: https://cmake.org/cmake/help/latest/variable/CMAKE_LANG_STANDARD_LIBRARIES.html."""
+_OF_SYSTEM = pattern(r"(?:/usr)?/{1,2}lib/(?:\w{1,20}-linux-gnu/)?lib[\w+-]{1,60}\.so")
+_OF_ROS = pattern(r"/opt/ros/[a-z]{4,9}/lib/(?:\w{1,20}-linux-gnu/)?lib[\w+-]{1,60}\.so$")
 _CXX_FLAGS = "-DCMAKE_CXX_FLAGS="
 """The option that is planned for flags; it is none where they stand in the variable, so that it takes them over."""
 
@@ -21,6 +27,21 @@ def flags(found: Explanation, given: Given) -> Worked:
     if flag in before:
         return Worked(why=f"it is compiled with {flag} already, and that did not help")
     return Worked(key=key, values=(f"{before} {flag}".strip(),))
+
+
+def linked(found: Explanation, given: Given) -> Worked:
+    """Link every program with the library whose name the linker says, or which holds what is the system's own.
+
+    One of the system by its name, one of ROS by its path, both are there before anything is compiled; not one that the
+    build makes itself.
+    """
+    names = dict(found.names)
+    path, library = names.get("path", ""), names.get("link") or names.get("library", "")
+    said = f"-l{library}" if names.get("link") or _OF_SYSTEM.match(path) else path if _OF_ROS.match(path) else ""
+    if not said or _LIBRARIES in given.config.cmake_options:
+        return Worked(why=found.fix)
+    of_c = (f"{_LIBRARIES_OF_C}{said}",) if names.get("link") else ()
+    return Worked(values=(f"{_LIBRARIES}{said}", *of_c))
 
 
 def compiler_flags(variable: str, given: Given) -> str:

@@ -71,9 +71,9 @@ def _changes(found: Explanation, given: Given) -> Iterator[Change | str]:
 
 
 def _settled(found: Explanation) -> bool:
-    """Return whether plan and tables settle what the log alone makes likely: a ROS package that is released."""
+    """Return whether plan and tables settle what the log alone makes likely: a ROS package, a library of the system."""
     known = repairs().get(found.id or "")
-    return known is not None and known.way == "released"
+    return known is not None and known.way in {"released", "linked"}
 
 
 def _worked(found: Explanation, given: Given) -> tuple[str, Worked]:

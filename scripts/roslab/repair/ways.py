@@ -120,7 +120,8 @@ def cmake(found: Explanation, _: Given) -> Worked:
 
 def standard(found: Explanation, _: Given) -> Worked:
     """Compile with the C++ standard that a library asks for."""
-    said = dict(found.names).get("standard", "")
+    names = dict(found.names)
+    said = names.get("standard", "") or ("17" if names.get("seventeen") else "14" if names.get("fourteen") else "")
     return Worked(values=(f"-DCMAKE_CXX_STANDARD={said}",)) if said.isdigit() else Worked(why="the compiler is too old")
 
 
@@ -240,6 +241,7 @@ WAYS: Mapping[str, Way] = {
     "flags": flags.flags,
     "jobs": jobs,
     "key": key,
+    "linked": flags.linked,
     "module": missing.module,
     "newer-python": newer_python,
     "newer-ubuntu": newer_ubuntu,

@@ -42,6 +42,14 @@ def repaired(folder: Path, text: str, files: dict[str, str]) -> Repair:
             "main.cpp:1:3: error: 'auto_ptr' is not a member of 'std'",
             "cmake_options: -DCMAKE_CXX_STANDARD=14, for what is said of auto_ptr (main.cpp:1)",
         ),
+        (
+            "main.cpp:1:3: error: 'optional' is not a member of 'std'",
+            "cmake_options: -DCMAKE_CXX_STANDARD=17, for cxx standard too old (main.cpp:1)",
+        ),
+        (
+            "main.cpp:1:3: error: 'make_unique' is not a member of 'std'",
+            "cmake_options: -DCMAKE_CXX_STANDARD=14, for cxx standard too old (main.cpp:1)",
+        ),
         ("main.cpp:1:3: error: 'CV_BGR2GRAY' was not declared in this scope", ""),
     ],
 )
@@ -60,3 +68,32 @@ def test_a_flag_comes_behind_those_of_the_plan_and_of_roslab_yaml(tmp_path: Path
     assert dict(read(added(text, own.entries)).env) == {"CXXFLAGS": "-Wall -include cstdint"}
     there = "format: 3\nenv: {CXXFLAGS: -include cstdint}\n"
     assert repaired(tmp_path, log("make", CSTDINT), {"roslab.yaml": there}).changes == ()
+
+
+DSO = "/usr/bin/ld: {}: error adding symbols: DSO missing from command line"
+
+
+@pytest.mark.parametrize(
+    ("said", "wanted"),
+    [
+        (DSO.format("//lib/x86_64-linux-gnu/libpthread.so.0"), ["-DCMAKE_CXX_STANDARD_LIBRARIES=-lpthread"]),
+        (
+            DSO.format("/usr/lib/x86_64-linux-gnu/libboost_system.so.1.71.0"),
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-lboost_system"],
+        ),
+        (DSO.format("/opt/ros/noetic/lib/libtf.so"), ["-DCMAKE_CXX_STANDARD_LIBRARIES=/opt/ros/noetic/lib/libtf.so"]),
+        (DSO.format("/home/jovyan/ws/devel/lib/libarm.so"), []),
+        (
+            "main.cpp:(.text+0x1): undefined reference to `pthread_create'",
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-lpthread", "-DCMAKE_C_STANDARD_LIBRARIES=-lpthread"],
+        ),
+        ("main.cpp:(.text+0x1): undefined reference to `cv::imread(cv::String const&, int)'", []),
+    ],
+)
+def test_a_library_of_the_system_or_of_ros_is_linked(tmp_path: Path, said: str, wanted: list[str]) -> None:
+    found = repaired(tmp_path, log("make", said), CPP)
+    assert [change.value for change in found.certain.changes] == wanted
+    there = repaired(
+        tmp_path, log("make", said), {"roslab.yaml": "format: 3\ncmake_options: -DCMAKE_CXX_STANDARD_LIBRARIES=-lm\n"}
+    )
+    assert there.changes == ()
