@@ -41,6 +41,28 @@ IGNORED = "ERROR: Ignored the following versions that require a different python
             "resource not found: robot_description\nROS path [0]=/opt/ros/melodic/share/ros\n",
             "ros-package-not-found",
         ),
+        (
+            log(
+                "pip install sim",
+                "RuntimeError: SIM_PATH environment variable is not set",
+                "ERROR: Failed building wheel for sim",
+            ),
+            "wheel-does-not-build",
+        ),
+        (
+            log(
+                "cmake .",
+                "CMake Error: The following variables are used in this project, but they are set to NOTFOUND.",
+                "Please set them or make sure they are set and tested correctly in the CMake files:",
+                "/app/ARM_INTERFACES_INCLUDE_DIRECTORIES",
+                "   used as include directory in directory /app",
+            ),
+            "cmake-notfound-variable",
+        ),
+        (log("make", "Failed to import jinja2: No module named 'jinja2'"), "python-module-missing"),
+        (log("make", "a.cpp:3:1: error: 'CV_SVD_U_T' was not declared in this scope"), "api-known"),
+        (log("make", "a.cpp:3:1: error: 'cvSolve' was not declared in this scope"), "api-known"),
+        (log("make", "a.cpp:3:10: fatal error: cv.hpp: No such file or directory"), "api-known"),
     ],
 )
 def test_the_cause_is_what_the_message_says(text: str, cause: str) -> None:
@@ -53,3 +75,12 @@ def test_a_package_of_ros_that_is_not_released_is_no_package_of_apt() -> None:
     for name, named in (("pluginlib", "ros-noetic-pluginlib under `apt`"), ("my_own_arm", "its repository under")):
         (found,) = explain(io.BytesIO(log("catkin_make", said.format(name), distro).encode())).explanations
         assert named in found.fix
+
+
+def test_a_variable_that_is_not_found_names_its_library() -> None:
+    said = (
+        "CMake Error: The following variables are used in this project, but they are set to NOTFOUND.",
+        "USB_LIBRARY",
+    )
+    text = log("cmake .", *said, '    linked by target "robot" in directory /app')
+    assert "the library USB (" in explain(io.BytesIO(text.encode())).explanations[0].cause

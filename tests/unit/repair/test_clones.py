@@ -66,6 +66,13 @@ def repaired(folder: Path, text: str) -> Repair:
         (ROS, log("catkin_make", *NO_ARM), [ARM]),
         (ROS, log("catkin_make", NO_HEADER.format("arm_driver/arm.h")), [DRIVER]),
         (ROS, log("catkin_make", NO_HEADER.format("pluginlib/class_loader.h")), ["apt: [ros-noetic-pluginlib]"]),
+        (
+            {**ROS, "roslab.yaml": "format: 3\nbase: {ros: humble}\n"},
+            log(
+                "colcon build", "ld: /opt/ros/humble/lib/librclcpp.so: undefined reference to `rcl_clock_time_started'"
+            ),
+            ["apt: [ros-humble-rcl]"],
+        ),
         (ROS, log("catkin_make", NO_HEADER.format("other_driver/arm.h")), []),
         (ROS, "Traceback (most recent call last):\n" + NO_MODULE + "\n", [DRIVER]),
         (PYTHON, log("python3 main.py", NO_MODULE), ["pip: [git+https://github.com/example/arm_driver.git@noetic]"]),

@@ -87,6 +87,10 @@ DSO = "/usr/bin/ld: {}: error adding symbols: DSO missing from command line"
             "main.cpp:(.text+0x1): undefined reference to `pthread_create'",
             ["-DCMAKE_CXX_STANDARD_LIBRARIES=-lpthread", "-DCMAKE_C_STANDARD_LIBRARIES=-lpthread"],
         ),
+        (
+            "arm.so: undefined reference to `__atomic_fetch_add_8'",
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-latomic", "-DCMAKE_C_STANDARD_LIBRARIES=-latomic"],
+        ),
         ("main.cpp:(.text+0x1): undefined reference to `cv::imread(cv::String const&, int)'", []),
     ],
 )
