@@ -94,7 +94,7 @@ def decide_python(
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
     interpreter = _interpreter(runs := number or python_of_ubuntu().get(ubuntu or ""))
     lists, conda = pip_lists(config, ubuntu, number), chosen.conda if manager == "conda" else None
-    loose = gives_way(evidence, kind, ubuntu, chosen.files, lists.requirements, nodes=manager == "system")
+    loose = gives_way(evidence, kind, ubuntu, chosen.files, lists.requirements, manager=manager, python=runs)
     repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
     manifests = [*loosened(of_manifests(evidence, chosen), runs, loose)]
     pixi = channels.by_specs(evidence, chosen.conda)

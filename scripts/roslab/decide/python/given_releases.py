@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.python.beside_nodes import Loose, beside_nodes
+from roslab.decide.python.image_python import Manager
+from roslab.decide.python.python2_lists import for_python2
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.values.requirement import Requirement
@@ -22,14 +24,18 @@ def gives_way(
     files: Iterable[RequirementFile],
     given: Iterable[Requirement],
     *,
-    nodes: bool,
+    manager: Manager,
+    python: str | None,
 ) -> Loose:
-    """Return the lines that are installed without their version: for roslab.yaml, and for ``nodes`` of apt's Python.
+    """Return the lines that are installed without their version: for roslab.yaml, and for the nodes of apt's Python.
 
-    ``given``: what roslab.yaml names under ``pip``.
+    ``given``: what roslab.yaml names under ``pip``; ``python``: the version that the image runs.
     """
-    beside = beside_nodes(evidence, kind, ubuntu, files) if nodes else {}
-    return {**beside, **_given(evidence, given)}
+    files = tuple(files)
+    loose: Loose = {}
+    if manager == "system":
+        loose = {**for_python2(files, python), **beside_nodes(evidence, kind, ubuntu, files)}
+    return {**loose, **_given(evidence, given)}
 
 
 def _given(evidence: Evidence, given: Iterable[Requirement]) -> Loose:
