@@ -42,6 +42,13 @@ def ever_released(package: str) -> bool:
     return package in _ever_released()
 
 
+def released_for(package: str, ros: int) -> bool:
+    """Tell whether any distribution of ROS 1 or 2 released a package of this name: one of both is few."""
+    return ever_released(package) and any(
+        package in released(each.name) for each in distros().values() if each.ros == ros
+    )
+
+
 @cache
 def converting_packages() -> frozenset[str]:
     """Return the packages of ROS whose programs only write one file from another."""

@@ -234,3 +234,27 @@ def test_a_framework_that_a_page_compiles_comes_as_a_wheel(
     written = [each.written for each in (*python.pip, *python.pip_guessed)]
     assert asked in written
     assert not any("pytorch.git" in each for each in written if each != asked)
+
+
+NODE = """\
+<package><name>planner</name><version>1.0.0</version><description>x</description>
+<maintainer email="a@b.org">a</maintainer><license>MIT</license>
+<buildtool_depend>catkin</buildtool_depend><depend>rospy</depend></package>
+"""
+CMAKE = "cmake_minimum_required(VERSION 3.0)\nproject(planner)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "imported", "cloned"),
+    [
+        ("toppra", "toppra", True),  # ROS 2 has a package of that name, and ROS 1 has none
+        ("toppra", "numpy", False),
+        ("moveit_commander", "moveit_commander", False),  # ROS's own
+    ],
+)
+def test_beside_ros_it_is_what_the_code_imports(tree: Tree, name: str, imported: str, *, cloned: bool) -> None:
+    page = f"For ROS Noetic.\n```\ngit clone https://github.com/lab/{name}.git && cd {name}/\ngit checkout {COMMIT}\n"
+    page += "pip install -r requirements.txt --user\npython setup.py install --user\n```\n"
+    files = {"package.xml": NODE, "CMakeLists.txt": CMAKE, "README.md": page, "scripts/plan.py": f"import {imported}\n"}
+    found = [each.url for each in tree(files).python.pip_guessed if each.url]
+    assert found == ([f"git+https://github.com/lab/{name}.git@{COMMIT}"] if cloned else [])

@@ -12,6 +12,7 @@ from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import framework_sources
+from roslab.knowledge.released import released_for
 from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 from roslab.values.pattern import pattern
@@ -25,13 +26,24 @@ _RELEASE = pattern(r"v?(\d+\.\d+\.\d+)")
 def with_cloned(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
     """Return the evidence with a line of pip for each; ``folder_name`` is the repository's, which is none of them.
 
-    A framework that a page has compiled comes as the wheel of that release.
+    A framework that a page has compiled comes as the wheel of that release. Beside ROS, only what the code imports by
+    the name of its clone is one: other clones are packages of the workspace, and ROS has modules of its own.
     """
-    if kind not in {"python", "cuda"}:
+    if kind == "cpp":
         return evidence
     names = {project.name for project in evidence.python if project.name} | {folder_name}
     found = tuple(_asked(evidence, {name.lower() for name in names}))
+    if kind in {"ros1", "ros2"}:
+        found = tuple(each for each in found if _imported(each, evidence, 1 if kind == "ros1" else 2))
     return replace(evidence, prose_pip=(*evidence.prose_pip, *found)) if found else evidence
+
+
+def _imported(asked: Requirement, evidence: Evidence, ros: int) -> bool:
+    """Tell whether the code cannot do without a module called like a clone, which no package of that ROS brings."""
+    last = (asked.url or "").partition("#")[0].rpartition("/")[2]
+    name = bare_name(last.partition("@")[0].removesuffix(".git"))
+    used = (each.name for each in evidence.code if each.namespace == "import" and each.strength == "used")
+    return any(bare_name(each) == name and not released_for(each, ros) for each in used)
 
 
 def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:
