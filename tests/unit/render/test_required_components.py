@@ -137,3 +137,27 @@ def test_what_one_file_turns_off_another_one_requires(tmp_path: Path) -> None:
     tree_of(tmp_path, {**files, "needs.cmake": "find_package(GDAL REQUIRED)\n"})
     command = ["required-by-cmake", *(str(tmp_path / name) for name in files)]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split() == ["GDAL"]
+
+
+ANOTHER_WAY = "find_package(OpenBLAS REQUIRED)\nif(Openblas_FOUND)\n{}else(Openblas_FOUND)\n"
+ANOTHER_WAY += "find_package(LAPACK REQUIRED)\nendif()\n"
+WARNS = "find_library(B openblas)\nif(NOT B)\nmessage(WARNING none)\nendif()\n"
+STOPS = "find_library(B openblas)\nfind_package_handle_standard_args(OpenBLAS REQUIRED_VARS B)\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "module", "names"),
+    [
+        (ANOTHER_WAY.format(""), WARNS, ["LAPACK"]),
+        (ANOTHER_WAY.format("if(A)\nelse()\nendif()\n"), WARNS, ["LAPACK"]),
+        (ANOTHER_WAY.format(""), STOPS, ["LAPACK", "OpenBLAS"]),
+        (ANOTHER_WAY.format(""), None, ["LAPACK", "OpenBLAS"]),
+        ("find_package(OpenBLAS REQUIRED)\nif(Openblas_FOUND)\nendif()\n", WARNS, ["OpenBLAS"]),
+        ("find_package(OpenBLAS REQUIRED)\nif(A)\nelse()\nendif()\n", WARNS, ["OpenBLAS"]),
+        ("find_package(${A} REQUIRED)\nif(A_FOUND)\nelse()\nendif()\n", WARNS, []),
+    ],
+)
+def test_what_a_file_has_another_way_for(tmp_path: Path, cmake: str, module: str | None, names: list[str]) -> None:
+    tree_of(tmp_path, {"CMakeLists.txt": cmake, **({"cmake/FindOpenBLAS.cmake": module} if module else {})})
+    command = ["required-by-cmake", str(tmp_path / "CMakeLists.txt")]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split() == names

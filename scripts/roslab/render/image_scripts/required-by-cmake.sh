@@ -3,8 +3,9 @@
 #        required-by-cmake --programs FILE...
 #        required-by-cmake --library FOLDER [OPTION...]
 # Prints the names of what CMakeLists.txt files require: components of catkin, and packages. What stands below a condition
-# that is off is left out: an option or variable that the file itself turns off, and systems that the image is not. Files
-# that they include are read with them.
+# that is off is left out: an option or variable that the file itself turns off, and systems that the image is not. So is
+# what the file has another way for (else behind if(NAME_FOUND)), where its own FindNAME.cmake never stops. Files that they
+# include are read with them.
 #   --programs  run:NAME of each program that they call, also of a script that lies in what they fetch
 #   --library  of a library that CMake configures with these options: its CMakeLists.txt with the files that it adds, too,
 #              without what its own projects are called. Also pkg:MODULE for a module of pkg-config, and link:NAME and
@@ -88,6 +89,8 @@ required() {
     command == "if" { depth++; known = truth(words, count); skip[depth] = known == 0; met[depth] = known == 1 }
     command == "elseif" { known = truth(words, count); skip[depth] = met[depth] || known == 0; if (known == 1) met[depth] = 1 }
     command == "else" { skip[depth] = met[depth] }
+    command == "if" { asked[depth] = count == 1 && tolower(words[1]) ~ /_found$/ ? tolower(words[1]) : "" }
+    command == "else" && asked[depth] { either[substr(asked[depth], 1, length(asked[depth]) - 6)] = 1 }
     command ~ /^(if|elseif|else)$/ { without[depth] = count == 2 && toupper(words[1]) == "NOT" ? words[2] : "" }
     {
       for (level = 1; level <= depth; level++) if (skip[level]) next
@@ -121,7 +124,7 @@ required() {
         if (words[i] == "COMPONENTS") components = 1
         else if (components && words[1] == "catkin") take(words[i])
       }
-      if (required && words[1] != "catkin") take(words[1])
+      if (required && words[1] != "catkin") if (library) take(words[1]); else packages[++total_packages] = words[1]
       looked[words[1] "_FOUND"] = looked[toupper(words[1]) "_FOUND"] = words[1]
       if (depth == 0 && !quiet && words[1] != "catkin") note_found(words[1])
     }
@@ -156,7 +159,23 @@ required() {
       }
     }
     command == "message" && words[1] == "FATAL_ERROR" && depth > 0 && without[depth] in looked { take(looked[without[depth]]) }
-    END { for (name in taken) if (!(tolower(name) in own)) print name }'
+    END {
+      for (name in taken) if (!(tolower(name) in own)) print name
+      for (i = 1; i <= total_packages; i++) print (tolower(packages[i]) in either ? "either:" : "") packages[i]
+    }'
+}
+# Reads names, and prints those without which the file in a folder stops: FOLDER
+settled() {
+  local name module
+  while read -r name; do
+    module=''
+    if [[ "${name}" =~ ^either:[A-Za-z0-9_+-]+$ ]]; then
+      module="$(find "$1" -name .git -prune -o -name "Find${name#either:}.cmake" -print -quit)"
+    fi
+    if [ -z "${module}" ] || grep --quiet --ignore-case --extended-regexp 'handle_standard_args|(FATAL|SEND)_ERROR' "${module}"; then
+      printf '%s\n' "${name#either:}"
+    fi
+  done
 }
 
 seen="$(mktemp)"
@@ -171,7 +190,7 @@ else
   for file in "$@"; do
     top="$(dirname "${file}")"
     : >"${seen}" # another file may have turned off what it includes
-    with_added "${file}" "${top}" 0 | required ''
+    with_added "${file}" "${top}" 0 | required '' | settled "${top}"
   done
 fi | grep --line-regexp --extended-regexp '((pkg|link|header|run):)?[A-Za-z][A-Za-z0-9_+./-]*' |
   grep --line-regexp --invert-match REQUIRED | LC_ALL=C sort --unique
