@@ -1,4 +1,4 @@
-"""The release that the index has nearest to a pinned one that it has not."""
+"""Another release than a pinned one: the nearest that the index has, or a newer one that runs on ROS's Python."""
 
 from __future__ import annotations
 
@@ -46,6 +46,20 @@ def nearest(found: Explanation, given: Given) -> tuple[str, str, str]:
     own = asked.written if asked.origin == "configuration" else ""
     unlabelled = [each for each in same if wanted.local and each.public == wanted.public]
     return f"{asked.name}{extras}=={(unlabelled or later or same[-1:])[0]}", own, ""
+
+
+def newer(found: Explanation, given: Given) -> tuple[str, str]:
+    """Return the line of pip for a newer release than the one that is pinned, and what it stands in place of.
+
+    Nothing where the repository does not pin the package whose code does not fit the Python: it pins what is to blame
+    for that, or another package brings it.
+    """
+    key = canonicalize_name(dict(found.names).get("package", ""))
+    asked = next((each for each in _asked(given) if key and each.key == key and each.release), None)
+    if asked is None:
+        return "", ""
+    extras = f"[{','.join(asked.extras)}]" if asked.extras else ""
+    return f"{asked.name}{extras}>{asked.release}", asked.written if asked.origin == "configuration" else ""
 
 
 def pinned(given: Given, name: str, wanted: Version) -> Requirement | None:

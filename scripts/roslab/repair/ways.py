@@ -14,7 +14,7 @@ from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
 from roslab.repair import clones, flags, missing
 from roslab.repair.change import Given, Worked
-from roslab.repair.releases import nearest
+from roslab.repair.releases import nearest, newer
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
 from roslab.values.version import Version
@@ -53,9 +53,15 @@ def python(found: Explanation, given: Given) -> Worked:
 
 
 def older_python(found: Explanation, given: Given) -> Worked:
-    """Take the newest Python that still has what was removed, if the repository's own projects run there."""
+    """Take the newest Python that still has what was removed, if the repository's own projects run there.
+
+    ROS's Python stays: what the repository pins of that time becomes a newer release.
+    """
     last, now = dict(found.names).get("last", ""), given.plan.python.version
     if given.plan.ros_distro:
+        line, instead = newer(found, given)
+        if line:
+            return Worked(values=(line,), instead=instead, key="pip")
         return Worked(why=f"the Python of ROS {given.plan.ros_distro} cannot be exchanged: {found.fix}")
     limit = Version(last)
     if now and Version(now) < Version(f"{limit.major}.{limit.minor + 1}"):

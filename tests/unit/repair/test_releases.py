@@ -126,13 +126,34 @@ def test_what_newer_pythons_no_longer_have_takes_an_older_one(
     assert all(each.certain == (not project) and each.asked.what.startswith(f"{what}") for each in found.changes)
 
 
+NODE = "<package><name>robot</name><version>1.0.0</version><buildtool_depend>ament_cmake</buildtool_depend></package>"
+OF_ROS = {"package.xml": NODE, "CMakeLists.txt": "project(robot)\n", "roslab.yaml": "format: 3\nbase: {ros: jazzy}\n"}
+THREAD = "/tmp/pip-install-a1b2c3d4/cython_0123456789abcdef0123456789abcdef/a.c:7:1: error: "
+THREAD += "'PyThreadState' {aka 'struct _ts'} has no member named 'exc_type'"
+
+
 def test_ros_keeps_its_python(tmp_path: Path) -> None:
-    package = "<package><name>robot</name><version>1.0.0</version><buildtool_depend>ament_cmake</buildtool_depend>"
-    files = {
-        "package.xml": f"{package}</package>",
-        "CMakeLists.txt": "project(robot)\n",
-        "roslab.yaml": "format: 3\nbase: {ros: jazzy}\n",
-    }
-    found = repaired(tmp_path, files, GONE.format("ModuleNotFoundError: No module named 'imp'"))
+    found = repaired(tmp_path, OF_ROS, GONE.format("ModuleNotFoundError: No module named 'imp'"))
     assert found.changes == ()
     assert "the Python of ROS jazzy cannot be exchanged" in found.refused[0][1]
+
+
+@pytest.mark.parametrize(
+    ("files", "taken", "instead"),
+    [
+        ({"requirements.txt": "attrs\nCython==0.22.0\n"}, "Cython>0.22.0", ""),
+        ({"roslab.yaml": f"{OF_ROS['roslab.yaml']}pip: [cython==0.22.0]\n"}, "cython>0.22.0", "cython==0.22.0"),
+        ({"requirements.txt": "attrs\nCython\n"}, "", ""),
+        ({"requirements.txt": "attrs==0.22.0\n"}, "", ""),
+    ],
+)
+def test_there_a_newer_release_than_the_pinned_one_is_taken(
+    tmp_path: Path, files: dict[str, str], taken: str, instead: str
+) -> None:
+    found = repaired(tmp_path, {**OF_ROS, **files}, GONE.format(THREAD))
+    changes = [(each.key, each.value, each.instead, each.certain) for each in found.changes]
+    assert changes == ([("pip", taken, instead, True)] if taken else [])
+    assert bool(found.refused) == (not taken)
+    tree_of(tmp_path, {"roslab.yaml": added((tmp_path / "roslab.yaml").read_text(), found.entries)})
+    planned = plan_repository(tmp_path).plan.python.pip
+    assert not taken or (taken in planned and "Cython==0.22.0" not in planned)
