@@ -63,6 +63,8 @@ class CMakeProject:
     """Programs that it always installs into ``bin``, and nowhere else."""
     made: tuple[str, ...] = ()
     """Libraries that are targets of it, but for imported ones."""
+    installs: tuple[str, ...] = ()
+    """Those of them that it always installs."""
     targets: tuple[str, ...] = ()
     """Programs and libraries that are always targets of it, as CMake calls them."""
     not_there: tuple[InstalledPath, ...] = ()

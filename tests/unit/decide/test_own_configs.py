@@ -58,6 +58,47 @@ def test_the_build_stops_where_it_fails_and_a_package_cannot_do_without(tree: Tr
     assert [script.required for script in found.scripts] == [True] * stops
 
 
+LINKED = {
+    "lib/CMakeLists.txt": (
+        "project(grip)\nadd_library(grip_core SHARED a.cpp)\ninstall(TARGETS grip_core DESTINATION lib)\n"
+    ),
+    "lib/a.cpp": "int a() { return 1; }\n",
+    "grip_ros/CMakeLists.txt": (
+        "project(grip_ros)\nfind_package(catkin REQUIRED)\nfind_package(grip)\nadd_executable(n n.cpp)\n"
+        "target_link_libraries(n grip_core)\n"
+    ),
+}
+PACKAGE = LINKED["grip_ros/CMakeLists.txt"]
+
+
+@pytest.mark.parametrize(
+    ("files", "folders"),
+    [
+        ({}, ["lib"]),
+        ({"lib/CMakeLists.txt": "project(grip)\nadd_library(grip_core SHARED a.cpp)\n"}, []),  # nobody finds it
+        ({"lib/CMakeLists.txt": LINKED["lib/CMakeLists.txt"].replace("grip_core", "yaml-cpp")}, []),
+        ({"grip_ros/CMakeLists.txt": PACKAGE.replace("target_link", "#target_link")}, []),
+        ({"grip_ros/CMakeLists.txt": f"{PACKAGE}add_library(grip_core b.cpp)\n"}, []),
+        ({"lib/package.xml": FILES["grip_ros/package.xml"].replace("grip_ros", "grip")}, []),
+        ({"examples/lib/CMakeLists.txt": LINKED["lib/CMakeLists.txt"], "lib/CMakeLists.txt": ""}, []),
+        (OF_ROS_2, []),
+    ],
+)
+def test_so_it_is_where_a_package_names_its_library_alone(
+    tree: Tree, files: dict[str, str], folders: list[str]
+) -> None:
+    found = tree(FILES | LINKED | files)
+    assert [script.folder for script in found.scripts] == folders
+    assert all(script.required for script in found.scripts)
+
+
+def test_a_key_called_like_what_is_linked_is_looked_for_nowhere(tree: Tree) -> None:
+    found = tree(FILES | LINKED)
+    assert "grip" not in found.rosdep
+    assert not found.source
+    assert not any("grip" in warning.message for warning in found.warnings)
+
+
 @pytest.mark.parametrize("files", [{}, OF_ROS_2])
 def test_it_is_no_key_and_is_looked_for_nowhere(tree: Tree, files: dict[str, str]) -> None:
     found = tree(FILES | files)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Collection, Iterable, Iterator
 
-from roslab.decide.ros.own_configs import installing
+from roslab.decide.ros.own_configs import installing, linked_of_tree
 from roslab.decide.ros.source_names import plain
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -22,7 +22,7 @@ def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ..
     includes: a node is often called like the driver that it wraps. What another project installs has no package.xml.
     A package of Python may name modules of Python's own library: ``json``.
     """
-    here = installing(evidence)
+    here, linked = installing(evidence), linked_of_tree(evidence)
     named = {plain(git.name) for git in evidence.sources}
     named |= {plain(each.name.partition("/")[0]) for each in evidence.code if each.namespace == "include"}
     folders = {manifest.file.rpartition("/")[0] for manifest in evidence.manifests}
@@ -35,6 +35,7 @@ def own_targets(keys: Iterable[Dependency], evidence: Evidence) -> tuple[str, ..
         key.name
         for key in keys
         if key.name.lower() in here
+        or (key.name in linked and not ever_released(key.name) and key.name not in rosdep_keys())
         or (key.file.rpartition("/")[0] in python and _of_python(key.name))
         or key.file.rpartition("/")[0] in made.get(key.name, ())
     )

@@ -24,6 +24,7 @@ from roslab.decide.system.names import Target
 from roslab.decide.system.run_by_pages import ASIDE, MOST, by_author, by_make_alone, run_by_pages, script_of
 from roslab.decide.system.system_libraries import with_system_libraries
 from roslab.evidence.cmake_project import CMakeProject
+from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.makefile import Makefile
 from roslab.values.dataclass import replace
@@ -165,14 +166,18 @@ def _of_packages(evidence: Evidence, target: Target) -> Choice[tuple[OwnScript, 
         (_part(project, found=True, options=_said_of(project, evidence)), asked)
         for project, asked in required_of_tree(evidence, target)
     ]
-    why = "{} requires {}, which it installs"
+    why = "{} {} {}, which it installs"
     return Choice(
         answer=tuple(replace(_first(script), required=asked.required) for script, asked in found),
         reasons=tuple(
-            because("source", s.folder or ".", why.format(asked.file, asked.name), asked, weight=WEIGHT)
+            because("source", s.folder or ".", why.format(asked.file, _how(asked), asked.name), asked, weight=WEIGHT)
             for s, asked in found
         ),
     )
+
+
+def _how(asked: Dependency) -> str:
+    return "links" if asked.namespace == "link" else "requires"
 
 
 def _said_of(project: CMakeProject, evidence: Evidence) -> str:

@@ -43,11 +43,8 @@ MAX_PROJECTS = 3_000
 MAX_MODULE = 64 * 1024
 _EXECUTABLE = frozenset(
     [
-        "add_executable",
-        "cuda_add_executable",
-        "cs_add_executable",
-        "rosbuild_add_executable",
-        "ament_auto_add_executable",
+        *("add_executable", "cuda_add_executable", "cs_add_executable"),
+        *("rosbuild_add_executable", "ament_auto_add_executable"),
     ]
 )
 _LIBRARY = frozenset(
@@ -221,6 +218,7 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
         placed=tuple(reading.written.elsewhere()),
         in_bin=tuple(map(reading.written.file, installed_programs.in_bin(reading.placed, reading.executables))),
         made=tuple(reading.made),
+        installs=tuple(name for name in reading.made if name in reading.placed),
         targets=tuple(reading.targets) if always else (),
         not_there=not_there(reading.installed, text, repository) if always else (),
         configs=tuple(reading.configs),
