@@ -10,6 +10,7 @@ from roslab.decide.command import decide_command
 from roslab.decide.python.at_top import started_files
 from roslab.decide.python.lost import unknown_modules, with_told_links
 from roslab.decide.python.may_bring import absent, begins_like, declares, names_there
+from roslab.decide.python.of_owner import with_repositories_of_owner
 from roslab.decide.python.own import OwnPython
 from roslab.decide.python.packages import Chosen
 from roslab.evidence.dependency import Dependency
@@ -35,7 +36,7 @@ def with_unknown_modules(evidence: Evidence, config: Config, kind: Kind, own: Ow
     A package that is tried has the module's name and nothing else in its favour: so only what a command cannot start
     without is, and where neither a declared package, nor a submodule, nor a link of a page may bring it.
     """
-    chosen = with_told_links(evidence, kind, own.chosen)
+    chosen = with_repositories_of_owner(evidence, with_told_links(evidence, kind, own.chosen))
     unknown = unknown_modules(evidence, kind, chosen) if any(m.topic == "reached" for m in evidence.mentions) else []
     if not unknown:
         return chosen
