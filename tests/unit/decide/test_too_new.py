@@ -113,3 +113,27 @@ def test_it_tells_the_python_where_nothing_names_one(tree: Tree, asked: str, pyt
     assert found.python.version in python
     told = any("needs a Python newer than" in r.reason for r in found.reasons if r.question == "python")
     assert told == ("0.26.3" not in asked)
+
+
+@pytest.mark.parametrize(
+    ("files", "tried"),
+    [
+        ({"requirements.txt": "numpy==1.24.4\nnobody==0.1.40\n"}, ["numpy", "nobody==0.1.40"]),
+        ({"requirements.txt": "numpy==1.16.0\nnobody==0.1.40\n"}, []),
+        ({"requirements.txt": "numpy==1.24.4; python_version >= '3.8'\nnobody==0.1.40\n"}, []),
+    ],
+)
+def test_the_other_lines_of_such_a_list_stop_no_image_of_ros(
+    tree: Tree, files: dict[str, str], tried: list[str]
+) -> None:
+    found = tree({**ROS, "README.md": "Tested on ROS Melodic.\n", **files})
+    assert [each.written for each in found.python.pip_tried] == tried
+    said = "requirements.txt is for a newer Python than the 3.6 of ROS"
+    assert any(said in told.message for told in found.warnings) == bool(tried)
+
+
+def test_but_that_of_a_chosen_python_does(tree: Tree) -> None:
+    asked = {"requirements.txt": "scipy==1.2.1\ntorch==0.4.1\nnumpy==1.22.0\n", "README.md": PAGE.format("3.6")}
+    found = tree({**asked, "main.py": "import numpy, torch\n"})
+    assert found.python.version == "3.6"
+    assert not found.python.pip_tried

@@ -53,7 +53,7 @@ from roslab.decide.python.own import OwnPython, manager_of, of_ubuntu, outvoted
 from roslab.decide.python.packages import Chosen, with_guess
 from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pip_lists import pip_lists
-from roslab.decide.python.pythons import ANY
+from roslab.decide.python.pythons import interpreter_of
 from roslab.decide.python.raised_pins import raised_pins
 from roslab.decide.python.refused import Repaired, elsewhere, of_pages, repair, right, untold
 from roslab.decide.python.requires import refused_python
@@ -66,10 +66,8 @@ from roslab.decide.system.cmake_version import from_pip
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.values.dataclass import replace
-from roslab.values.interpreter import Interpreter
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
-from roslab.values.version import minor_of
 
 
 def decide_python(
@@ -92,10 +90,10 @@ def decide_python(
     alone = conda_alone(evidence, own.answer)
     by_conda = {each.key for each in alone.asked}
     manager = "conda" if alone.specs else manager_of(config, kind, own.answer, ubuntu)
-    interpreter = _interpreter(runs := number or python_of_ubuntu().get(ubuntu or ""))
+    interpreter = interpreter_of(runs := number or python_of_ubuntu().get(ubuntu or ""))
     lists, conda = pip_lists(config, ubuntu, number), chosen.conda if manager == "conda" else None
     loose = gives_way(evidence, kind, ubuntu, chosen.files, lists.requirements, manager=manager, python=runs)
-    repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose)
+    repaired = _repaired(evidence, chosen, runs, elsewhere(evidence, kind, conda), loose, ros_distro)
     manifests = [*loosened(of_manifests(evidence, chosen), runs, loose)]
     pixi = channels.by_specs(evidence, chosen.conda)
     part = conda_part(evidence, chosen, number, by_file=conda is not None and not pixi, by_name=repaired.files)
@@ -288,13 +286,11 @@ def _without(asked: Sequence[Requirement], of_conda: Sequence[Requirement]) -> t
     return tuple(each for each in asked if each.key not in {of.key for of in of_conda})
 
 
-def _interpreter(version: str | None) -> Interpreter:
-    """Return the interpreter for markers: the image's Python, or any Python if that is not known."""
-    return Interpreter(pythons=(minor_of(version) or version,)) if version else ANY
-
-
-def _repaired(evidence: Evidence, chosen: Chosen, python: str | None, brought: set[str], loose: Loose) -> Repaired:
+def _repaired(  # noqa: PLR0917 - what is known of it
+    evidence: Evidence, chosen: Chosen, python: str | None, brought: set[str], loose: Loose, ros_distro: str | None
+) -> Repaired:
     names = {canonicalize_name(project.name) for project in chosen.projects if project.name}
-    repaired = repair(evidence, chosen.files, chosen.projects, names | brought, python, loose=loose)
+    names |= brought
+    repaired = repair(evidence, chosen.files, chosen.projects, names, python, loose=loose, in_ros=bool(ros_distro))
     more = right(loosened(chosen.declared, python), of_pages(evidence, own_names(evidence)))
     return replace(repaired, requirements=(*repaired.requirements, *more))

@@ -19,7 +19,7 @@ from roslab.decide.python.nightlies import dropped
 from roslab.decide.python.nightlies import told as of_nightly
 from roslab.decide.python.pins import DEVELOPMENT
 from roslab.decide.python.pythons import ANY
-from roslab.decide.python.too_new import in_python, loosened, told, unmet
+from roslab.decide.python.too_new import in_python, loosened, told, unmet, written_for_newer
 from roslab.decide.python.unread_lines import unread_lines
 from roslab.decide.reasons import warn
 from roslab.decide.ros.workspace import packages_of
@@ -181,6 +181,7 @@ def repair(
     python: str | None = None,
     *,
     loose: Mapping[Requirement, Warning_] = MappingProxyType({}),
+    in_ros: bool = False,
 ) -> Repaired:
     """Return how to install what is declared if pip would refuse some of its lines; ``own`` are names in the tree.
 
@@ -188,6 +189,7 @@ def repair(
     So it does with a folder (``-e .``): files are installed before the source is there, and pip looks for a folder
     from where it is started (https://pip.pypa.io/en/stable/reference/requirements-file-format/, read 2026-11-23).
     A release that never was for the image's ``python`` gives way to one that was, and so do ``loose`` lines of files.
+    Of a list that is for a newer Python than that of ROS the other lines may have no release for it either.
     """
     names = set(own)
     pages = of_pages(evidence, names)
@@ -216,13 +218,14 @@ def repair(
         broken.add(file.file)
         named = _kept((each for each in loosened(found, python, loose) if each.role != "project"), names, pages)
         kept += named
-        tried += named if spelled or unread or absent else []
+        for_newer = [*written_for_newer(found, python)] if in_ros else []
+        tried += named if spelled or unread or absent or for_newer else []
         text = f"pip would refuse this line; the packages of {file.file} are installed one by one"
         warnings += [*(warn(text, asked) for asked in spelled[:1]), *unread]
         warnings += map(_in_full, short)
         warnings += [*gone(absent, cloned_files(evidence, [file])), *astray]
         warnings += [unfit(asked) for asked in missing if asked.key not in names]
-        warnings += [*(loose.get(asked) or told(asked, python) for asked in newer), *wrong.values()]
+        warnings += [*(loose.get(asked) or told(asked, python) for asked in newer), *for_newer, *wrong.values()]
         warnings += map(without_list, pinned)
     for project in projects:
         found = [asked for asked in project.requirements if asked.role in {"", "source", "member"}]

@@ -34,6 +34,20 @@ def never_was(asked: Requirement) -> bool:
     return bool(asked.release and not asked.url and never_released(asked.key, asked.release))
 
 
+def for_newer(asked: Requirement, python: str | None) -> bool:
+    """Tell whether a requirement has a release that only newer Pythons than this one run."""
+    row = _row(asked, python)
+    older = row is not None and Version(python or "0") < Version(row.python_min)
+    return older or _outgrown(asked, python) is not None
+
+
+def written_for_newer(found: Iterable[Requirement], python: str | None) -> Iterator[Warning_]:
+    """Yield what is told of a list for a newer Python than ROS has: no table knows all that has no release for it."""
+    for asked in [each for each in found if for_newer(each, python)][:1]:
+        why = f"{asked.file} is for a newer Python than the {python} of ROS"
+        yield warn(f"{why}: what of it has no release for that one is named by the build and left out", asked)
+
+
 def _row(asked: Requirement, python: str | None) -> Framework | None:
     """Return the row of a release that does not run on a Python, ``None`` where it does, or nothing is known."""
     release = _lowest(asked)
