@@ -94,8 +94,10 @@ def test_a_folder_that_adds_itself_is_read_once(tmp_path: Path) -> None:
 class Stage:
     """A stand-in of the stage in which a library is built: its apt knows these packages, and installs them all."""
 
-    def __init__(self, folder: Path, *known: str, ubuntu: str = "focal", ros: str = "noetic") -> None:
-        """Make the programs and tables that the script uses."""
+    def __init__(
+        self, folder: Path, *known: str, ubuntu: str = "focal", ros: str = "noetic", git: str = "exit 1"
+    ) -> None:
+        """Make the programs and tables that the script uses; no host answers this git unless ``git`` says otherwise."""
         self.folder, self.ros = folder, ros
         (folder / "share").mkdir()
         (folder / "local/lib").mkdir(parents=True)
@@ -106,7 +108,9 @@ class Stage:
             "apt-get": ":",
             "apt-cache": f'[[ " {" ".join(known)} " = *" ${{!#}} "* ]]',
             "install-optional-apt": f'echo "$*" >>{folder}/calls',
+            "git": git,
         }
+        programs |= {tool: f'echo "{tool} $*" >>{folder}/built' for tool in ("cmake", "make", "ldconfig")}
         for name, body in programs.items():
             (folder / "bin" / name).write_text(f"#!/bin/bash\n{body}\n")
             (folder / "bin" / name).chmod(0o755)
@@ -114,7 +118,7 @@ class Stage:
         text = text.replace("/usr/local/{lib,share}", f"{folder}/local/lib").replace(
             "/installed$", f"{folder}/installed$"
         )
-        text = text.replace("/tmp/apt-", f"{folder}/apt-")
+        text = text.replace("/tmp/apt-", f"{folder}/apt-").replace("/tmp/required", f"{folder}/required")
         (folder / "script").write_text(text)
 
     def run(self, *arguments: str) -> tuple[list[list[str]], str]:
@@ -203,6 +207,42 @@ def test_what_starts_vcpkg_is_installed_where_cmake_fetches_it(
 ) -> None:
     calls, said = Stage(tmp_path).library(cmake)
     assert (calls, said) == ([installed] if installed else [], "")
+
+
+CLONES = 'if [ "$1" = clone ]; then mkdir --parents "${!#}"; fi'
+GTEST = "https://github.com/google/googletest.git"
+
+
+def test_what_only_its_source_brings_is_built_before_it(tmp_path: Path) -> None:
+    stage = Stage(
+        tmp_path, "libeigen3-dev", ubuntu="bionic", ros="melodic", git=f'echo "$*" >>{tmp_path}/git\n{CLONES}'
+    )
+    _, said = stage.library("find_package(GTest REQUIRED)\nfind_package(Eigen3 REQUIRED)\n")
+    assert "write into roslab.yaml" not in said
+    asked = (tmp_path / "git").read_text().splitlines()
+    assert asked[0] == f"clone --quiet {GTEST} {tmp_path}/required/googletest"
+    assert asked[1].endswith(" checkout --quiet ec44c6c1675c25b9827aacd08c02433cccde7780")
+    built = (tmp_path / "built").read_text().splitlines()
+    assert built[0] == "cmake -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON .."
+    assert built[-3:] == ["make install", "make install DESTDIR=/installed", "ldconfig "]
+    assert not (tmp_path / "required").exists()
+
+
+def test_so_is_what_that_needs_and_apt_brings_its_packages(tmp_path: Path) -> None:
+    stage = Stage(tmp_path, "libeigen3-dev", ubuntu="bionic", ros="melodic", git=CLONES)
+    calls, said = stage.library("find_package(OsqpEigen REQUIRED)\nfind_package(Sophus REQUIRED)\n")
+    assert said.count("no package of this image's sources") == 2
+    assert "write into" not in said
+    assert (tmp_path / "built").read_text().count("make install\n") == 3
+    assert calls == [["libeigen3-dev"], ["libeigen3-dev"]]
+    kept = tmp_path / "installed" / f"{tmp_path}/share/required/acme.txt".lstrip("/")
+    assert set(kept.read_text().splitlines()) == {"libeigen3-dev"}
+
+
+def test_but_not_what_needs_more_than_cmake(tmp_path: Path) -> None:
+    _, said = Stage(tmp_path, ubuntu="bionic", ros="melodic", git=CLONES).library("find_package(raisim REQUIRED)\n")
+    assert "roslab: it can be built before acme; write into roslab.yaml:" in said
+    assert not (tmp_path / "built").exists()
 
 
 def test_a_library_that_can_be_built_before_is_told_with_what_to_write(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@
 # the image's Ubuntu name, else those of ROS that are called so, else those that Debian's custom would call so: libNAME-dev
 # or NAME-dev. A list of them goes along with the library to where it is installed, for what is linked with it needs them
 # too: without arguments, all lists that came with libraries are installed, as they are before those of a further library.
-# What no package brings is told.
+# What no package brings and CMake alone builds is built as the tables have it, here and for the image; the rest is told.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
 tables=/usr/local/share/roslab
@@ -63,10 +63,7 @@ packages() {
           continue
         fi
         echo "roslab: ${name} requires ${wanted#pkg:}, and no package of this image's sources is known to bring it" >&2
-        if [ -n "${said}" ]; then
-          echo "roslab: it can be built before ${name}; write into roslab.yaml:" >&2
-          sed -e 's/^recipe:/format: 3\nsource:\n  - /' -e 's/ | /\n  - /g' <<<"${said}" >&2
-        fi
+        if [ -n "${said}" ]; then echo "${said#recipe:}" >>"${recipes}"; fi
         ;;
       *)
         found=''
@@ -78,6 +75,34 @@ packages() {
     esac
   done | LC_ALL=C sort --unique
 }
+# Builds what a line of the tables tells, one library before the other; ends with 1 where one needs more than CMake
+form='^\{"name": "([^"\\]+)", "repo": "([^"\\]+)", "ref": "([^"\\]+)"'
+form+='(, "depends": \[([^]\\]*)\])?(, "cmake_options": "([^"\\]*)")?\}$'
+with_packages() {
+  if [ "$#" -eq 0 ]; then return; fi
+  printf '%s\n' "$@" | tee --append "/installed${lists}/${name}.txt" >>"${lists}/${name}.txt"
+  install-optional-apt "$@"
+}
+build() {
+  local one source url ref depends options
+  while IFS='' read -r one; do
+    if [[ ! "${one}" =~ ${form} ]]; then return 1; fi
+    source="/tmp/required/${BASH_REMATCH[1]}" url="${BASH_REMATCH[2]}" ref="${BASH_REMATCH[3]}"
+    read -r -a depends <<<"$(tr --delete '",' <<<"${BASH_REMATCH[5]}")"
+    mapfile -t options < <(xargs --no-run-if-empty printf '%s\n' <<<"${BASH_REMATCH[7]}")
+    if [ -d "${source}" ]; then continue; fi # another one of these names needed it, too
+    echo "roslab: ${name} requires $(basename "${source}"): ${ref} of ${url} is built before it"
+    { git clone --quiet "${url}" "${source}" && git -C "${source}" -c advice.detachedHead=false checkout --quiet "${ref}" &&
+      git -C "${source}" submodule update --init --recursive && with_packages "${depends[@]}" &&
+      mkdir --parents "${source}/build" && (cd "${source}/build" && cmake -DCMAKE_BUILD_TYPE=Release "${options[@]}" .. &&
+      make --jobs="$(compile-jobs 2>/dev/null || echo 2)" && make install && make install DESTDIR=/installed) && ldconfig; } || {
+      rm -rf "${source}"
+      return 1
+    }
+  done <<<"${1// | /$'\n'}"
+}
+
+recipes="$(mktemp)"
 mkdir --parents "${lists}" "/installed${lists}"
 packages "$@" >"${lists}/${name}.txt"
 # vcpkg, which the library's own CMake fetches, starts with these programs
@@ -90,3 +115,9 @@ rm -f /tmp/apt-*.bin
 cp "${lists}/${name}.txt" "/installed${lists}/"
 if [ -s "${lists}/${name}.txt" ]; then echo "roslab: ${name} requires, and apt installs: $(tr '\n' ' ' <"${lists}/${name}.txt")"; fi
 install
+while IFS='' read -r recipe; do
+  if build "${recipe}" </dev/null; then continue; fi
+  echo "roslab: it can be built before ${name}; write into roslab.yaml:" >&2
+  sed -e 's/^/format: 3\nsource:\n  - /' -e 's/ | /\n  - /g' <<<"${recipe}" >&2
+done <"${recipes}"
+rm -rf "${recipes}" /tmp/required
