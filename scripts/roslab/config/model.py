@@ -103,7 +103,8 @@ class Source:
     listed: bool = False
     """A list or a page names it: where its host asks for a password, or has it no longer, the image goes without."""
     lists: bool = False
-    """It is a workspace's repository: what its lists name is cloned, in place of what else is cloned by these names."""
+    """It is a workspace's repository, or a list of a list: what its lists name is cloned, in place of what else is
+    cloned by these names."""
     holding: tuple[str, ...] = ()
     """Packages for which it is looked through: it is kept where it holds some."""
     patches: tuple[Patch, ...] = ()

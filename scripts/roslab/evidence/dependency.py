@@ -105,6 +105,8 @@ class GitSource:
     """The name in .gitmodules of a submodule that lies at another path than its entry says: git finds none there."""
     by_name: bool = False
     """Its address is that of a repository which ROS lists under its name; it is the one if it has the commit."""
+    lists: bool = False
+    """What it lists itself is cloned with it."""
     into: str = ""
     """The name of the folder that it is cloned into, where that is not its own."""
     removed: bool = False

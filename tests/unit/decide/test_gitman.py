@@ -45,6 +45,24 @@ def test_what_gitman_lists_is_cloned_at_what_it_locked(tree: Tree, name: str) ->
     ]
 
 
+@pytest.mark.parametrize(
+    ("script", "lists"),
+    [
+        ("gitman install core", True),
+        ("cd x && gitman update", True),
+        ("gitman install", True),
+        ("git submodule update --init", False),
+        ("echo gitman install", False),
+    ],
+)
+def test_what_a_listed_repository_lists_is_cloned_where_gitman_is_called_in_it(
+    tree: Tree, script: str, lists: bool
+) -> None:
+    text = LIST.replace("    links:\n      -\n", f"    scripts:\n      - {script}\n")
+    decision = tree({"gitman.yml": text + LOCKED, **CI})
+    assert [(source.name, source.lists) for source in decision.source] == [("my_driver", lists), ("maps", False)]
+
+
 def test_a_list_of_gitman_alone_is_of_no_ros(tree: Tree) -> None:
     decision = tree({".gitman.yml": LIST, "CMakeLists.txt": "project(a)\nadd_executable(a a.cpp)\n"})
     assert decision.kind == "cpp"

@@ -111,3 +111,38 @@ def test_a_list_that_is_none(tmp_path: Path, text: str) -> None:
     (tmp_path / "ws/src").mkdir(parents=True)
     _commit(tmp_path / "lab_ws", "a.rosinstall", text or "\n")
     assert _run(tmp_path)[1] == {}
+
+
+GITMAN = """\
+sources:
+  - {{repo: {maps}, name: maps, rev: main, type: git}}
+  - {{repo: {extra}, rev: main}}
+  - {{repo: {tools}, name: tools, rev: main, type: git}}
+sources_locked:
+  - {{repo: {maps}, name: maps, rev: {locked}, type: git}}
+groups:
+  - {{name: core, members: [maps, more]}}
+  - {{name: more, members: [extra, core]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "names"),
+    [
+        ("default_group: core\n", {"maps", "extra"}),
+        ("default_group: ''\n", {"maps", "extra", "tools"}),
+        ("default_group: [1]\n", set()),
+    ],
+)
+@pytest.mark.parametrize("file", ["gitman.yml", ".gitman.yml"])
+def test_of_gitman_it_is_the_default_group_at_what_is_locked(
+    tmp_path: Path, file: str, more: str, names: set[str]
+) -> None:
+    addresses = {name: (tmp_path / name).as_uri() for name in ("maps", "extra", "tools")}
+    locked = {name: _commit(tmp_path / name, "a", "first\n") for name in addresses}["maps"]
+    _commit(tmp_path / "maps", "a", "second\n")
+    at = _commit(tmp_path / "lab_ws", file, GITMAN.format(**addresses, locked=locked) + more)
+    _commit(tmp_path / "lab_ws", file, "sources: []\n")
+    (tmp_path / "ws/src").mkdir(parents=True)
+    _, found = _run(tmp_path, "--branch", at)
+    assert found == {f"lab_ws/{name}": "first\n" for name in names}

@@ -177,6 +177,7 @@ class _Chosen:
             before=day_of_clone(ref, self.before),
             unasked=only_below(git) or bool(git.doubt),
             listed=not tabled,
+            lists=git.lists,
             place=Place(file=git.file, line=git.line),
         )
         self.reasons.append(because("source", name, why, git, weight=Weight.LISTED))

@@ -200,6 +200,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
     )
     if any("${" in str(part) for entry in entries for part in entry):
         return  # a template that a script of the author fills in
+    lists = gitman.lists(data) if file.path in _GITMAN else frozenset[str]()
     for name, url, ref in entries:
         if not isinstance(url, str) or not _PLAIN_URL.match(url.strip()) or nobodys(url):
             continue
@@ -212,6 +213,7 @@ def _listed(repository: Repository, file: File) -> Iterator[GitSource]:
             line=_line(text, url),
             kind="vcs",
             private=of_user(url),
+            lists=name in lists,
             by_ssh=url.strip() if _SSH.match(url.strip()) and not url.strip().startswith("http") else "",
         )
 

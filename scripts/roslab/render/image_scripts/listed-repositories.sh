@@ -1,10 +1,10 @@
 #!/bin/bash
 # usage: listed-repositories FOLDER LEAST MOST
-# Prints NAME URL REF of what the lists below a folder name (.rosinstall, .repos), from LEAST to MOST folders deep: REF is a tag, a
-# commit or a branch, or nothing. The interpreter of rosdep can read YAML.
+# Prints NAME URL REF of what the lists below a folder name (.rosinstall, .repos, gitman.yml), from LEAST to MOST folders deep: REF is a
+# tag, a commit or a branch, or nothing. Of gitman's groups it is the default one, at the commits that are locked. The interpreter of rosdep can read YAML.
 set -euo pipefail
 
-find "$1" -mindepth "$2" -maxdepth "$3" -name .git -prune -o \( -name '*.rosinstall' -o -name '*.repos' \) -print0 |
+find "$1" -mindepth "$2" -maxdepth "$3" -name .git -prune -o \( -name '*.rosinstall' -o -name '*.repos' -o -name gitman.yml -o -name .gitman.yml \) -print0 |
   LC_ALL=C sort --zero-terminated |
   xargs --null --no-run-if-empty "$(sed --quiet '1s/^#! *//p' "$(command -v rosdep)")" -c '
 import sys, yaml
@@ -19,6 +19,25 @@ for path in sys.argv[1:]:
         rows = [(row["git"].get("local-name"), row["git"]) for row in data if isinstance(row, dict) and isinstance(row.get("git"), dict)]
     elif isinstance(data, dict) and isinstance(data.get("repositories"), dict):
         rows = [(name, row) for name, row in data["repositories"].items() if isinstance(row, dict)]
+    elif isinstance(data, dict) and isinstance(data.get("sources"), list):
+        def folder(row):
+            return str(row.get("name") or str(row.get("repo") or "").rstrip("/").rpartition("/")[2].replace(".git", ""))
+        def listed(key):
+            entries = data.get(key) if isinstance(data.get(key), list) else []
+            return [(folder(row), row) for row in entries if isinstance(row, dict) and row.get("type", "git") == "git"]
+        groups = data.get("groups") if isinstance(data.get("groups"), list) else []
+        groups = {row.get("name"): row.get("members") for row in groups if isinstance(row, dict)}
+        wanted, left = set(), [data.get("default_group")]
+        while left:
+            name = left.pop()
+            members = groups.pop(name, None) if isinstance(name, str) else None
+            left += members if isinstance(members, list) else []
+            wanted.add(name if isinstance(name, str) else "")
+        locked = {name: row.get("rev") for name, row in listed("sources_locked")}
+        rows = [
+            (name, {"url": row.get("repo"), "version": locked.get(name) or row.get("rev")})
+            for name, row in listed("sources") if name in wanted or not data.get("default_group")
+        ]
     for name, row in rows:
         url = str(row.get("uri") or row.get("url") or "")
         name = str(name or "").rstrip("/").rpartition("/")[2]

@@ -1,9 +1,9 @@
 #!/bin/bash
 # usage: take-listed [--branch BRANCH] [--before DAY] [--but NAME] URL FOLDER
-# Clones to a folder of the workspace what the repository of a workspace, to which a page sends its reader, lists: by its
-# .rosinstall and .repos files, else by its submodules. It is taken in place of what lies in the workspace under the same
+# Clones to a folder of the workspace what the repository of a workspace, to which a page sends its reader, or one that a list
+# of gitman has installed with its own list, names: in .rosinstall, .repos and gitman's files, else by its submodules. It is taken in place of what lies in the workspace under the same
 # name, which only a table or another page names. What cannot be cloned is told, and what lies there stays.
-#   --branch BRANCH  of that repository; by default one of the ROS distribution's, if there is one
+#   --branch BRANCH  or a commit, of that repository; by default one of the ROS distribution's, if there is one
 #   --before DAY     the newest commit not after this day (YYYY-MM-DD), but where the list names a tag or commit
 #   --but NAME       the repository that is built itself
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04

@@ -67,7 +67,10 @@ def _of_workspace(plan: Plan, source: Source) -> list[str]:
     day = f" --before {quote.shell(source.before)}" if source.before else ""
     own = f" --but {quote.shell(posixpath.basename(plan.workspace.folder))}"
     where = f"{quote.shell(source.repo or '')} {quote.shell_with_user(f'{WS}/src/{source.name}')}"
-    why = "# A page sends the reader to this workspace: what it lists is taken"
+    sent = (
+        "A list has what this one lists cloned, too" if source.listed else "A page sends the reader to this workspace"
+    )
+    why = f"# {sent}: what it lists is taken"
     scripts = (shell.copy_script(name).rstrip() for name in with_called([TAKES_LISTED]))
     return [
         why,
@@ -91,7 +94,7 @@ def _of_interfaces(plan: Plan) -> list[str]:
 
 def _from_list(source: Source) -> bool:
     """Tell whether a source may be one that only its author can clone; what a table changes in it, anybody can."""
-    return source.listed and not (source.unasked or source.holding or source.prepare or source.zip)
+    return source.listed and not (source.lists or source.unasked or source.holding or source.prepare or source.zip)
 
 
 def _all_listed(plan: Plan, sources: list[Source]) -> list[str]:
