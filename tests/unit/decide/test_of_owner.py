@@ -30,6 +30,7 @@ FROM_GIT = "git+https://github.com/lab/arm-np-tools"
         ({"README.md": "# Arm\n", "docs/a.md": PAGE}, []),
         ({"setup.py": SETUP.format("arm_np_tools==1.0")}, []),  # it was released
         ({"setup.py": SETUP.format("arm_np_tools<2")}, []),
+        ({"setup.py": SETUP.format("arm_np_tools>=0.1")}, []),
         ({"setup.py": SETUP.format("arm_np_tools @ git+https://github.com/lab/arm-np-tools@v1")}, []),
         ({"setup.py": SETUP.format("arm-tools"), "arm_envs/__init__.py": ""}, []),
         (

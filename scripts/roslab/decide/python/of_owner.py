@@ -30,7 +30,7 @@ def with_repositories_of_owner(evidence: Evidence, chosen: Chosen) -> Chosen:
     found: dict[str, Requirement] = {}
     for asked in (each for project in chosen.projects for each in project.requirements) if links else ():
         git = links.get(asked.key)
-        if git is None or asked.role or not asked.name or asked.url or asked.limited or asked.marker:
+        if git is None or asked.role or not asked.name or asked.url or asked.specifier or asked.marker:
             continue
         if _known(asked.key) or not there.isdisjoint((asked.key, address(git.url))):
             continue
