@@ -12,7 +12,7 @@ from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
-from roslab.repair import clones, flags, missing
+from roslab.repair import clones, flags, linked_packages, missing
 from roslab.repair.change import Given, Worked
 from roslab.repair.releases import nearest, newer
 from roslab.values.pattern import pattern
@@ -248,6 +248,7 @@ WAYS: Mapping[str, Way] = {
     "jobs": jobs,
     "key": key,
     "linked": flags.linked,
+    "linked-package": linked_packages.linked,
     "module": missing.module,
     "newer-python": newer_python,
     "newer-ubuntu": newer_ubuntu,

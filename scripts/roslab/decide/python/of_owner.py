@@ -32,7 +32,7 @@ def with_repositories_of_owner(evidence: Evidence, chosen: Chosen) -> Chosen:
         git = links.get(asked.key)
         if git is None or asked.role or not asked.name or asked.url or asked.specifier or asked.marker:
             continue
-        if _known(asked.key) or not there.isdisjoint((asked.key, address(git.url))):
+        if known_of_index(asked.key) or not there.isdisjoint((asked.key, address(git.url))):
             continue
         ref = f"@{ref}" if (ref := fixed(git.ref)) else ""
         found.setdefault(asked.key, stated(f"git+{https(git.url)}{ref}", "import", asked.file, asked.line))
@@ -48,7 +48,7 @@ def _of_owner(evidence: Evidence) -> Iterator[tuple[str, GitSource]]:
             yield canonicalize_name(git.name), git
 
 
-def _known(key: str) -> bool:
+def known_of_index(key: str) -> bool:
     """Tell whether a table knows of the index that it has such a package, or what to install in its place."""
     of_modules = {canonicalize_name(package) for package, _ in imports().values() if package}
     return key in of_modules or key in not_on_index() or named_like(key) is not None
