@@ -32,3 +32,31 @@ def test_what_a_block_comments_out_is_not_installed(tree: Tree, block: str, inst
 def test_a_pytorch_that_a_block_comments_out_tells_no_cuda(tree: Tree, other: str) -> None:
     page = f"# Install\n```bash\n# pip install torch==1.10.1\n{other}\n```\n"
     assert tree({"a.py": "import numpy\n", "README.md": page}).base_image.startswith("ubuntu:")
+
+
+MESH = "<mesh filename='package://arm_description/meshes/a.dae'/>"
+
+
+@pytest.mark.parametrize(
+    ("said", "found"),
+    [
+        (MESH, True),
+        (f"<!--collision>\n{MESH}\n</collision-->", False),
+        (f"<!-- {MESH}", True),  # it is never closed
+        (f"<!-- a --> {MESH} <!-- b -->", True),
+    ],
+)
+def test_what_a_robot_description_comments_out_is_no_package(tree: Tree, said: str, found: bool) -> None:
+    package = "<package><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>"
+    cmake = "project(arm)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    decision = tree(
+        {
+            "README.md": "ROS Melodic\n",
+            "package.xml": package,
+            "CMakeLists.txt": cmake,
+            "urdf/arm.xacro": f"<robot>{said}</robot>\n",
+            "launch/arm.launch": "<launch><param name='r' command='xacro $(find arm)/urdf/arm.xacro'/></launch>\n",
+            ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/arm.git\n',
+        }
+    )
+    assert any("arm_description" in source.holding for source in decision.source) == found

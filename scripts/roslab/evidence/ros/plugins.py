@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
+from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.evidence.ros import launch, perspectives, plugin_types
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
@@ -42,7 +43,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 def _described(text: str, file: File) -> Iterator[Dependency]:
     """Yield the packages of the plugins of a parameter file, or those in which a robot description finds files."""
     if not file.name.endswith(("yaml", "yml")):
-        yield from launch.matches(text, file, (launch.FIND,))
+        yield from launch.matches(without_xml_comments(text), file, (launch.FIND,))
         return
     for name, place in plugin_types.named(text):
         line = text.count("\n", 0, place) + 1
