@@ -1,6 +1,7 @@
-"""Launch files whose name has a blank on a page, ``mapping_XXX.launch``: any of those that fit is meant.
+"""Launch files whose name has a blank on a page, ``mapping_XXX.launch``, ``mapping_[sensor].launch``.
 
-Where the whole name is a blank, ``[launch-file]``, it is the first that the section names above: in a table, for one.
+Any of those that fit is meant. Where the whole name is a blank, ``[launch-file]``, it is the first that the section
+names above: in a table, for one.
 """
 
 from __future__ import annotations
@@ -12,7 +13,9 @@ from roslab.evidence.facts import Evidence, Mention
 from roslab.values.numbered import numbered
 from roslab.values.pattern import pattern
 
-_BLANK = pattern(r"[xX]{2,}|(?<![A-Za-z])[A-Z]{3,}(?:_[A-Z]+)*(?![A-Za-z])")
+_BLANK = pattern(
+    r"\[[A-Za-z][\w -]{0,40}\]|<>|…|\{[A-Za-z][\w -]{0,40}\}|[xX]{2,}|(?<![A-Za-z])[A-Z]{3,}(?:_[A-Z]+)*(?![A-Za-z])"
+)
 LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
 """How the name of a launch file ends."""
 

@@ -24,6 +24,11 @@ FILES = {
         ("mapping_XXX.launch out_path:=/your/path", "mapping_ouster.launch"),
         ("mapping_SENSOR_NAME.launch rviz:=false", "mapping_ouster.launch"),
         ("XXX_velodyne.launch", "mapping_velodyne.launch"),
+        ("mapping_[xxx_sensor].launch", "mapping_ouster.launch"),
+        ("mapping_<sensor>.launch rviz:=false", "mapping_ouster.launch"),
+        ("mapping_{sensor name}.launch", "show.launch"),  # two words for a shell
+        ("mapping_{sensor}.launch", "mapping_ouster.launch"),
+        ("[sensor].launch", "show.launch"),
         ("mapping_velodyne.launch", "mapping_velodyne.launch"),
         ("XXX.launch", "show.launch"),
         ("localize_XXX.launch", "show.launch"),
