@@ -74,12 +74,14 @@ def called_in(words: Sequence[str], folder: str, sources: Sequence[GitSource]) -
 def clone_at(folders: Iterable[str], sources: Sequence[GitSource]) -> int | None:
     """Return the index of the last source that one of the folders is named after, by where it lies, ``None`` for none.
 
-    ``opencv-4.5`` and ``OpenCV`` are folders of ``opencv``.
+    ``opencv-4.5`` and ``OpenCV`` are folders of ``opencv``, the first one of an archive of 4.5: git writes no number
+    behind the name of a clone.
     """
     names = {_plain(folder) for folder in folders}
     for index in range(len(sources) - 1, -1, -1):
-        name = _plain(sources[index].folder)
-        if any(each == name or each.startswith(f"{name}_") for each in names):
+        name, ref = _plain(sources[index].folder), _plain(sources[index].ref or "")
+        more = [each.removeprefix(f"{name}_") for each in names if each.startswith(f"{name}_")]
+        if name in names or any(not each[:1].isdigit() or each in ref for each in more):
             return index
     return None
 

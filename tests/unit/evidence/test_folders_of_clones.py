@@ -1,0 +1,34 @@
+"""Which clone of a page lies in a folder that it goes to."""
+
+from __future__ import annotations
+
+import pytest
+
+from roslab.evidence.dependency import GitSource
+from roslab.evidence.prose.checkouts import clone_at
+
+
+@pytest.mark.parametrize(
+    ("folder", "ref", "found"),
+    [
+        ("solver", None, True),
+        ("Solver", None, True),
+        ("solver-src", None, True),
+        ("solver-2.6.2", None, False),  # another archive's: git writes no number there
+        ("solver-2.6.2", "2.6.2", True),
+        ("solver-2.6.2", "v2.6.2", True),
+        ("solver-2.6.2", "v2.7", False),
+        ("solvers", None, False),
+    ],
+)
+def test_a_folder_with_a_number_is_that_of_an_archive(folder: str, ref: str | None, found: bool) -> None:
+    git = GitSource(
+        name="solver",
+        url="https://github.com/lab/solver",
+        ref=ref,
+        strength="prose",
+        file="install.sh",
+        line=1,
+        kind="clone",
+    )
+    assert clone_at(["tools", folder], [git]) == (0 if found else None)
