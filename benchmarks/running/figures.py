@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from benchmarks.running.rows import BUILT, Row
+
+READINGS = ("first", "second", "third", "fourth", "fifth")
+"""In their order; one with another name comes after them."""
 
 INTRODUCTION = """\
 Public repositories that nobody prepared, chosen by name before anybody looked at them: what `roslab build`
@@ -21,9 +24,7 @@ between the release that the plan names and the Debian below that name. What no 
 
 def sums(rows: Sequence[Row]) -> list[str]:
     """Return the figures of a reading, a sentence each."""
-    late = [row for row in rows if row.outcome == "late"]
-    outside = [row for row in rows if row.outcome == "base missing" or (row.built is False and row.whose == "stand-in")]
-    able = [row for row in rows if row not in outside and row not in late]
+    late, outside, able = _parted(rows)
     built = [row for row in able if row.outcome in BUILT]
     commands = [row for row in built if row.command]
     stopped = [row for row in commands if row.whose == "stand-in"]
@@ -39,6 +40,64 @@ def sums(rows: Sequence[Row]) -> list[str]:
     ran += f"{len(needs)} of the others said that a device, data or arguments were missing."
     alone = f"A shell in the place of a command, as a library has: {_share(len(shells), len(built))} of the images."
     return [came, ran, alone]
+
+
+def _parted(rows: Sequence[Row]) -> tuple[list[Row], list[Row], list[Row]]:
+    """Return those that were not finished in time, those that only the stand-ins prevent, and the rest."""
+    late = [row for row in rows if row.outcome == "late"]
+    outside = [row for row in rows if row.outcome == "base missing" or (row.built is False and row.whose == "stand-in")]
+    return late, outside, [row for row in rows if row not in outside and row not in late]
+
+
+def over_time(readings: Mapping[str, Sequence[Row]]) -> str:
+    """Return a table of Markdown: of each list the newest reading of each repository, and all lists up to it.
+
+    ``readings`` by ``LIST-READING``. A repository that was not finished in time, or that only the stand-ins prevent, is
+    in no share; what no rule knows is ours or the code's.
+    """
+    head = "| list | begun | measured | stand-ins' | late | built of the rest | at first | with all before | ran |"
+    return "\n".join((head, f"|{' --- |' * 2}{' ---: |' * 7}", *_lines(readings))) + "\n"
+
+
+def _lines(readings: Mapping[str, Sequence[Row]]) -> Iterator[str]:
+    first: dict[str, dict[str, Row]] = {}
+    newest: dict[str, dict[str, Row]] = {}
+    for name in sorted(readings, key=_order):
+        of = name.rpartition("-")[0]
+        for row in readings[name]:
+            first.setdefault(of, {}).setdefault(row.repository, row)
+            newest.setdefault(of, {})[row.repository] = row
+    begun = {of: min(row.date for row in rows.values()) for of, rows in first.items()}
+    before: list[Row] = []
+    for of in sorted(newest, key=lambda name: (begun[name], _number(name))):
+        rows = list(newest[of].values())
+        before += rows
+        late, outside, able = _parted(rows)
+        at_first = _built(_parted(list(first[of].values()))[2])
+        cells = (of, begun[of], len(rows), len(outside), len(late), _built(able), at_first, _built(_parted(before)[2]))
+        yield f"| {' | '.join(map(str, cells))} | {_ran(able)} |"
+    late, outside, able = _parted(before)
+    yield f"| all | | {len(before)} | {len(outside)} | {len(late)} | {_built(able)} | | | {_ran(able)} |"
+
+
+def _built(able: Sequence[Row]) -> str:
+    return _share(sum(row.outcome in BUILT for row in able), len(able))
+
+
+def _ran(able: Sequence[Row]) -> str:
+    """Return how many images with a command ran it, without those that only the stand-ins stop."""
+    commands = [row for row in able if row.outcome in BUILT and row.command and row.whose != "stand-in"]
+    return _share(sum(row.outcome == "runs" for row in commands), len(commands))
+
+
+def _order(name: str) -> tuple[int, str]:
+    reading = name.rpartition("-")[2]
+    return (READINGS.index(reading) if reading in READINGS else len(READINGS), name)
+
+
+def _number(name: str) -> int:
+    number = name.rpartition("-")[2]
+    return int(number) if number.isdigit() else 0
 
 
 def title(name: str) -> str:

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 from benchmarks.running import blame, page
-from benchmarks.running.figures import sums
-from benchmarks.running.rows import OUTCOMES, Listed, Row, chosen, due, listed, read, write
+from benchmarks.running.figures import over_time, sums
+from benchmarks.running.rows import OUTCOMES, Listed, Outcome, Row, Whose, chosen, due, listed, read, write
 
 FOCAL = blame.Base(
     name="ros:noetic-ros-base",
@@ -173,6 +173,28 @@ def test_what_only_the_stand_in_lacks_is_counted_apart() -> None:
         "1 of 2 (50%)."
     )
     assert "1 of 1 (100%)" in second
+
+
+def test_lists_over_time_count_the_newest_reading_and_no_one_else_s_faults() -> None:
+    def row(name: str, outcome: Outcome, date: str, whose: Whose = "", command: str = "") -> Row:
+        built = {"runs": True, "stops": True, "shell": True, "unbuilt": False}.get(outcome)
+        base = Row(repository=name, commit="0", date=date, kind="cpp", outcome=outcome)
+        return replace(base, whose=whose, command=command, built=built)
+
+    readings = {
+        "built-10-first": (row("a/late", "late", "2026-11-03"), row("a/shell", "shell", "2026-11-03")),
+        "built-9-fifth": (row("a/ours", "runs", "2026-11-02", command="b"),),
+        "built-9-first": (
+            row("a/ours", "unbuilt", "2026-11-01", "unclear"),
+            row("a/stand-in", "unbuilt", "2026-11-01", "stand-in"),
+            row("a/stops", "stops", "2026-11-01", "ours or the code's", "c"),
+        ),
+    }
+    assert over_time(readings).splitlines()[2:] == [
+        "| built-9 | 2026-11-01 | 3 | 1 | 0 | 2 of 2 (100%) | 1 of 2 (50%) | 2 of 2 (100%) | 1 of 2 (50%) |",
+        "| built-10 | 2026-11-03 | 2 | 0 | 1 | 1 of 1 (100%) | 1 of 1 (100%) | 3 of 3 (100%) | 0 of 0 |",
+        "| all | | 5 | 1 | 1 | 3 of 3 (100%) | | | 1 of 2 (50%) |",
+    ]
 
 
 def test_both_pages_say_what_was_below_the_names_and_run_nothing_of_a_log(tmp_path: Path) -> None:
