@@ -14,6 +14,7 @@ from roslab.evidence.prose import author_dockerfile, here_lists, package_lists
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.pages import pages, text_of
+from roslab.evidence.prose.release_branches import headed
 from roslab.knowledge.distros import distros
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
@@ -82,7 +83,11 @@ def read(repository: Repository) -> Prose:
             _assignments(text, collector)
             collector.text(spelled_out(here_lists.spelled_out(text)))
             found = collector.prose()
-            found = replace(found, requirements=_of_one_branch(found.requirements, text))
+            found = replace(
+                found,
+                requirements=_of_one_branch(found.requirements, text),
+                dependencies=headed(found.dependencies, text),
+            )
             kept = (*(m for m in found.mentions if m.topic in _KEPT), *_distros(found.dependencies))
             if file.path.count("/") <= 1:
                 from roslab.evidence.prose import only_on  # noqa: PLC0415 - few scripts install
