@@ -52,7 +52,13 @@ use_tables() {
   update
 }
 
+# rosdep takes a manifest.xml, which other frameworks write too, in place of the package.xml beside it
+hide_manifests() {
+  find "${folders[@]}" -name manifest.xml -execdir test -f package.xml \; -execdir mv manifest.xml manifest.xml.hidden \;
+}
+
 install_keys() {
+  hide_manifests
   rosdep install "$@" --ignore-src --rosdistro "${ROS_DISTRO}" --from-paths "${folders[@]}" --skip-keys "${skip}"
 }
 
@@ -125,6 +131,7 @@ else
   if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
   install_keys --default-yes
 fi
+find "${folders[@]}" -name manifest.xml.hidden -execdir mv manifest.xml.hidden manifest.xml \;
 # CMake of what is cloned may require more than its package.xml names
 if [ -n "${required}" ]; then
   mapfile -t more < <(required-components "${folders[-1]}")
