@@ -422,3 +422,19 @@ ERROR: failed to solve: process "/bin/sh -c reuse-build catkin_make" did not com
     (found,) = explain(io.BytesIO(log.encode())).explanations
     assert "b.cpp:8:30" in found.error
     assert not any("robot_msgs" in line for line in found.lines)
+
+
+def test_tables_in_whose_place_others_are_used_are_no_cause() -> None:
+    log = """\
+#6 [3/4] RUN install-rosdep-keys --tables noetic/final /tmp/manifests
+#6 1.0 ERROR: unable to process source [https://raw.githubusercontent.com/ros/rosdistro/noetic/final/rosdep/base.yaml]:
+#6 1.0 	<urlopen error [Errno -2] Name or service not known> (https://raw.githubusercontent.com/base.yaml)
+#6 1.1 roslab: the tables of rosdistro noetic/final do not answer: the base's own are used
+#6 2.0 error: the robot has no arms
+#6 ERROR: process "/bin/sh -c install-rosdep-keys" did not complete successfully: exit code: 1
+"""
+    told = explain(io.BytesIO(log.encode())).explanations[0]
+    assert not told.id
+    assert "no arms" in told.error
+    without = log.replace("roslab: the tables of rosdistro", "roslab: other tables of rosdistro")
+    assert explain(io.BytesIO(without.encode())).explanations[0].id == "host-unknown"
