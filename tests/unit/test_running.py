@@ -65,6 +65,8 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (CERES, replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),
         ("a.h:46:8: error: 'shared_ptr' in namespace 'std' does not name a template type", FOCAL, "stand-in"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", FOCAL, "stand-in"),
+        ("a.cpp:2:10: fatal error: zmq.hpp: No such file or directory", FOCAL, "stand-in"),
+        ("a.cpp:2:10: fatal error: zmq.hpp: No such file or directory", NOBLE, "ours or the code's"),
         (INDEX, FOCAL, "stand-in"),
         (INDEX, REAL, "ours or the code's"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", REAL,
