@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 from pathlib import Path
 
@@ -143,3 +144,25 @@ def test_rosdep_is_given_what_a_manifest_of_rosbuild_names(tmp_path: Path) -> No
         "<depend>opencv2</depend>",
         "<depend>roscpp</depend>",
     ]
+
+
+def test_rosmake_is_shown_no_name_in_a_manifest_since_it_would_build_nothing(tmp_path: Path) -> None:
+    (tmp_path / "src/tracker").mkdir(parents=True)
+    manifest = tmp_path / "src/tracker/manifest.xml"
+    manifest.write_text(MANIFEST.replace("<package>", "<package>\n  <name>\n    tracker\n  </name>"), encoding="utf-8")
+    assert "<name>" in manifest.read_text(encoding="utf-8")
+    programs = {
+        "rosmake": "grep --recursive '<name>' src && exit 1; echo \"$@\" >called",
+        "rospack": "echo /opt/mk",
+        "compile-jobs": "echo 1",
+    }
+    for name, text in programs.items():
+        (tmp_path / name).write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")
+        (tmp_path / name).chmod(0o755)
+    script = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts/rosmake-workspace.sh"
+    path = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "ROS_PACKAGE_PATH": "/opt/ros"}
+    subprocess.run(["bash", script, "tracker"], check=True, timeout=60, cwd=tmp_path, env=path)
+    assert (tmp_path / "called").read_text(encoding="utf-8").split()[-1] == "tracker"
+    written = manifest.read_text(encoding="utf-8")
+    assert "roscpp" in written
+    assert "tracker\n" not in written

@@ -21,5 +21,7 @@ while IFS= read -r -d '' manifest; do
     echo "include \$(shell rospack find mk)/cmake.mk" >"${folder}/Makefile"
   fi
 done < <(find src -name manifest.xml -print0)
+# To rosmake a manifest.xml with a name is catkin's, of which it builds nothing, without an error
+find src -name manifest.xml -exec sed --in-place --null-data --regexp-extended 's#<name>[^<]*</name>##g' {} +
 rosmake -V --status-rate=0 --threads=1 --pjobs="$(compile-jobs)" "${packages[@]}"
 find src \( -name '*.o' -o -path '*/CMakeFiles/CMake*.log' \) -delete
