@@ -84,6 +84,10 @@ DSO = "/usr/bin/ld: {}: error adding symbols: DSO missing from command line"
         (DSO.format("/opt/ros/noetic/lib/libtf.so"), ["-DCMAKE_CXX_STANDARD_LIBRARIES=/opt/ros/noetic/lib/libtf.so"]),
         (DSO.format("/home/jovyan/ws/devel/lib/libarm.so"), []),
         (
+            "libcontrol.so: undefined reference to `LAPACKE_dgees'",
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-llapacke", "-DCMAKE_C_STANDARD_LIBRARIES=-llapacke"],
+        ),
+        (
             "main.cpp:(.text+0x1): undefined reference to `pthread_create'",
             ["-DCMAKE_CXX_STANDARD_LIBRARIES=-lpthread", "-DCMAKE_C_STANDARD_LIBRARIES=-lpthread"],
         ),
