@@ -9,6 +9,8 @@ from roslab.values.pattern import pattern
 _LIBRARIES = "-DCMAKE_CXX_STANDARD_LIBRARIES="
 _LIBRARIES_OF_C = "-DCMAKE_C_STANDARD_LIBRARIES="
 """What all programs are linked with: https://cmake.org/cmake/help/latest/variable/CMAKE_LANG_STANDARD_LIBRARIES.html."""
+_LINKED = "-Wl,"
+"""It keeps several libraries one word; Ubuntu's linker leaves out what a program does not use."""
 _OF_SYSTEM = pattern(r"(?:/usr)?/{1,2}lib/(?:\w{1,20}-linux-gnu/)?lib[\w+-]{1,60}\.so")
 _OF_ROS = pattern(r"/opt/ros/[a-z]{4,9}/lib/(?:\w{1,20}-linux-gnu/)?lib[\w+-]{1,60}\.so$")
 _CXX_FLAGS = "-DCMAKE_CXX_FLAGS="
@@ -38,10 +40,22 @@ def linked(found: Explanation, given: Given) -> Worked:
     names = dict(found.names)
     path, library = names.get("path", ""), names.get("link") or names.get("library", "")
     said = f"-l{library}" if names.get("link") or _OF_SYSTEM.match(path) else path if _OF_ROS.match(path) else ""
-    if not said or _LIBRARIES in given.config.cmake_options:
+    before = _linked(_LIBRARIES, given)
+    if not said or before is None:
         return Worked(why=found.fix)
-    of_c = (f"{_LIBRARIES_OF_C}{said}",) if names.get("link") else ()
-    return Worked(values=(f"{_LIBRARIES}{said}", *of_c))
+    if said in before:
+        return Worked(why=f"{said} is linked already, and that did not help")
+    of_c = _linked(_LIBRARIES_OF_C, given)
+    also = (f"{_LIBRARIES_OF_C}{_LINKED}{','.join((*of_c, said))}",) if names.get("link") and of_c is not None else ()
+    return Worked(values=(f"{_LIBRARIES}{_LINKED}{','.join((*before, said))}", *also))
+
+
+def _linked(option: str, given: Given) -> list[str] | None:
+    """Return the libraries that a repair before this one links, ``None`` where somebody gives the option himself."""
+    words = [word.removeprefix(option) for word in given.config.cmake_options.split() if word.startswith(option)]
+    if words and not words[-1].startswith(_LINKED):
+        return None
+    return words[-1].split(",")[1:] if words else []
 
 
 def compiler_flags(variable: str, given: Given) -> str:

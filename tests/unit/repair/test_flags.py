@@ -76,24 +76,27 @@ DSO = "/usr/bin/ld: {}: error adding symbols: DSO missing from command line"
 @pytest.mark.parametrize(
     ("said", "wanted"),
     [
-        (DSO.format("//lib/x86_64-linux-gnu/libpthread.so.0"), ["-DCMAKE_CXX_STANDARD_LIBRARIES=-lpthread"]),
+        (DSO.format("//lib/x86_64-linux-gnu/libpthread.so.0"), ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-lpthread"]),
         (
             DSO.format("/usr/lib/x86_64-linux-gnu/libboost_system.so.1.71.0"),
-            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-lboost_system"],
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-lboost_system"],
         ),
-        (DSO.format("/opt/ros/noetic/lib/libtf.so"), ["-DCMAKE_CXX_STANDARD_LIBRARIES=/opt/ros/noetic/lib/libtf.so"]),
+        (
+            DSO.format("/opt/ros/noetic/lib/libtf.so"),
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,/opt/ros/noetic/lib/libtf.so"],
+        ),
         (DSO.format("/home/jovyan/ws/devel/lib/libarm.so"), []),
         (
             "libcontrol.so: undefined reference to `LAPACKE_dgees'",
-            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-llapacke", "-DCMAKE_C_STANDARD_LIBRARIES=-llapacke"],
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-llapacke", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-llapacke"],
         ),
         (
             "main.cpp:(.text+0x1): undefined reference to `pthread_create'",
-            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-lpthread", "-DCMAKE_C_STANDARD_LIBRARIES=-lpthread"],
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-lpthread", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-lpthread"],
         ),
         (
             "arm.so: undefined reference to `__atomic_fetch_add_8'",
-            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-latomic", "-DCMAKE_C_STANDARD_LIBRARIES=-latomic"],
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-latomic", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-latomic"],
         ),
         ("main.cpp:(.text+0x1): undefined reference to `cv::imread(cv::String const&, int)'", []),
     ],
@@ -105,3 +108,14 @@ def test_a_library_of_the_system_or_of_ros_is_linked(tmp_path: Path, said: str, 
         tmp_path, log("make", said), {"roslab.yaml": "format: 3\ncmake_options: -DCMAKE_CXX_STANDARD_LIBRARIES=-lm\n"}
     )
     assert there.changes == ()
+
+
+def test_a_second_library_is_linked_beside_the_first(tmp_path: Path) -> None:
+    first = "format: 3\ncmake_options: -DA=1 -DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-lboost_system\n"
+    second = log("make", DSO.format("/usr/lib/x86_64-linux-gnu/libboost_thread.so.1.71.0"))
+    found = repaired(tmp_path, second, {**CPP, "roslab.yaml": first})
+    value = "-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-lboost_system,-lboost_thread"
+    assert [change.value for change in found.certain.changes] == [value]
+    assert value in added(first, found.entries)
+    again = log("make", DSO.format("/usr/lib/x86_64-linux-gnu/libboost_system.so.1.71.0"))
+    assert repaired(tmp_path, again, {"roslab.yaml": first}).changes == ()
