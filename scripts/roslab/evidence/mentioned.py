@@ -39,6 +39,7 @@ from roslab.evidence.python import (
     from_root,
     opened,
     own_spelling,
+    python3_modules,
     said_in_code,
     sibling_folders,
     typestores,
@@ -69,7 +70,7 @@ OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""
 _OF_ROS = (
     *(on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read),
-    copied_scripts.read,
+    *(copied_scripts.read, python3_modules.read),
 )
 
 

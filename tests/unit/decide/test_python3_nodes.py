@@ -33,6 +33,27 @@ def test_the_distribution(tmp_path: Path, node: str, date: str, distro: str) -> 
     assert found.ros_distro == distro
 
 
+PATHS = "import rospy\nfrom pathlib import Path\nrospy.init_node('a')\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "date", "distro"),
+    [
+        ({"a/scripts/node.py": PATHS}, "2021-01-15", "noetic"),
+        ({"a/scripts/node.py": f"#!/usr/bin/env python\n{PATHS}"}, "2021-01-15", "noetic"),
+        ({"a/scripts/node.py": PATHS}, "2020-01-15", "melodic"),
+        ({"a/scripts/node.py": f"#!/usr/bin/env python3\n{PATHS}"}, "2021-01-15", "melodic"),
+        ({"a/scripts/node.py": PATHS.replace("rospy", "numpy")}, "2021-01-15", "melodic"),
+        ({"a/scripts/node.py": PATHS.replace("from", "try:\n  from", 1)}, "2021-01-15", "melodic"),
+        ({"a/scripts/node.py": PATHS, "requirements.txt": "pathlib\n"}, "2021-01-15", "melodic"),
+        ({"a/scripts/node.py": PATHS, "README.md": "Tested on ROS Melodic.\n"}, "2021-01-15", "melodic"),
+    ],
+    ids=["none", "python", "before", "python3", "no node", "caught", "installed", "named"],
+)
+def test_what_python_3_alone_has(tmp_path: Path, files: dict[str, str], date: str, distro: str) -> None:
+    assert decided(tmp_path, {**FILES, **files}, date).ros_distro == distro
+
+
 @pytest.mark.parametrize(
     ("page", "more", "told"),
     [

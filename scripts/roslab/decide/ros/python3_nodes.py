@@ -1,4 +1,4 @@
-"""Nodes of ROS 1 that are all for Python 3, and import what ROS compiles for its own Python alone.
+"""Nodes of ROS 1 that are all for Python 3, and import what ROS compiles for its own Python alone, or name no Python.
 
 Before noetic that is Python 2, so what was worked on since noetic is there was most likely written for that one.
 """
@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from roslab.decide.decision import Warning_
 from roslab.decide.python.only_python3 import only_python3
-from roslab.decide.reasons import warn
+from roslab.decide.reasons import Placed, warn
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence
+from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.python.of_python3 import ROLE
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.modules_of_one_python import modules_of_one_python
@@ -22,12 +22,17 @@ _OF_ROSPY = "python3-rospkg-modules"
 """What a program for Python 3 needs that imports rospy."""
 
 
-def with_python3(evidence: Evidence, ros: int, answer: str) -> tuple[str, str, Dependency] | None:
+def with_python3(evidence: Evidence, ros: int, answer: str) -> tuple[str, str, Placed] | None:
     """Return the distribution of ROS 1 whose own Python is 3, why, and the import that another one cannot load.
+
+    That is also one of Python 3's own library, in code of ROS that ROS's own Python runs.
 
     ``None`` where ``answer`` has Python 3 as well, for other nodes, and for what was last worked on before it was out.
     """
-    if ros != 1 or not distros()[answer].python.startswith("2") or not (found := _import(evidence)):
+    if ros != 1 or not distros()[answer].python.startswith("2"):
+        return None
+    found, own = _import(evidence), _of_own_library(evidence)
+    if not (found or own):
         return None
     date = dated(evidence)
     having = [each for each in distros().values() if each.ros == 1 and each.python.startswith("3")]
@@ -35,11 +40,23 @@ def with_python3(evidence: Evidence, ros: int, answer: str) -> tuple[str, str, D
     if not having:
         return None
     best = max(having, key=lambda each: each.preference).name
-    return (
-        best,
-        f"no distribution is named; programs for Python 3 import {found.name}, and {best} has it for that",
-        found,
-    )
+    if own and not found:
+        why = f"no distribution is named; code of ROS imports {own.value} of Python 3, which {best} has"
+        return best, why, own
+    if not found:
+        return None
+    why = f"no distribution is named; programs for Python 3 import {found.name}, and {best} has it for that"
+    return best, why, found
+
+
+def _of_own_library(evidence: Evidence) -> Mention | None:
+    """Return an import of what Python 3's own library has, where nothing is for Python 2 and nobody installs it."""
+    said = next((each for each in evidence.mentions if each.topic == "python3_module"), None)
+    old = any(each.topic == "python" and each.value.startswith("2") for each in evidence.mentions)
+    if said is None or old:
+        return None
+    listed = (each for file in evidence.requirements for each in file.requirements)
+    return None if any(each.key == said.value for each in listed) else said
 
 
 def not_for_python3(evidence: Evidence, ros_distro: str | None) -> tuple[Warning_, ...]:

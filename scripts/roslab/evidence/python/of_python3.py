@@ -45,6 +45,11 @@ def _role(module: Module) -> str | None:
     return ROLE_ELSEWHERE if not module.names_ros and _FIRST_LINE_ELSEWHERE.match(module.text) else None
 
 
+def asks_python3(module: Module) -> bool:
+    """Tell whether the first line of a program asks for Python 3."""
+    return _role(module) is not None
+
+
 def package_of(module: str) -> str:
     """Return Ubuntu's package of a module for Python 3, ``""`` for none, or where it cannot be beside ROS's own."""
     own = (imports().get(module) or (None, None))[1] or ""
