@@ -148,13 +148,14 @@ def _packages(
         built = [m for m in built if m not in vendored]
     added = {file.rpartition("/")[0] for file in always}
     folders = {manifest.file.rpartition("/")[0] for manifest in built}
-    inside = {m.file.rpartition("/")[0]: m for m in left_out if m.name not in seen}
-    found = [m for f, m in inside.items() if f in buildable - added and _below(f, folders) and not _below(f, doubles)]
-    built += (inner := tuple(needed_inside(built, found, told)))
+    possible, inside = buildable - added, {m.file.rpartition("/")[0]: m for m in left_out if m.name not in seen}
+    found = [m for f, m in inside.items() if f in possible and _below(f, folders) and not _below(f, doubles)]
+    inner = {m.file: m for m in needed_inside(built, found, told)}
+    built += inner.values()
     return Packages(
         built=tuple(sorted(built, key=lambda m: m.file)),
         assets=tuple(assets),
-        left_out=tuple(m for m in left_out if m not in inner),
+        left_out=tuple(m for m in left_out if m.file not in inner),
         names=frozenset(m.name for m in manifests if m.name),
         doubles=tuple(sorted(doubles - {""})),
         nested=tuple(_added_to(built, left_out, added)),

@@ -53,7 +53,7 @@ def without(
     outer = {posixpath.dirname(m.file): m for m in manifests if _stops(m, repository)}
     inner = {folder: above for folder in _folders(manifests) if (above := _above(folder, outer)) is not None}
     inside = [manifest for manifest in manifests if posixpath.dirname(manifest.file) in inner]
-    others = [manifest for manifest in manifests if manifest not in inside]
+    others = [manifest for manifest in manifests if posixpath.dirname(manifest.file) not in inner]
     needed = {posixpath.dirname(each.file) for each in needed_inside(others, inside)}
     left_out = tuple(
         f"{folder}/"
