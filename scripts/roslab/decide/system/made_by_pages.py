@@ -1,9 +1,13 @@
-"""Folders of a workspace's repository in which a page calls make, once the workspace is built: no build tool does."""
+"""Folders of a workspace's repository in which a page calls make: no build tool does.
+
+It is called once the workspace is built, or before it where a package links what is made there.
+"""
 
 from __future__ import annotations
 
 from roslab.decide.decision import Choice, OwnScript
 from roslab.decide.reasons import because, page_of
+from roslab.decide.ros.linked_in_place import linked_files
 from roslab.decide.system.run_by_pages import ASIDE, MOST
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
@@ -15,11 +19,13 @@ _WEIGHT = 300
 
 def with_made_by_pages(choice: Choice[tuple[OwnScript, ...]], evidence: Evidence) -> Choice[tuple[OwnScript, ...]]:
     """Return the scripts with a call of make in each of those folders; what fails there is told and stops nothing."""
+    linked = tuple(path for path, _ in linked_files(evidence))
     found: dict[str, tuple[OwnScript, Mention]] = {}
     for mention in evidence.mentions:
         script = _script(mention)
         if script is not None:
-            found.setdefault(script.folder, (script, mention))
+            first = any(path.startswith(f"{script.folder}/") for path in linked)
+            found.setdefault(script.folder, (replace(script, after=not first), mention))
     made = list(found.values())[:MOST]
     return replace(
         choice,

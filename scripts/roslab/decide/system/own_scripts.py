@@ -13,12 +13,13 @@ from roslab.decide.linked_projects import linked_projects
 from roslab.decide.linking_projects import linking
 from roslab.decide.programs import beside_top, found_by, names_of, top_of
 from roslab.decide.reasons import because, page_of, warn
+from roslab.decide.ros.linked_in_place import linked_in_place
 from roslab.decide.ros.own_configs import required_of_tree
 from roslab.decide.system.beside_python import compiled_beside
 from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.copied_files import with_copied_files
 from roslab.decide.system.generated_code import with_generated_code
-from roslab.decide.system.inside import meant
+from roslab.decide.system.inside import installed_inside, meant
 from roslab.decide.system.made_by_pages import with_made_by_pages
 from roslab.decide.system.names import Target
 from roslab.decide.system.run_by_pages import ASIDE, MOST, by_author, by_make_alone, run_by_pages, script_of
@@ -93,7 +94,7 @@ def _compiling(
     that are ``compiled`` inside of it too.
     """
     if kind not in {"python", "cuda", "cpp"}:
-        return with_made_by_pages(_of_packages(evidence, target) if kind == "ros1" else Choice(answer=()), evidence)
+        return with_made_by_pages(_of_packages(evidence, target, compiled, kind), evidence)
     listed = evidence.python or evidence.requirements or evidence.conda
     if by_make_alone(evidence, kind):
         return _made(evidence, kind)
@@ -157,27 +158,52 @@ def _first(script: OwnScript) -> OwnScript:
     return replace(script, command=f"{script.command} && ldconfig", required=True)
 
 
-def _of_packages(evidence: Evidence, target: Target) -> Choice[tuple[OwnScript, ...]]:
-    """Return how each project is installed that a package of the workspace requires and that catkin does not build.
+def _of_packages(
+    evidence: Evidence, target: Target, compiled: frozenset[str | None], kind: Kind
+) -> Choice[tuple[OwnScript, ...]]:
+    """Return how each project is made that a package of the workspace needs and that no tool of ROS builds.
 
-    The build stops where it fails: catkin would stop later, with another cause.
+    It is one that catkin finds once it is installed, or one whose library is linked where it is compiled. The build
+    stops where it fails: the tool would stop later, with another cause.
     """
     found = [
         (_part(project, found=True, options=_said_of(project, evidence)), asked)
-        for project, asked in required_of_tree(evidence, target)
+        for project, asked in (required_of_tree(evidence, target) if kind == "ros1" else ())
     ]
-    why = "{} {} {}, which it installs"
+    done = compiled | {script.folder for script, _ in found}
+    linked = [
+        (_in_place(project, evidence), path, place)
+        for project, path, place in linked_in_place(evidence)
+        if project.file.rpartition("/")[0] not in done
+    ]
+    why, why_linked = "{} {} {}, which it installs", "{} links {}, which is compiled there"
     return Choice(
-        answer=tuple(replace(_first(script), required=asked.required) for script, asked in found),
-        reasons=tuple(
-            because("source", s.folder or ".", why.format(asked.file, _how(asked), asked.name), asked, weight=WEIGHT)
-            for s, asked in found
+        answer=(
+            *(replace(_first(script), required=asked.required) for script, asked in found),
+            *(script for script, _, _ in linked),
+        ),
+        reasons=(
+            *(
+                because("source", s.folder or ".", why.format(asked.file, _how(asked), asked.name), asked, weight=WEIGHT)
+                for s, asked in found
+            ),
+            *(
+                because("source", s.folder, why_linked.format(place.file, path), place, weight=WEIGHT)
+                for s, path, place in linked
+            ),
         ),
     )
 
 
 def _how(asked: Dependency) -> str:
     return "links" if asked.namespace == "link" else "requires"
+
+
+def _in_place(project: CMakeProject, evidence: Evidence) -> OwnScript:
+    """Return how a library is compiled where a package links it, and installed where a page does that, too."""
+    installs = bool(installed_inside(evidence, ((project.file.rpartition("/")[0], ""),)))
+    script = _part(project, found=installs, options=_said_of(project, evidence))
+    return _first(script) if installs else replace(script, required=True)
 
 
 def _said_of(project: CMakeProject, evidence: Evidence) -> str:
