@@ -29,6 +29,11 @@ _SIMULATED = pattern(r"\b(?:simulat(?:ions?|ed|ors?|ing)|dry run)\b", re.IGNOREC
 _BOTH = pattern(r"\b(?:real|actual|physical|hardware|not?|n't|instead)\b", re.IGNORECASE)
 _SYSTEM = pattern(rf"\b(?:{_SYSTEMS})", re.IGNORECASE)
 """What the title of a whole page may be about; other words tell what the code is for: ``Policies for Real Robots``."""
+_HERE = pattern(
+    r"\s{0,12}(?:[-*+]|\d{1,2}[.)])\s+[*_]{0,3}(?:(?:on|for)\s+)?(?:ubuntu|linux|debian)\b[^:`\n]{0,60}:[*_]{0,3}\s*`",
+    re.IGNORECASE,
+)
+"""An item that has a command for this system: what follows it is for all systems again."""
 _LEAF = pattern(r"\b(?:acknowledg|citation|licen[sc]e)", re.IGNORECASE)
 DEEPEST = 7
 """Such a section ends at the next heading, whatever the level of that one."""
@@ -63,6 +68,7 @@ def lines_of(text: str) -> Iterator[Line]:
         heading = None if fenced else heading_of(line, lines[number] if number < len(lines) else "")
         elsewhere = section_of(heading, elsewhere) if number != whole else 0
         titles = under(titles, heading)
+        elsewhere = elsewhere if fenced else until_here(line, titles, elsewhere)
         yield Line(number, line, fenced, heading, titles, bool(elsewhere))
 
 
@@ -113,6 +119,15 @@ def simulated(lead: str, titles: Mapping[int, str]) -> bool:
     said = lead.endswith(":") and _SIMULATED.search(lead) and not _BOTH.search(WITHOUT.sub("", lead))
     about = [WITHOUT.sub("", title) for title in titles.values()] if said else []
     return any(map(_HARDWARE.search, about)) and not any(_ELSEWHERE.search(_HARDWARE.sub("", each)) for each in about)
+
+
+def until_here(line: str, titles: Mapping[int, str], elsewhere: int) -> int:
+    """Return ``elsewhere``, 0 from an item of a section about another system on that is about this one.
+
+    ``## Packages on macOS`` may be the last title above the steps that are the same on both: ``- Ubuntu: `cmake ..` ``.
+    """
+    here = bool(elsewhere) and _HERE.match(line[:200]) and any(map(_SYSTEM.search, titles.values()))
+    return 0 if here else elsewhere
 
 
 def section_of(heading: tuple[int, str] | None, elsewhere: int) -> int:

@@ -39,7 +39,16 @@ from roslab.evidence.prose.by_paths import started_by_paths
 from roslab.evidence.prose.comments import commented_out
 from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.failing import of_failure
-from roslab.evidence.prose.headings import MAX_LINE, fence, heading_of, section_of, simulated, title_of, under
+from roslab.evidence.prose.headings import (
+    MAX_LINE,
+    fence,
+    heading_of,
+    section_of,
+    simulated,
+    title_of,
+    under,
+    until_here,
+)
 from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
 from roslab.evidence.prose.in_sentences import IN_SENTENCES, emphasised, in_sentence
@@ -245,6 +254,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             heading = heading_of(line, below)
             elsewhere = section_of(heading, elsewhere) if index != title else 0
             titles = under(titles, heading)
+            elsewhere = until_here(line, titles, elsewhere)
             lead = line if line.rstrip(" *_").endswith(":") or not line.startswith(("    ", "\t")) else lead
         drawn = fenced and index < len(lines) and _BRANCH.match(lines[index][:MAX_LINE])
         if also:
