@@ -27,6 +27,10 @@ COPY --chmod=755 <<'EOF' /checkout-commit
 @@ _constant/checkout-commit @@
 EOF
 
+COPY --chmod=755 <<'EOF' /fetch-submodules
+@@ _constant/fetch-submodules @@
+EOF
+
 COPY <<'EOF' /cmake-focal.txt
 @@ _constant/cmake-focal.txt @@
 EOF
@@ -86,10 +90,11 @@ RUN --mount=type=cache,id=apt-lists-submodule-${TARGETARCH},target=/var/lib/apt/
 # What belongs in the tree and is not checked out: submodules at the commits that the repository records
 USER ${NB_USER}
 COPY --from=scripts /checkout-commit /usr/local/bin/
+COPY --from=scripts /fetch-submodules /usr/local/bin/
 RUN mkdir --parents /home/${NB_USER}/submodule/third_party/nanoflann \
  && { git clone https://github.com/jlblancoc/nanoflann.git /home/${NB_USER}/submodule/third_party/nanoflann \
    && checkout-commit /home/${NB_USER}/submodule/third_party/nanoflann b0f109a5c726f1e565e624ee448136bf30e2e7b4 \
-   && { git -C /home/${NB_USER}/submodule/third_party/nanoflann submodule update --init --recursive || echo 'roslab: left out: submodules of third_party/nanoflann cannot be cloned'; }; } \
+   && fetch-submodules /home/${NB_USER}/submodule/third_party/nanoflann; } \
  || echo 'roslab: left out: third_party/nanoflann cannot be cloned'
 USER root
 COPY --from=scripts /cmake-focal.txt /libraries-focal.txt /usr/local/share/roslab/

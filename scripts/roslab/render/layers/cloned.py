@@ -179,11 +179,10 @@ def submodules(plan: Plan) -> str:
 
 def _at_commit(source: Source, folder: str) -> list[str]:
     """Return the commands that clone a submodule at its commit: what is not there tells of itself what it is."""
-    told = f"echo {quote.shell(f'roslab: left out: submodules of {source.name} cannot be cloned')}"
     return [
         f"git clone {quote.shell(source.repo or '')} {folder}",
         f"{shell.COMMIT} {folder} {quote.shell(source.ref or '')}",
-        f"{{ git -C {folder} submodule update --init --recursive || {told}; }}",
+        f"{shell.SUBMODULES} {folder}",
     ]
 
 

@@ -22,6 +22,8 @@ CHECKOUT = "checkout-branch"
 """The script that checks out a branch which may be gone."""
 COMMIT = "checkout-commit"
 """The script that checks out a recorded commit which may be gone."""
+SUBMODULES = "fetch-submodules"
+"""The script that fetches the submodules of a clone, as far as they can be had."""
 PATCH = "apply-patch"
 """The script that applies a patch of the repository to a clone."""
 AGAIN_TABLES = ("build-limits.txt", "build-programs.txt")
@@ -65,7 +67,7 @@ def run(*commands: str, comment: str = "", secrets: Secrets = NONE, around: Arou
     if of_day or f"source {AGAIN}" in said or any(f"{name} " in said for name in _ASKING_AGAIN):
         tables = ("released-together.txt", *AGAIN_TABLES) if of_day else AGAIN_TABLES
         scripts += copy_script(AGAIN) + copy_data(tables)
-    scripts += "".join(copy_script(name) for name in (CHECKOUT, COMMIT, PATCH) if f"{name} " in said)
+    scripts += "".join(copy_script(name) for name in (CHECKOUT, COMMIT, SUBMODULES, PATCH) if f"{name} " in said)
     return f"{comment_lines(comment)}{scripts}{around.before}RUN {body}"
 
 

@@ -1,0 +1,19 @@
+#!/bin/bash
+# usage: fetch-submodules FOLDER
+# Fetches the submodules of a clone, and theirs in turn. Where one of them is private or gone git checks out none of them
+# all: then each is fetched by itself, and those that cannot be had are named and left out.
+set -euo pipefail
+
+export GIT_TERMINAL_PROMPT=0 # a host without such a repository asks for a password, which nobody is there to give
+fetch() {
+  local path
+  if [ ! -e "$1/.gitmodules" ] || git -C "$1" submodule update --init --recursive; then return; fi
+  while read -r path; do
+    if git -C "$1" submodule update --init --force -- "${path}"; then # it may be cloned, and not checked out yet
+      fetch "$1/${path}"
+    else
+      echo "roslab: left out: ${1##*/}/${path} cannot be cloned"
+    fi
+  done < <(git config --file "$1/.gitmodules" --get-regexp '^submodule\..*\.path$' | sed 's/^[^ ]* //')
+}
+fetch "${1%/}"
