@@ -458,3 +458,21 @@ def test_a_library_that_a_page_builds_has_other_names_in_cmake(tree: Tree, repos
         "README.md": f"# Installation\nFor ROS Noetic.\n```bash\n{clone}{build}```\n",
     }
     assert any("brings absl" in each.message for each in tree(files).warnings) is told
+
+
+@pytest.mark.parametrize(
+    ("options", "out"),
+    [
+        ("", ("driver",)),
+        (" --cmake-args -DUSE_ARM=OFF", ()),
+        (" --cmake-args -DUSE_ARM:BOOL=OFF -DA=1", ()),
+        (" --cmake-args -DUSE_ARM=ON", ("driver",)),
+        (" --cmake-args -DUSE_LEG=OFF", ("driver",)),
+    ],
+)
+def test_what_the_pages_build_switches_off_is_not_required(tree: Tree, options: str, out: tuple[str, ...]) -> None:
+    cmake = f"option(USE_ARM 'with it' ON)\nif(USE_ARM)\n{SDK}else()\nfind_package(rclcpp REQUIRED)\nendif()\n"
+    page = {"README.md": f"ROS 2 Humble\n```\ncolcon build{options}\n```\nWith it:\n```\ncolcon build\n```\n"}
+    decision = tree(package("driver", cmake) | package("planner") | page)
+    assert decision.left_out == out
+    assert any("acme_robot_sdk" in warning.message for warning in decision.warnings) is bool(out)

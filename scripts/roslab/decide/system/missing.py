@@ -13,6 +13,7 @@ from roslab.decide.ros.included import without_headers
 from roslab.decide.ros.nothing_to_build import nothing_to_build
 from roslab.decide.ros.nowhere import without_own
 from roslab.decide.ros.outside import outside
+from roslab.decide.ros.part_builds import builds, to_whole
 from roslab.decide.ros.rosbuild import ended_in
 from roslab.decide.ros.skip_packages import skip_packages
 from roslab.decide.ros.skipped import skipped
@@ -41,7 +42,7 @@ from roslab.decide.system.required import (
     undeclared,
 )
 from roslab.decide.system.strays import strays
-from roslab.decide.system.switches import given, switch_of
+from roslab.decide.system.switches import given, switch_of, switched_off
 from roslab.decide.system.tests_left_out import of_package_tests, of_tests
 from roslab.decide.system.too_old import too_old
 from roslab.decide.system.tried_headers import without_tried
@@ -150,7 +151,7 @@ def decide_missing(
     unsure = {m.name for m in packages.built if any(_of_a_clone(d, sure) and may_hold(d.name) for d in m.dependencies)}
     unmet = [
         (package, asked)
-        for package, asked in (of_program if kind == "cpp" else required)(evidence, packages)
+        for package, asked in (of_program(evidence, packages) if kind == "cpp" else _on(evidence, packages, build_tool))
         if without_config(asked, kind)
         or (
             not ((asked.namespace == "ros" and may_hold(asked.name)) or package in unsure)
@@ -168,7 +169,7 @@ def decide_missing(
     keyed = {d.name for manifest in packages.built for d in manifest.dependencies}  # these are told as keys
     unsure_of = [
         asked
-        for package, asked in required(evidence, packages)
+        for package, asked in _on(evidence, packages, build_tool)
         if (asked.namespace == "ros" and may_hold(asked.name)) or package in unsure
         if asked.name not in keyed and not resolve(asked, target).known
         if not similar(plain(asked.name), names)
@@ -234,6 +235,12 @@ def decide_missing(
             *(because("workspace", m.name or "", _BESIDE, said, weight=ENDED) for m, said in beside),
         ),
     )
+
+
+def _on(evidence: Evidence, packages: Packages, build_tool: BuildTool) -> Iterator[tuple[str, Dependency]]:
+    """Yield each package with what it requires, but for what an option turns off with which a page builds it."""
+    said = " ".join(call.text for call in to_whole(builds(evidence, build_tool)))
+    yield from (each for each in required(evidence, packages) if not switched_off(each[1], said))
 
 
 def provided(
