@@ -117,6 +117,7 @@ def test_what_no_other_package_needs_is_spare_where_a_shell_is_started(
     ("code", "run", "said"),
     [
         ("#include <acme_tools/a.h>\n", "rosrun mine node", "stops without it at mine"),
+        ("#ifdef WITH_ACME_TOOLS\n#include <acme_tools/a.h>\n#endif\n", "rosrun mine node", "goes on without it"),
         ("#include <other_tools/a.h>\n", "rosrun mine node", "goes on without it"),
         ("#include <acme_tools/a.h>\n", "", "goes on without it"),
     ],

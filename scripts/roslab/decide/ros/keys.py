@@ -236,8 +236,12 @@ def not_tried(
 def stopping(
     warnings: Iterable[Warning_], packages: Packages, needed: Collection[str], evidence: Evidence
 ) -> Iterator[Warning_]:
-    """Yield the warnings, with what it means that a ``needed`` package does not compile without a key."""
-    folders = {each.name.partition("/")[0] for each in evidence.code if each.namespace == "include"}
+    """Yield the warnings, with what it means that a ``needed`` package does not compile without a key.
+
+    What it includes under a condition alone it may do without.
+    """
+    sure = (each for each in evidence.code if each.namespace == "include" and each.strength != "optional")
+    folders = {each.name.partition("/")[0] for each in sure}
     asking = [m for m in packages.built if m.name in needed]
     stopped = {d.name: m.name for m in asking for d in m.dependencies if d.name in folders}
     for warning in warnings:
