@@ -63,6 +63,7 @@ def test_the_commit_of_the_image_is_one(tmp_path: Path) -> None:
 
 
 ASKED = "execute_process(COMMAND git rev-parse HEAD OUTPUT_VARIABLE ID)\n"
+STOPS = "execute_process(COMMAND git rev-parse HEAD RESULT_VARIABLE R)\nif(R)\nmessage(FATAL_ERROR no)\nendif()\n"
 BY_SHELL = "execute_process(COMMAND bash -c \"git rev-parse HEAD | awk '{print $1}'\" OUTPUT_VARIABLE ID)\n"
 
 
@@ -74,6 +75,10 @@ BY_SHELL = "execute_process(COMMAND bash -c \"git rev-parse HEAD | awk '{print $
         (f"{ASKED}target_compile_definitions(demo PRIVATE\n  COMMIT=${{ID}})\n", True),
         (ASKED.replace("git", "${GIT_EXECUTABLE}") + "add_definitions(-DCOMMIT=${ID})\n", True),
         ("execute_process(COMMAND git log -1 COMMAND_ERROR_IS_FATAL ANY)\n", True),
+        (STOPS, True),
+        (STOPS.replace("rev-parse HEAD", "submodule update --init"), True),
+        (STOPS.replace("FATAL_ERROR", "WARNING"), False),
+        (STOPS.replace("if(R", "if(OTHER"), False),
         (f'{ASKED}add_definitions(-DCOMMIT="${{ID}}")\n', False),  # nothing is a value here
         (f'{ASKED}add_definitions("-DCOMMIT=\\"${{ID}}\\"")\n', False),
         (f"{ASKED}add_definitions(-DCOMMIT=${{OTHER}})\n", False),
