@@ -30,6 +30,8 @@ def cmake(*lines: str) -> dict[str, str]:
         "option(USE_SSE ON)\nif(USE_SSE)\nelse()\nendif()\nadd_compile_options(-m64)",
         "if(TUNED_BY_HAND)\nelse()\nadd_compile_options(-msse4a)\nendif()",
         'if(CMAKE_SYSTEM_PROCESSOR MATCHES "armv7")\nelse()\nadd_compile_options(-mavx)\nendif()',
+        'option(NO_TUNING "as (in images) for all" OFF)\nif(NOT NO_TUNING)\nadd_compile_options(-mavx2)\nendif()',
+        'option(NO_TUNING "for all")\nif(NOT NO_TUNING)\nadd_compile_options(-mavx2)\nendif()',
         "if(DEFINED ENV{ARM_ARCHITECTURE})\nelse()\nadd_compile_options(-mavx)\nendif()",
     ],
 )
@@ -50,6 +52,8 @@ def test_an_option_that_only_tunes_is_left_out_for_arm(tree: Tree, line: str) ->
         "if(CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64)\nelse()\nadd_compile_options(-msse4.2)\nendif()",
         'check_cxx_compiler_flag("-mavx2" HAS_AVX2)\nif(HAS_AVX2)\nadd_compile_options(-mavx2)\nendif()',
         'option(USE_SSE "with SSE" OFF)\nif(USE_SSE)\nadd_compile_options(-msse)\nendif()',
+        'option(NO_TUNING "for all" ON)\nif(NOT NO_TUNING)\nadd_compile_options(-mavx2)\nendif()',
+        'option(X "x" OFF)\ncheck_it(X)\nif(NOT X)\nadd_compile_options(-mavx2)\nendif()',
         "if(MSVC)\nadd_compile_options(-mavx)\nendif()",
         "if(CMAKE_HOST_APPLE)\nadd_compile_options(-march=core2)\nendif()",
         "if(TUNED_BY_HAND)\nadd_compile_options(-msse)\nendif()",

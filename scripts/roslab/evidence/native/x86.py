@@ -30,7 +30,10 @@ _PASSING = frozenset(
 _SETTING = frozenset({"set", "list", "string"})
 _FLAGS = pattern(r"CMAKE_(?:C|CXX|CUDA)_FLAGS\w*|CUDA_NVCC_FLAGS\w*|ROS_(?:COMPILE|LINK)_FLAGS")
 _NAME = pattern(r"[A-Za-z]\w+")
-_CONDITION = pattern(r"\s*(?:#|(?:else|end)?if\b)", re.IGNORECASE)
+_CONDITION = pattern(
+    r"\s*(?:#|(?:else|end)?if\b|option\s*\(\s*\w+\s+\"[^\"\n]{0,400}\"\s*(?:OFF|FALSE|NO|0)?\s*\))", re.IGNORECASE
+)
+"""A condition, or the declaration of an option that is off."""
 _VARIABLE = pattern(r"\$\{(\w+)\}")
 _INCLUDE = pattern(r"include[ \t]*[<\"](\w+\.h)[>\"]")
 _CHOOSES = pattern(r"uname\b|platform\.machine|aarch64|arm64|\barmv?\d?\b|x86_64|\bCPU_?ARCH|\bARCH\b|cpuinfo")
@@ -146,7 +149,7 @@ def always(call: Call, repository: Repository) -> bool:
 
 
 def _unset(name: str, repository: Repository) -> bool:
-    """Tell whether conditions alone name a variable: nothing in the tree gives it a value."""
+    """Tell whether conditions alone name a variable: nothing in the tree gives it a value, or turns it on."""
     if not _NAME.fullmatch(name) or name.startswith("CMAKE_"):
         return False
     lines = (line for file in cmake_files(repository) for line in _with(repository.read(file), name))
