@@ -32,6 +32,7 @@ from roslab.evidence.prose import (
     octave,
     python_path,
     said_runs,
+    tops,
 )
 from roslab.evidence.prose.absent_launches import absent_launch
 from roslab.evidence.prose.blanks import BLANK, distros_of, with_arguments, with_examples
@@ -229,7 +230,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     That is the lines of fenced and indented blocks, lines that begin with a command, and inline code; with ``also``,
     only the lines of fenced blocks in which it is found.
     """
-    shown = with_examples(with_first_choice(here_lists.spelled_out(without_remarks(text))))
+    shown = with_examples(with_first_choice(here_lists.spelled_out(without_remarks(tops.gone_to(text)))))
     lines = shown.split("\n")
     if "[-" in shown:
         from roslab.evidence.prose.synopses import with_synopses  # noqa: PLC0415 - few pages have one
