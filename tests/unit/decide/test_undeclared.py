@@ -30,6 +30,10 @@ Tree = Callable[[dict[str, str]], Decision]
         (["hdbscan==0.8.28", "Cython>=3"], []),
         (["hdbscan"], []),
         (["flask @ https://example.org/flask-1.0.2.zip"], []),
+        (["trimesh<=3.7.12"], ["numpy<1.24"]),
+        (["trimesh<=3.7.12", "numpy<2"], ["numpy<1.24"]),
+        (["trimesh<=3.7.12", "numpy<1.20"], []),
+        (["trimesh==3.9.4"], []),
     ],
 )
 def test_a_release_that_does_not_say_what_it_needs(lines: list[str], bounds: list[str]) -> None:
@@ -116,3 +120,12 @@ def test_what_conda_installs_is_told_with_its_place(tree: Tree) -> None:
     )
     (why,) = [each for each in found.reasons if each.answer == "huggingface-hub<0.26"]
     assert why.file == "environment.yml"
+
+
+def test_what_no_python_after_one_has(tree: Tree) -> None:
+    """Isaac Gym is on no index, and is compiled for no Python after 3.8."""
+    setup = "from setuptools import setup\nsetup(name='a', packages=['a'], install_requires=['{}'])\n"
+    asked = {
+        name: tree({"setup.py": setup.format(name), "a/__init__.py": ""}) for name in ("isaacgym==1.0rc4", "torch")
+    }
+    assert [found.python and found.python.version for found in asked.values()] == ["3.8", "3.10"]

@@ -40,18 +40,19 @@ def decide_undeclared(
 ) -> Choice[Undeclared]:
     """Return a bound for each package that an old release in ``asked`` needs so, unless the author limits that.
 
+    What a table limits for another reason (``numpy<2`` for the code) may still be too new for it.
     ``environment``: the one that conda makes; what it names with a version of its own is left to its author. What no
     version is said of is the newest of the ``day``. NumPy is limited for a ``python`` that has both it and NumPy 2, and
     for nothing that needs a newer one.
     """
     packages = of_conda(environment) if environment else []
     asked = (*asked, *packages)
-    limited = {each.key for each in asked if each.limited} | _stated(environment)
+    limited = {each.key for each in asked if each.limited and each.origin != "table"} | _stated(environment)
     found: dict[str, tuple[UndeclaredLimit, Reason]] = {}
     for each in asked:
         for known in undeclared_limits().get(each.key, ()) if not each.url else ():
             bound = known.limit
-            if not older(each, known, day) or bound.key in limited or excluded(bound, asked):
+            if not older(each, known, day) or bound.key in limited or excluded(bound, asked) or _has(bound, asked):
                 continue
             if bound.key == "numpy" and (not _has_both(python) or needing_numpy(asked, bound.below)):
                 continue
@@ -80,6 +81,13 @@ def _stated(environment: CondaEnvironment | None) -> set[str]:
     """Return the packages that an environment names with a version, under their names on pip's index."""
     packages = environment.packages if environment else ()
     return {conda_names().get(each.name) or each.name for each in packages if each.version}
+
+
+def _has(bound: Requirement, asked: Iterable[Requirement]) -> bool:
+    """Tell whether a limit of a table leaves nothing newer than a bound already, or the bound is no upper one."""
+    last = bound.below
+    limits = (each for each in asked if each.key == bound.key and each.limited)
+    return any(last is None or each.release or Version(each.below or last) <= Version(last) for each in limits)
 
 
 def _has_both(python: str | None) -> bool:
