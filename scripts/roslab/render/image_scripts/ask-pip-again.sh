@@ -215,7 +215,12 @@ roslab_apart() { # PYTHON NAME
   if [ -z "${project}" ]; then return 1; fi
   if [ "${project}" != "${project%]}" ]; then extras="${project##*[}"; fi
   command "${call[@]}" --no-deps || return 1
-  command "$1" - "$2" "${extras%]}" >"${notes}.asked" <<'PYTHON' || return 1
+  roslab_asked "$1" "$2" "${extras%]}" >"${notes}.asked" || return 1
+  call=("${rest[@]}" --requirement "${notes}.asked")
+}
+# Prints what an installed package asks for on this Python, each a line
+roslab_asked() { # PYTHON NAME EXTRAS
+  command "$1" - "$2" "$3" <<'PYTHON'
 import sys
 
 name, extras = sys.argv[1], [extra.strip() for extra in sys.argv[2].split(",")]
@@ -234,7 +239,6 @@ for each in found:
     each.marker = None
     print(each)
 PYTHON
-  call=("${rest[@]}" --requirement "${notes}.asked")
 }
 # Changes the requirements of the call and of its files; tells whether there was something to change
 roslab_reword() { # SED'S EXPRESSION

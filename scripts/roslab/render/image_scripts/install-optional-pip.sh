@@ -5,10 +5,10 @@
 # the exact version which a page names, one whose numbers begin so is taken (4.2.0 is 4.2.0.34), else any; what cannot
 # be built by itself is built beside what is there (torch); `--no-build-isolation=PACKAGE` is built so first.
 # `--no-deps=PACKAGE` is installed without what it asks for. `--editable=git+URL` is cloned and installed from its
-# folder, which stays; where that fails, as any other. The others are named and left out. A program that a build
-# lacks, or an older release of what builds, comes first (ask-pip-again). `--by-name=MODULE` is tried only because a
-# module has that name: not where another has brought the module; where the newest release has no such module, the
-# last one of the major version before is taken.
+# folder, which stays; where that fails, as any other. What asks for something that cannot be had is installed without
+# it. The others are named and left out. A program that a build lacks, or an older release of what builds, comes first
+# (ask-pip-again). `--by-name=MODULE` is tried only because a module has that name: not where another has brought the
+# module; where the newest release has no such module, the last one of the major version before is taken.
 set -euo pipefail
 
 source "$(command -v ask-pip-again)"
@@ -65,6 +65,32 @@ by_name() {
   fi
   echo "pip ${module}" | tee --append /usr/local/share/roslab/left-out.txt
 }
+# Tells whether the last call failed for something that the package asks for, and not for the package, as pip's log has it
+for_another() { # PACKAGE
+  local log="${notes:?}.log" packages name # ask-pip-again has pip write it
+  packages="$(grep --count --extended-regexp ' (Collecting|Processing) ' "${log}" 2>/dev/null)"
+  name="${1%% @ *}" && name="${name##*/}" && name="${name%%[@#=<>~! ]*}" && name="${name%.git}"
+  [ "${packages:-0}" -gt 1 ] \
+    && ! grep --quiet --ignore-case --extended-regexp "Failed building wheel for ${name//[-_.]/[-_.]}\$" "${log}"
+}
+# Installs a package alone, and of what it asks for each that can be had
+apart() { # PACKAGE
+  local before name try line
+  before="$(command "${python}" -m pip list --format=freeze)"
+  for try in "${tries[@]}" failed; do
+    if [ "${try}" = failed ]; then return 1; fi
+    if install --no-deps ${try:+"${try}"} "$1"; then break; fi
+  done
+  echo "roslab: not all that $1 asks for can be had here: it is installed, and of that what can be had" >&2
+  name="$(command "${python}" -m pip list --format=freeze \
+    | grep --invert-match --line-regexp --fixed-strings --file=<(echo "${before}") | head -n 1)"
+  keep
+  while read -r line; do
+    if ! install --constraint "${kept}" "${line}" </dev/null; then
+      echo "pip ${line}" | tee --append /usr/local/share/roslab/left-out.txt
+    fi
+  done < <(if [ -n "${name}" ]; then roslab_asked "${python}" "${name%%==*}" ''; fi)
+}
 alone=() # what --no-deps=PACKAGE adds
 install() { "${pip[@]}" ${alone[@]+"${alone[@]}"} "$@"; }
 for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[@]}"}; do
@@ -99,8 +125,10 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
       ;;
     *) limits=(--constraint "${kept}") ;;
   esac
+  another=''
   for try in "${tries[@]}"; do
     if install ${try:+"${try}"} ${limits[@]+"${limits[@]}"} "${package}"; then continue 2; fi
+    if [ "${#alone[@]}" -eq 0 ] && for_another "${package}"; then another=yes; fi
   done
   name="${package%%==*}"
   case "${package#"${name}"}" in
@@ -116,6 +144,7 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
     echo "roslab: pip cannot install ${package} here: another version is taken" >&2
     continue
   fi
+  if [ -n "${another}" ] && apart "${package}"; then continue; fi
   echo "pip ${package}" | tee --append /usr/local/share/roslab/left-out.txt
 done
 if command -v clone-editable >/dev/null; then clone-editable --tidy; fi
