@@ -102,6 +102,11 @@ def test_real_names_stay(name: str) -> None:
         ("conda install pytorch==1.7.1 cudatoolkit=10.1 -c pytorch", ["torch==1.7.1"]),
         ("uv pip install -c pins.txt six", ["six"]),
         ("pip install six to get it", ["six"]),
+        ("said=$(pip install six==1.16.0 --user)", ["six==1.16.0"]),
+        ("said=`pip install six`", ["six"]),
+        ('said="$(sudo pip3 install six)"', ["six"]),
+        ("echo $(pip install six)", []),
+        ("said=$(pip install six) env", []),
     ],
 )
 def test_pip_lines(text: str, expected: list[str]) -> None:

@@ -57,6 +57,8 @@ _WRAPPERS = frozenset(
     )
 )
 _VALUED_SUDO = frozenset({"-u", "-g", "-n", "--user"})
+_KEPT = pattern(r"\s*\w+=(\"?)(?:\$\(([^()`\n]{1,600})\)|`([^`\n]{1,600})`)\1\s*")
+"""A command whose words are kept: ``said=$(pip install six)``."""
 _ASSIGNMENT = pattern(r"^([A-Za-z_]\w*)=(.*)$", re.DOTALL)
 _SHELLS = frozenset({"bash", "sh", "zsh", "dash"})
 
@@ -132,6 +134,7 @@ def commands(text: str, line: int = 1, variables: Mapping[str, str] | None = Non
     ``$_`` is the last word of the command before: ``mkdir --parents ~/ws/src && cd $_``.
     """
     known = dict(variables or {})
+    text = kept[2] or kept[3] if " install " in text and (kept := _KEPT.fullmatch(text)) else text
     for simple in _split(_filled(fill_placeholders(_with_values(text, known))), line, known):
         known["_"] = UNKNOWN
         for command in _unwrapped(simple, known):
