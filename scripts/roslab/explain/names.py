@@ -262,6 +262,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "cuda-architecture": lambda names, _: worked.cuda_architecture(names),
     "cuda-image": _cuda_image,
     "image-moved": _moved_image,
+    "dropped": lambda names, _: worked.dropped(names),
     "emptied": lambda names, where: worked.emptied(names, where.instruction),
     "header": _library("include", "header"),
     "go-since": _since_go,

@@ -117,3 +117,12 @@ def ignored(names: Mapping[str, str]) -> dict[str, str]:
     known = [match[1] for match in _IGNORED.finditer(said)]
     fits = wanted is None or not known or _CUT in said or any(wanted.contains(each) for each in known)
     return {"ignored": "yes"} if fits else {}
+
+
+def dropped(names: Mapping[str, str]) -> dict[str, str]:
+    """Name the releases of a package that still have what a line of Python says is not there."""
+    line = names.get("line", "")
+    row = next((row for row in rows("dropped_names") if compiled(row["pattern"]).search(line)), None)
+    if row is None:
+        return {}
+    return {"limit": row["limit"], "package": row["limit"].partition("<")[0], "newest_python": row["python"]}

@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterator, Mapping
 
 from roslab.explain.answer import Explanation
-from roslab.repair.change import Given
+from roslab.knowledge.distros import python_of_ubuntu
+from roslab.repair.change import Given, Worked
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
@@ -14,6 +15,7 @@ from roslab.values.requirement_line import requirement
 from roslab.values.version import Version, version_of
 
 _PIN = pattern(r"==\s*(?P<release>\d[\w.!+]{0,60})$")
+_LOWER = (">=", ">", "~=")
 _CUT = "…"
 """What stands in place of the middle of a long line."""
 _LISTED = pattern(r"\(from versions: (?P<versions>[^)\n]{1,20000})\)")
@@ -90,3 +92,25 @@ def _listed(log: str, name: str, release: str, wanted: Version) -> list[Version]
     if cut and (not low or not high or low[-1] < wanted < high[0]):
         return []
     return [each for each in (*low, *high) if not each.is_prerelease or wanted.is_prerelease]
+
+
+def dropped(found: Explanation, given: Given) -> Worked:
+    """Take a release that still has what was dropped, if this Python has one and no list of the tree pins another."""
+    names = dict(found.names)
+    limit, newest = names.get("limit", ""), names.get("newest_python", "")
+    python = given.plan.python.version or python_of_ubuntu().get(given.plan.ubuntu or "", "")
+    if newest and python and Version(python) > Version(newest):
+        return Worked(why=f"{limit} has no wheel for Python {python}: `base.python` in roslab.yaml names {newest}")
+    key, bound = canonicalize_name(names.get("package", "")), Version(limit.partition("<")[2])
+    lists = (each for each in given.evidence.requirements if each.file in given.plan.python.requirements)
+    for line in (line for each in lists for line in each.requirements):
+        asks = line.specifier if line.key == key else ()
+        if any(part.operator == "==" or (part.operator in _LOWER and _from(part.version, bound)) for part in asks):
+            return Worked(why=f"{line.file}:{line.line} asks for {line.written}: take a release of {limit} there")
+    return Worked(values=(limit,))
+
+
+def _from(version: str, bound: Version) -> bool:
+    """Tell whether a lower limit allows nothing below a version."""
+    least = version_of(version)
+    return least is not None and least >= bound

@@ -12,9 +12,8 @@ from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
-from roslab.repair import clones, flags, linked_packages, missing
+from roslab.repair import clones, flags, linked_packages, missing, releases
 from roslab.repair.change import Given, Worked
-from roslab.repair.releases import nearest, newer
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
 from roslab.values.version import Version
@@ -59,7 +58,7 @@ def older_python(found: Explanation, given: Given) -> Worked:
     """
     last, now = dict(found.names).get("last", ""), given.plan.python.version
     if given.plan.ros_distro:
-        line, instead = newer(found, given)
+        line, instead = releases.newer(found, given)
         if line:
             return Worked(values=(line,), instead=instead, key="pip")
         return Worked(why=f"the Python of ROS {given.plan.ros_distro} cannot be exchanged: {found.fix}")
@@ -108,7 +107,7 @@ def numpy(found: Explanation, _: Given) -> Worked:
 
 def release(found: Explanation, given: Given) -> Worked:
     """Take the release nearest to a pinned one that the index has not."""
-    line, instead, why = nearest(found, given)
+    line, instead, why = releases.nearest(found, given)
     return Worked(values=(line,), instead=instead) if line else Worked(why=why)
 
 
@@ -244,6 +243,7 @@ def absent(given: Given) -> tuple[str, ...]:
 
 WAYS: Mapping[str, Way] = {
     "cmake": cmake,
+    "dropped": releases.dropped,
     "flags": flags.flags,
     "jobs": jobs,
     "key": key,

@@ -20,6 +20,7 @@ ALL = failures()
 PATTERNS = [(f"{row.id}.{name}", getattr(row, name)) for row in ALL for name in ("pattern", "also", "unless", "extra")]
 PATTERNS = [(name, pattern) for name, pattern in PATTERNS if pattern]
 LOOKED_UP = {
+    "limit",
     "advice",
     "last",
     "what",
@@ -133,6 +134,7 @@ def test_a_line_of_three_megabytes_is_read_in_time() -> None:
         "shared_objects_given",
         "api_changes",
         "cmake_commands",
+        "dropped_names",
         "headers",
         "package_advice",
         "symbols",
@@ -147,7 +149,9 @@ def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
         assert all(isinstance(value, str) for value in row.values())
 
 
-@pytest.mark.parametrize("row", [*rows("symbols"), *rows("localised")], ids=lambda row: row["pattern"][:30])
+@pytest.mark.parametrize(
+    "row", [*rows("symbols"), *rows("localised"), *rows("dropped_names")], ids=lambda row: row["pattern"][:30]
+)
 def test_a_pattern_of_a_table_is_bounded(row: dict[str, str]) -> None:
     test_a_pattern_is_bounded("", row["pattern"])
 

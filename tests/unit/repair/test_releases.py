@@ -157,3 +157,35 @@ def test_there_a_newer_release_than_the_pinned_one_is_taken(
     tree_of(tmp_path, {"roslab.yaml": added((tmp_path / "roslab.yaml").read_text(), found.entries)})
     planned = plan_repository(tmp_path).plan.python.pip
     assert not taken or (taken in planned and "Cython==0.22.0" not in planned)
+
+
+ESCAPE = "ImportError: cannot import name 'escape' from 'jinja2' (/opt/venv/jinja2/__init__.py)"
+JOBLIB = "ModuleNotFoundError: No module named 'sklearn.externals.joblib'"
+TRACE = 'Traceback (most recent call last):\n  File "/home/jovyan/robot/main.py", line 1, in <module>\n'
+
+
+@pytest.mark.parametrize(
+    ("asked", "python", "said", "taken"),
+    [
+        ("jinja2", "3.10", ESCAPE, "jinja2<3.1"),
+        ("jinja2>=2.11", "3.10", ESCAPE, "jinja2<3.1"),
+        (
+            "jinja2==3.1.4",
+            "3.10",
+            ESCAPE,
+            "not: requirements.txt:1 asks for jinja2==3.1.4: take a release of jinja2<3.1",
+        ),
+        ("jinja2>=3.1", "3.10", ESCAPE, "not: requirements.txt:1 asks for jinja2>=3.1: take a release of jinja2<3.1"),
+        ("scikit-learn", "3.8", JOBLIB, "scikit-learn<0.23"),
+        ("scikit-learn", "3.10", JOBLIB, "not: scikit-learn<0.23 has no wheel for Python 3.10: `base.python`"),
+        ("six", "3.10", ESCAPE.replace("escape", "robot"), "not: Take versions that fit each other"),
+    ],
+)
+def test_a_release_that_still_has_a_name_is_taken(
+    tmp_path: Path, asked: str, python: str, said: str, taken: str
+) -> None:
+    files = {"requirements.txt": f"{asked}\n", "roslab.yaml": f"{PYTHON}base: {{python: '{python}'}}\n"}
+    found = repaired(tmp_path, files, f"{TRACE}{said}\n")
+    told = [*(change.value for change in found.certain.changes), *(f"not: {why}" for _, why in found.refused)]
+    assert len(told) == 1
+    assert told[0].startswith(taken)
