@@ -16,6 +16,7 @@ from roslab.repair.change import Repair
 from roslab.repair.repair import repair
 
 CPP = {"CMakeLists.txt": "project(robot CXX)\nadd_executable(robot main.cpp)\n", "main.cpp": "int main() {}\n"}
+OPENCV = "-I/usr/local/include/opencv4 -I/usr/include/opencv4 -include"
 CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
 
 
@@ -50,7 +51,15 @@ def repaired(folder: Path, text: str, files: dict[str, str]) -> Repair:
             "main.cpp:1:3: error: 'make_unique' is not a member of 'std'",
             "cmake_options: -DCMAKE_CXX_STANDARD=14, for cxx standard too old (main.cpp:1)",
         ),
-        ("main.cpp:1:3: error: 'CV_BGR2GRAY' was not declared in this scope", ""),
+        (
+            "main.cpp:1:3: error: 'CV_BGR2GRAY' was not declared in this scope",
+            f"env.CXXFLAGS: {OPENCV} opencv2/imgproc/types_c.h, for what is said of CV_BGR2GRAY (main.cpp:1)",
+        ),
+        (
+            "main.cpp:1:3: error: 'CV_AA' was not declared in this scope",
+            f"env.CXXFLAGS: {OPENCV} opencv2/imgproc/imgproc_c.h, for what is said of CV_AA (main.cpp:1)",
+        ),
+        ("main.cpp:1:3: error: 'CvMat' was not declared in this scope", ""),
     ],
 )
 def test_an_error_that_a_flag_answers_gets_the_flag(tmp_path: Path, said: str, wanted: str) -> None:
