@@ -17,6 +17,9 @@ from roslab.repair.repair import repair
 
 CPP = {"CMakeLists.txt": "project(robot CXX)\nadd_executable(robot main.cpp)\n", "main.cpp": "int main() {}\n"}
 OPENCV = "-I/usr/local/include/opencv4 -I/usr/include/opencv4 -include"
+LOADED = " ".join(
+    f"-DCV_LOAD_IMAGE_{name}" for name in ("COLOR=1", "GRAYSCALE=0", "UNCHANGED=-1", "ANYDEPTH=2", "ANYCOLOR=4")
+)
 CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
 
 
@@ -58,6 +61,10 @@ def repaired(folder: Path, text: str, files: dict[str, str]) -> Repair:
         (
             "main.cpp:1:3: error: 'CV_AA' was not declared in this scope",
             f"env.CXXFLAGS: {OPENCV} opencv2/imgproc/imgproc_c.h, for what is said of CV_AA (main.cpp:1)",
+        ),
+        (
+            "main.cpp:1:3: error: 'CV_LOAD_IMAGE_COLOR' was not declared in this scope",
+            f"env.CXXFLAGS: {LOADED}, for what is said of CV_LOAD_IMAGE_COLOR (main.cpp:1)",
         ),
         ("main.cpp:1:3: error: 'CvMat' was not declared in this scope", ""),
     ],
