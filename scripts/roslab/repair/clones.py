@@ -58,7 +58,12 @@ def tabled(word: str, given: Given) -> tuple[RosSource, ...]:
 
 
 def named(word: str, given: Given) -> GitSource | None:
-    """Return the repository of a package's name that the tree names, ``None`` where the build has it already."""
+    """Return the repository of a package's name that the tree names, ``None`` where the build has it already.
+
+    Nor what the distribution of ROS in the image released: its packages fit each other, and a clone may not fit them.
+    """
+    if given.plan.ros_distro and word in released(given.plan.ros_distro):
+        return None
     there = {address(each.repo) for each in _cloned_already(given) if each.repo}
     own = next((each for each in given.evidence.sources if _called(each, word)), None)
     return own if own and address(own.url) not in there else None

@@ -108,6 +108,16 @@ def test_what_roslab_yaml_clones_already_is_not_cloned_again(tmp_path: Path) -> 
     assert found.changes == ()
 
 
+def test_what_ros_released_is_not_cloned(tmp_path: Path) -> None:
+    page = PAGE.replace("example/robot_arm", "example/pluginlib")
+    package = PACKAGE.replace("</buildtool_depend>", "</buildtool_depend><depend>pluginlib</depend>")
+    found = repaired(
+        made(tmp_path, {**ROS, "package.xml": package, "README.md": page}),
+        log("catkin_make", NO_HEADER.format("pluginlib/class_loader.h")),
+    )
+    assert found.changes == ()
+
+
 @pytest.mark.parametrize(
     ("before", "after"),
     [
