@@ -29,7 +29,7 @@ MODULES = {
 
 def run() -> NoReturn:
     """Run the command line and end the process, without giving back what it made: that takes long for many values."""
-    kept_modules.install("roslab.cli.commands", "roslab.evidence.gather")
+    kept_modules.install("roslab.cli.commands", "roslab.evidence.gather", "roslab.decide.deciding")
     kept_trees.install()
     code = main()
     try:

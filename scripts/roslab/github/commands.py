@@ -5,28 +5,28 @@ from __future__ import annotations
 import argparse
 import os
 from collections.abc import Callable, Mapping
+from importlib import import_module
 
 from roslab.errors import RoslabError
-from roslab.github import building, clean, drift, explaining, kept, proving, publishing, slim, steps, workflow
-from roslab.github.run import Folder
 
-STEPS: Mapping[str, tuple[str, Callable[[Mapping[str, str]], None]]] = {
-    "source": ("Fetch the submodules, large files and tags that the checkout lacks.", steps.source),
+STEPS: Mapping[str, tuple[str, str]] = {
+    "source": ("Fetch the submodules, large files and tags that the checkout lacks.", "steps"),
     "plan": (
         "Read the event, the inputs and the repository; decide what is built and whether it is published.",
-        steps.plan,
+        "steps",
     ),
-    "ready": ("Check the engine and the registry before anything is built.", steps.ready),
-    "dockerfile": ("Write the Dockerfile and the settings of the build.", building.dockerfile),
-    "explain": ("Say in plain words why the build failed.", explaining.explain),
-    "prove": ("Run the image on its platforms.", proving.prove),
-    "slim": ("Build the slim image and run it on its platforms.", slim.slim),
-    "index": ("Put the proved images under their commit's tag.", publishing.index),
-    "tag": ("Move the other tags to the proved images.", publishing.tag),
-    "summary": ("Write the job's summary.", steps.summary),
-    "drift": ("Build from nothing, prove, and compare with the image that was archived.", drift.drift),
-    "clean": ("Remove the versions of an image that nobody needs, or show which they are.", clean.clean),
+    "ready": ("Check the engine and the registry before anything is built.", "steps"),
+    "dockerfile": ("Write the Dockerfile and the settings of the build.", "building"),
+    "explain": ("Say in plain words why the build failed.", "explaining"),
+    "prove": ("Run the image on its platforms.", "proving"),
+    "slim": ("Build the slim image and run it on its platforms.", "slim"),
+    "index": ("Put the proved images under their commit's tag.", "publishing"),
+    "tag": ("Move the other tags to the proved images.", "publishing"),
+    "summary": ("Write the job's summary.", "steps"),
+    "drift": ("Build from nothing, prove, and compare with the image that was archived.", "drift"),
+    "clean": ("Remove the versions of an image that nobody needs, or show which they are.", "clean"),
 }
+"""What each step does, and the module with the function of its name: each is a process that imports only its own."""
 
 
 def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -41,15 +41,24 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
 def run(options: argparse.Namespace) -> int:
     """Run one step; an error that stops it is also kept for the summary."""
     try:
-        STEPS[options.step][1](os.environ)
+        function(options.step)(os.environ)
     except RoslabError as error:
         _keep(options.step, error)
         raise
     return 0
 
 
+def function(step: str) -> Callable[[Mapping[str, str]], None]:
+    """Return what a step runs."""
+    found: Callable[[Mapping[str, str]], None] = getattr(import_module(f"roslab.github.{STEPS[step][1]}"), step)
+    return found
+
+
 def _keep(step: str, error: RoslabError) -> None:
     """Keep a failure for the step that writes the summary; if no run exists yet, write the summary now."""
+    from roslab.github import kept, steps, workflow  # noqa: PLC0415 - a step that does not fail needs none of them
+    from roslab.github.run import Folder  # noqa: PLC0415
+
     lines = [" ".join(str(problem).split()) for problem in error.problems]
     try:
         folder = Folder.of(os.environ)

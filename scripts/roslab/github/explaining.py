@@ -12,7 +12,6 @@ from roslab.config import read as read_configuration
 from roslab.config.addition import added
 from roslab.engine.asking import ask
 from roslab.errors import BuildError, ConfigurationError, Problem, RoslabError
-from roslab.evidence.gather import gather
 from roslab.explain import words
 from roslab.explain.answer import Answer
 from roslab.explain.answer import explain as explained
@@ -134,6 +133,8 @@ def mend(
     What the image could be built without is told, and among no lines: only who knows what the image is for can say.
     ``start``: the answer is that to the default command's log.
     """
+    from roslab.evidence.gather import gather  # noqa: PLC0415 - every step that may fail imports this module
+
     try:
         repository = Repository.open(root)
         text = locate.text(repository, run.config) if run.config else None
