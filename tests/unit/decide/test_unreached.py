@@ -79,3 +79,22 @@ def test_thousands_of_projects_that_a_page_compiles_cost_little(tmp_path: Path) 
     found = [unreached(evidence) for _ in range(9)]
     assert time.process_time() - before < 2
     assert "src/part0/CMakeLists.txt" not in found[0]
+
+
+@pytest.mark.parametrize(
+    "package", ["", "<package><name>demo</name><buildtool_depend>cmake</buildtool_depend></package>"]
+)
+@pytest.mark.parametrize(("adds", "needed"), [("", False), ("add_subdirectory(examples/own)\n", True)])
+def test_what_tests_of_a_project_ask_for_that_the_built_one_does_not_add(
+    tree: Tree, package: str, adds: str, needed: bool
+) -> None:
+    files = {
+        "CMakeLists.txt": f"cmake_minimum_required(VERSION 3.10)\nproject(demo)\nadd_subdirectory(src)\n{adds}",
+        "src/CMakeLists.txt": "add_executable(demo demo.cpp)\n",
+        "src/demo.cpp": "int main() { return 0; }\n",
+        "examples/own/CMakeLists.txt": "cmake_minimum_required(VERSION 3.10)\nproject(own)\nadd_subdirectory(test)\n",
+        "examples/own/test/CMakeLists.txt": "find_package(Boost REQUIRED COMPONENTS system)\nadd_executable(t t.cpp)\n",
+        "examples/own/test/t.cpp": "int main() { return 0; }\n",
+    }
+    decision = tree(files | ({"package.xml": package} if package else {}))
+    assert ("libboost-all-dev" in decision.apt) is needed

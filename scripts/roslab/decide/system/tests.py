@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslab.decide.programs import top_of
+from roslab.decide.system.added_projects import folder_of
 from roslab.decide.system.switches import given, switch_of, switched_off, switched_on, waits
+from roslab.decide.system.unreached import unreached
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
@@ -29,9 +32,12 @@ def left_to_a_switch(evidence: Evidence) -> Iterator[tuple[Dependency, str]]:
 
 def always_compiled(evidence: Evidence) -> Iterator[Dependency]:
     """Yield what CMake requires for tests that nothing leaves out, or that a page asks for."""
-    options = given(evidence)
+    options, top = given(evidence), top_of(evidence)
     for project, asked in _asked(evidence):
-        within = project.added or "/" not in project.file
+        # One that another project adds is compiled where that is, which is not sure beside package.xml files
+        own = top is None or project.top == folder_of(top)
+        reached = own or not (evidence.manifests or project.file in unreached(evidence))
+        within = (project.added and reached) or "/" not in project.file
         unasked = asked.strength == "declared" and not asked.condition
         if within and (unasked or switched_on(asked, options)) and not switched_off(asked, options):
             yield asked
