@@ -184,7 +184,9 @@ def _of_packages(
         ),
         reasons=(
             *(
-                because("source", s.folder or ".", why.format(asked.file, _how(asked), asked.name), asked, weight=WEIGHT)
+                because(
+                    "source", s.folder or ".", why.format(asked.file, _how(asked), asked.name), asked, weight=WEIGHT
+                )
                 for s, asked in found
             ),
             *(
