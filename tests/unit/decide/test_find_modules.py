@@ -88,3 +88,28 @@ def test_gurobi_is_no_part_of_cmake(tree: Tree) -> None:
         "node.cpp": "int main() {}\n",
     }
     assert any("GUROBI" in each.message for each in tree(files).warnings)
+
+
+_WAYS = "find_package(OpenBLAS REQUIRED)\nif(Openblas_FOUND)\n  set(A openblas)\n{0}endif()\n"
+_OTHER = "else(Openblas_FOUND)\n  find_package(LAPACK REQUIRED)\n"
+_WARNS = "find_library(Openblas_LIBRARY libopenblas.so)\nif(NOT Openblas_LIBRARY)\n  message(WARNING none)\nendif()\n"
+
+
+@pytest.mark.parametrize(
+    ("ways", "module", "installed"),
+    [
+        (_WAYS.format(_OTHER), _WARNS, {"liblapack-dev"}),
+        (_WAYS.format(_OTHER), _WARNS.replace("WARNING", "FATAL_ERROR"), {"libopenblas-dev", "liblapack-dev"}),
+        (_WAYS.format(_OTHER), "", {"libopenblas-dev", "liblapack-dev"}),
+        (_WAYS.format(""), _WARNS, {"libopenblas-dev"}),
+        (_WAYS.format("else()\n  set(A none)\n"), _WARNS, {"libopenblas-dev"}),
+    ],
+)
+def test_the_other_way_is_taken_where_the_module_never_stops(
+    tree: Tree, ways: str, module: str, installed: set[str]
+) -> None:
+    files = {"package.xml": _MANIFEST.format("robot"), "CMakeLists.txt": _CMAKE.format("robot", ways)}
+    files |= {"node.cpp": "int main() {}\n", **({"cmake/FindOpenBLAS.cmake": module} if module else {})}
+    decision = tree(files)
+    found = {*decision.apt, *decision.apt_guessed}
+    assert {each for each in found if "blas" in each or "lapack" in each} == installed

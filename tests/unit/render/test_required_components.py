@@ -153,7 +153,8 @@ STOPS = "find_library(B openblas)\nfind_package_handle_standard_args(OpenBLAS RE
         (ANOTHER_WAY.format(""), STOPS, ["LAPACK", "OpenBLAS"]),
         (ANOTHER_WAY.format(""), None, ["LAPACK", "OpenBLAS"]),
         ("find_package(OpenBLAS REQUIRED)\nif(Openblas_FOUND)\nendif()\n", WARNS, ["OpenBLAS"]),
-        ("find_package(OpenBLAS REQUIRED)\nif(A)\nelse()\nendif()\n", WARNS, ["OpenBLAS"]),
+        ("find_package(OpenBLAS REQUIRED)\nif(OpenBLAS_FOUND)\nelse()\nset(A)\nendif()\n", WARNS, ["OpenBLAS"]),
+        ("find_package(OpenBLAS REQUIRED)\nif(A)\nelse()\nfind_package(LAPACK)\nendif()\n", WARNS, ["OpenBLAS"]),
         ("find_package(${A} REQUIRED)\nif(A_FOUND)\nelse()\nendif()\n", WARNS, []),
     ],
 )

@@ -22,7 +22,7 @@ from roslab.evidence.native.added import Added
 from roslab.evidence.native.authors_parts import authors_parts
 from roslab.evidence.native.bare_links import with_bare
 from roslab.evidence.native.cmake_reading import Reading
-from roslab.evidence.native.find_modules import searched_by_module
+from roslab.evidence.native.find_modules import goes_on, searched_by_module
 from roslab.evidence.native.installed_paths import code_not_there, installed, not_there
 from roslab.evidence.native.lost_libraries import lost, named
 from roslab.evidence.native.macros import macros
@@ -168,7 +168,7 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
                     continue
                 cmake_since.note(needing, path, reading.newer)
                 _note(needing, path, reading)
-        else:
+        elif not goes_on(call, text, repository, file):
             _note(call, file.path, reading)
             if call.name == "find_package":
                 reading.dependencies += linker_flags.of_module(call, repository, file)

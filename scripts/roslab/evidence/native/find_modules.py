@@ -1,7 +1,8 @@
-"""Libraries that the tree's own module for a required package looks for: without one of them CMake stops there."""
+"""The tree's own modules for required packages: what they look for and stop without, and those that never stop."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslab.evidence.dependency import Dependency
@@ -18,6 +19,8 @@ _TELLS = "find_package_handle_standard_args"
 _VARIABLES = "REQUIRED_VARS"
 _OPTION = pattern(r"(?:VERSION_VAR|HANDLE_\w+|CONFIG_MODE|REASON_\w+|FAIL_MESSAGE|NAME_MISMATCHED)")
 _WORD = pattern(r"\w+")
+_STOPS = pattern(r"handle_standard_args|(?:FATAL|SEND)_ERROR", re.IGNORECASE)
+_WAYS = frozenset({"find_package", "find_library", "pkg_check_modules"})
 
 
 def searched_by_module(call: Call, repository: Repository, file: File) -> Iterator[Dependency]:
@@ -51,6 +54,21 @@ def searched_by_module(call: Call, repository: Repository, file: File) -> Iterat
                 namespace="link", name=names[0], strength="used", file=file.path, line=call.line, role=SEARCHED
             )
             return
+
+
+def goes_on(call: Call, text: str, repository: Repository, file: File) -> bool:
+    """Tell whether CMake looks for another library where a module that never stops has not found a required one.
+
+    That is behind the ``else`` of ``if(NAME_FOUND)``, and what the author has: who installs what the page says lacks
+    the first one. With that there, the build takes it, which nobody may have tried on this Ubuntu.
+    """
+    if call.name != "find_package" or "_FOUND" not in text or "REQUIRED" not in call.words:
+        return False
+    module = module_of(call, repository, file)
+    if module is None or _STOPS.search(repository.read(module)):
+        return False
+    absent = f"not ({call.words[0]}_found)".lower()
+    return any(absent in map(str.lower, other.conditions) for other in calls(text, _WAYS))
 
 
 def _required(call: Call) -> list[str]:

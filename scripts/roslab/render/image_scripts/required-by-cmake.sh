@@ -4,8 +4,8 @@
 #        required-by-cmake --library FOLDER [OPTION...]
 # Prints the names of what CMakeLists.txt files require: components of catkin, and packages. What stands below a condition
 # that is off is left out: an option or variable that the file itself turns off, and systems that the image is not. So is
-# what the file has another way for (else behind if(NAME_FOUND)), where its own FindNAME.cmake never stops. Files that they
-# include are read with them.
+# what the file has another way for (it looks for others in the else of if(NAME_FOUND)), where its own FindNAME.cmake never
+# stops. Files that they include are read with them.
 #   --programs  run:NAME of each program that they call, also of a script that lies in what they fetch
 #   --library  of a library that CMake configures with these options: its CMakeLists.txt with the files that it adds, too,
 #              without what its own projects are called. Also pkg:MODULE for a module of pkg-config, and link:NAME and
@@ -90,7 +90,12 @@ required() {
     command == "elseif" { known = truth(words, count); skip[depth] = met[depth] || known == 0; if (known == 1) met[depth] = 1 }
     command == "else" { skip[depth] = met[depth] }
     command == "if" { asked[depth] = count == 1 && tolower(words[1]) ~ /_found$/ ? tolower(words[1]) : "" }
-    command == "else" && asked[depth] { either[substr(asked[depth], 1, length(asked[depth]) - 6)] = 1 }
+    command ~ /^(if|elseif|else)$/ { otherwise[depth] = command == "else" ? asked[depth] : "" }
+    command ~ /^(find_package|find_library|pkg_check_modules)$/ {
+      for (level = 1; level <= depth; level++) {
+        if (otherwise[level]) either[substr(otherwise[level], 1, length(otherwise[level]) - 6)] = 1
+      }
+    }
     command ~ /^(if|elseif|else)$/ { without[depth] = count == 2 && toupper(words[1]) == "NOT" ? words[2] : "" }
     {
       for (level = 1; level <= depth; level++) if (skip[level]) next
