@@ -245,16 +245,20 @@ CMAKE = "cmake_minimum_required(VERSION 3.0)\nproject(planner)\nfind_package(cat
 
 
 @pytest.mark.parametrize(
-    ("name", "imported", "cloned"),
+    ("name", "imported", "key", "cloned"),
     [
-        ("toppra", "toppra", True),  # ROS 2 has a package of that name, and ROS 1 has none
-        ("toppra", "numpy", False),
-        ("moveit_commander", "moveit_commander", False),  # ROS's own
+        ("toppra", "toppra", "rospy", True),  # ROS 2 has a package of that name, and ROS 1 has none
+        ("toppra", "toppra", "toppra", False),  # it is in the workspace
+        ("toppra", "numpy", "rospy", False),
+        ("moveit_commander", "moveit_commander", "rospy", False),  # ROS's own
     ],
 )
-def test_beside_ros_it_is_what_the_code_imports(tree: Tree, name: str, imported: str, *, cloned: bool) -> None:
+def test_beside_ros_it_is_what_the_code_imports(
+    tree: Tree, name: str, imported: str, key: str, *, cloned: bool
+) -> None:
     page = f"For ROS Noetic.\n```\ngit clone https://github.com/lab/{name}.git && cd {name}/\ngit checkout {COMMIT}\n"
     page += "pip install -r requirements.txt --user\npython setup.py install --user\n```\n"
-    files = {"package.xml": NODE, "CMakeLists.txt": CMAKE, "README.md": page, "scripts/plan.py": f"import {imported}\n"}
+    node = NODE.replace("rospy", key)
+    files = {"package.xml": node, "CMakeLists.txt": CMAKE, "README.md": page, "scripts/plan.py": f"import {imported}\n"}
     found = [each.url for each in tree(files).python.pip_guessed if each.url]
     assert found == ([f"git+https://github.com/lab/{name}.git@{COMMIT}"] if cloned else [])

@@ -21,8 +21,9 @@ echo "$@" >>{folder}/calls
 
 
 def test_only_what_has_no_package_is_installed(tmp_path: Path) -> None:
-    for path in ("alone/setup.py", "modern/pyproject.toml", "known/setup.py", "words/README.md", "both/setup.py"):
-        (tmp_path / path).parent.mkdir()
+    paths = ("alone/setup.py", "modern/pyproject.toml", "known/setup.py", "words/README.md", "both/setup.py")
+    for path in (*paths, "other/known/setup.py"):
+        (tmp_path / path).parent.mkdir(parents=True)
         (tmp_path / path).touch()
     (tmp_path / "both/CMakeLists.txt").touch()
     (tmp_path / "sister/inner").mkdir(parents=True)
@@ -33,8 +34,11 @@ def test_only_what_has_no_package_is_installed(tmp_path: Path) -> None:
         (tmp_path / name).chmod(0o755)
     folders = {name: str(tmp_path / name) for name in ("alone", "modern", "known", "words", "both", "sister", "gone")}
     variables = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
-    subprocess.run(["bash", str(SCRIPT), "python3", "--quiet", "--", *folders.values()], env=variables, check=True)
-    installed = [f"python3 --quiet -- --no-build-isolation={folders[name]}" for name in ("alone", "modern")]
+    guessed = str(tmp_path / "other/known")
+    command = ["bash", str(SCRIPT), "python3", "--quiet", "--", *folders.values(), f"--instead={guessed}"]
+    subprocess.run(command, env=variables, check=True)
+    taken = (folders["alone"], folders["modern"], guessed)
+    installed = [f"python3 --quiet -- --no-build-isolation={folder}" for folder in taken]
     assert (tmp_path / "calls").read_text().splitlines() == installed
     ignored = {name for name, folder in folders.items() if Path(folder, "COLCON_IGNORE").exists()}
     assert ignored == {"alone", "modern", "known"}
@@ -65,3 +69,20 @@ def test_the_image_does_so_for_what_is_imported(tmp_path: Path, name: str, code:
     assert ("COPY --from=scripts /install-optional-pip /usr/local/bin/" in text) >= called
     assert "RUN install-plain-clones /" not in text
     assert ("python3-pip" in text) == called
+
+
+@pytest.mark.parametrize(("ros", "code", "called"), [("Noetic", "toppra", True), ("Humble", "toppra", False)])
+def test_it_takes_the_place_of_what_pip_would_have_by_that_name(
+    tmp_path: Path, ros: str, code: str, *, called: bool
+) -> None:
+    """ROS 2 released a package of that name, and ROS 1 did not."""
+    tool = "catkin" if ros == "Noetic" else "ament_cmake"
+    package = f"<package><name>robot</name><buildtool_depend>{tool}</buildtool_depend><depend>{code}</depend></package>"
+    page = f"ROS {ros}\n```\ncd ~/ws/src\ngit clone https://github.com/lab/{code}.git\n```\n"
+    files = {"package.xml": package, "README.md": page, "scripts/plan.py": f"import {code}\n"}
+    files["CMakeLists.txt"] = f"project(robot)\nfind_package({tool} REQUIRED)\n"
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text)
+    text = dockerfile(plan_repository(tmp_path).plan)
+    assert (f" -- --instead=/home/${{NB_USER}}/ws/src/{code}\n" in text) == called

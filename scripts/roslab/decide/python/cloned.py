@@ -39,11 +39,15 @@ def with_cloned(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
 
 
 def _imported(asked: Requirement, evidence: Evidence, ros: int) -> bool:
-    """Tell whether the code cannot do without a module called like a clone, which no package of that ROS brings."""
+    """Tell whether the code cannot do without a module called like a clone, which no package of that ROS brings.
+
+    What a package.xml asks for by that name is in the workspace, where pip installs it if it is plain Python.
+    """
     last = (asked.url or "").partition("#")[0].rpartition("/")[2]
     name = bare_name(last.partition("@")[0].removesuffix(".git"))
     used = (each.name for each in evidence.code if each.namespace == "import" and each.strength == "used")
-    return any(bare_name(each) == name and not released_for(each, ros) for each in used)
+    keys = {bare_name(key.name) for manifest in evidence.manifests for key in manifest.dependencies}
+    return name not in keys and any(bare_name(each) == name and not released_for(each, ros) for each in used)
 
 
 def _asked(evidence: Evidence, itself: set[str]) -> Iterator[Requirement]:

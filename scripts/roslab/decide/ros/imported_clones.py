@@ -6,14 +6,14 @@ from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.source_names import plain
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.released import ever_released
+from roslab.knowledge.released import released_for
 from roslab.values.dataclass import replace
 
 
-def with_imported(sources: Sources, evidence: Evidence) -> Sources:
+def with_imported(sources: Sources, evidence: Evidence, ros: int) -> Sources:
     """Return the sources, with those marked that a list or a page names and that are called like an imported module.
 
-    No package that any distribution released is one of them: such a module is ROS's.
+    No package that any distribution of that ROS released is one of them: such a module is ROS's.
     """
     if not any(source.listed for source in sources.sources):
         return sources
@@ -22,7 +22,7 @@ def with_imported(sources: Sources, evidence: Evidence) -> Sources:
         for each in evidence.code
         if each.namespace == "import" and each.strength == "used" and not places.aside(each.file)
     }
-    names = {plain(name) for name in used if not ever_released(name)}
+    names = {plain(name) for name in used if not released_for(name, ros)}
     marked = tuple(
         replace(source, imported=True) if source.listed and plain(source.name) in names else source
         for source in sources.sources

@@ -117,7 +117,7 @@ def decide_sources(
     names = frozenset(plain(each.name) for each in needed)
     started = tuple(each.name for each in launched)
     answer = replace(choice.answer, asked=names, within=inside_packages(evidence), started=started)
-    answer = with_imported(answer, evidence)
+    answer = with_imported(answer, evidence, chosen.ros)
     answer = with_tabled(answer, chosen.ros, ros_distro or "")
     return with_sought(
         replace(choice, answer=answer),

@@ -1,8 +1,9 @@
 #!/bin/bash
 # usage: install-python-clones PYTHON [OPTION...] -- FOLDER...
 # Has pip install, with the given options, those of the folders that hold a Python project, no package.xml and no project of
-# CMake, beside what is there; colcon then passes them by. One that pip has installed from elsewhere is only passed by. What
-# cannot be installed is told and stops nothing.
+# CMake, beside what is there; colcon then passes them by. One that pip has installed from elsewhere is only passed by, but
+# `--instead=FOLDER` takes the place of what pip has by that name: that was only guessed. What cannot be installed is told
+# and stops nothing.
 set -euo pipefail
 
 pip=()
@@ -11,11 +12,12 @@ while [ "$1" != -- ]; do
   shift
 done
 shift
-for folder in "$@"; do
+for each in "$@"; do
+  folder="${each#--instead=}"
   if [ ! -f "${folder}/setup.py" ] && [ ! -f "${folder}/pyproject.toml" ]; then continue; fi
   if [ -f "${folder}/CMakeLists.txt" ] || [ -n "$(find "${folder}" -name package.xml -print -quit)" ]; then continue; fi
   touch "${folder}/COLCON_IGNORE"
-  if "${pip[0]}" -m pip show --quiet "$(basename "${folder}")" 2>/dev/null; then continue; fi
+  if [ "${each}" = "${folder}" ] && "${pip[0]}" -m pip show --quiet "$(basename "${folder}")" 2>/dev/null; then continue; fi
   echo "roslab: ${folder} has no package.xml: pip installs it with what it needs"
   install-optional-pip "${pip[@]}" -- "--no-build-isolation=${folder}"
   chown --recursive --reference="$(dirname "${folder}")" "${folder}"
