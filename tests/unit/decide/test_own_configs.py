@@ -63,6 +63,7 @@ LINKED = {
         "project(grip)\nadd_library(grip_core SHARED a.cpp)\ninstall(TARGETS grip_core DESTINATION lib)\n"
     ),
     "lib/a.cpp": "int a() { return 1; }\n",
+    "grip_ros/n.cpp": "int main() { return 0; }\n",
     "grip_ros/CMakeLists.txt": (
         "project(grip_ros)\nfind_package(catkin REQUIRED)\nfind_package(grip)\nadd_executable(n n.cpp)\n"
         "target_link_libraries(n grip_core)\n"
