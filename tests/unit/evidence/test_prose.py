@@ -518,3 +518,19 @@ def test_what_is_checked_out_is_of_the_clone_in_whose_folder_git_is_called(
 def test_a_command_that_goes_on_in_lines_with_a_mark(tmp_path: Path, page: str) -> None:
     prose = read(readme, tmp_path, {"README.md": f"# Thing\n\n{page}"})
     assert [asked.written for asked in prose.requirements] == ["einops", "timm", "yacs==0.1"]
+
+
+@pytest.mark.parametrize(
+    ("source", "text", "named"),
+    [
+        ("ci", 'build: ["humble", "jazzy"]\n', ["humble", "jazzy"]),
+        ("ci", "build:\n  - humble\n  - jazzy\n  - 'rolling'\n", ["humble", "jazzy", "rolling"]),
+        ("ci", 'build: ["humble", "proud"]\n', []),
+        ("ci", "build:\n  - humble\n  - proud\ntune: jazzy\n", ["jazzy"]),
+        ("readme", "It runs on foxy, galactic and humble.\n", ["foxy", "galactic", "humble"]),
+        ("readme", "A humble page.\n\nA foxy one.\n", ["foxy"]),
+    ],
+)
+def test_an_ordinary_word_is_a_distribution_beside_another_one(source: str, text: str, named: list[str]) -> None:
+    found = mentions.read(text, "a", source)  # type: ignore[arg-type]
+    assert sorted(each.value for each in found if each.topic == "distro") == named

@@ -94,6 +94,11 @@ _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)[^\n]*:\W*(?:<br ?/?>)
 _MASTER = pattern(r"\broscore\b")
 _CONTEXT = pattern(r"\bros\b|ros[-_ ]?[12]|distro|ubuntu|branch|catkin|colcon|/opt/ros", re.IGNORECASE)
 _OF_A_SYSTEM = pattern(r"debian|linux|codename|docker|\bapt(?:-get)?\b|\blts\b|\b\d\d\.(?:04|10)\b", re.IGNORECASE)
+_ITEM = pattern(r"-[ \t]+[\"']?\w+[\"']?")
+_ITEMS = pattern(rf"^[ \t]*{_ITEM.pattern}[ \t]*$", re.MULTILINE)
+"""One word of a list of YAML that has a line for each, and all of them."""
+_NEAR = 160
+"""How far from a word of such a list the others are looked for."""
 _STOOD_ON = pattern(r"\b(?:on|for|under)\s+(?:the\s+)?[`*_\"']{0,3}\Z", re.IGNORECASE)
 _ENDS = pattern(r"[`*_\"']{0,3}\s*(?:[^\w\s]|(?:and|or)\b|\n|\Z)", re.IGNORECASE)
 
@@ -147,11 +152,25 @@ def _denied(text: str, match: re.Match[str]) -> str:
 
 
 def _means_ros(match: re.Match[str], context: str, source: str) -> bool:
-    """Tell whether an ordinary word is a distribution: ROS, a branch or an Ubuntu is near it, or it labels a block."""
+    """Tell whether an ordinary word is a distribution: ROS, a branch, an Ubuntu or one that is none is near it.
+
+    Or it labels a block. In a list of CI that has a line for each, the others are near.
+    """
     from roslab.evidence.prose.labels import is_label  # noqa: PLC0415 - few pages have such a word
 
     labels = source == "readme" and is_label(match.string, match.start(), match.end())
-    return bool(_CONTEXT.search(context)) or labels
+    if labels or _CONTEXT.search(context):
+        return True
+    beside = [context]
+    if source == "ci" and _ITEM.fullmatch(context):
+        beside += _ITEMS.findall(match.string, max(0, match.start() - _NEAR), match.end() + _NEAR)
+    return not _no_words().isdisjoint(name for each in beside for name in _distros_in(each.lower()))
+
+
+@cache
+def _no_words() -> frozenset[str]:
+    """Return the distributions whose names are no ordinary words: where one stands, another word is one too."""
+    return frozenset(ever()) - frozenset(english_words())
 
 
 def _a_release(value: str, context: str, match: re.Match[str]) -> bool:
