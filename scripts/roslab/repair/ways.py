@@ -154,6 +154,8 @@ def ros(found: Explanation, given: Given) -> Worked:
     known = [word for word in wanted if distro and word in released(distro)]
     if distro and known:
         return Worked(values=tuple(f"ros-{distro}-{word.replace('_', '-')}" for word in known))
+    if own:
+        return Worked(why=f"{own} is a package of this repository: it is built after what asks for it, or not at all")
     lacking = ", ".join(wanted)
     if not distro:
         return Worked(why=f"{lacking} is of ROS, and this image has none: `base.ros` in roslab.yaml names one")

@@ -182,6 +182,16 @@ def test_another_base_is_likely_and_never_certain(tmp_path: Path, yaml: str, tex
             "my_own_msgs is not released for ROS noetic",
         ),
         (
+            {f"robot/{path}": text for path, text in ROS.items()}
+            | {"msgs/package.xml": "<package><name>my_own_msgs</name></package>", "README.md": "ROS Noetic\n"},
+            log(
+                "catkin_make",
+                "Could not find a package configuration file provided by",
+                '  "my_own_msgs" with any of the following names: /opt/ros/noetic',
+            ),
+            "my_own_msgs is a package of this repository: it is built after what asks for it, or not at all",
+        ),
+        (
             {**CPP, "roslab.yaml": "format: 3\napt: [libgoogle-glog-dev]\n"},
             log("make", "main.cpp:1:10: fatal error: glog/logging.h: No such file or directory"),
             "roslab.yaml has libgoogle-glog-dev already",
