@@ -75,6 +75,7 @@ BY_SHELL = "execute_process(COMMAND bash -c \"git rev-parse HEAD | awk '{print $
         (f"{ASKED}target_compile_definitions(demo PRIVATE\n  COMMIT=${{ID}})\n", True),
         (ASKED.replace("git", "${GIT_EXECUTABLE}") + "add_definitions(-DCOMMIT=${ID})\n", True),
         ("execute_process(COMMAND git log -1 COMMAND_ERROR_IS_FATAL ANY)\n", True),
+        (f"{ASKED}if(ID)\nadd_definitions(-DCOMMIT=${{ID}})\nendif()\n", False),
         (STOPS, True),
         (STOPS.replace("rev-parse HEAD", "submodule update --init"), True),
         (STOPS.replace("FATAL_ERROR", "WARNING"), False),

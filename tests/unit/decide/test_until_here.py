@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.evidence.prose.headings import lines_of, resumed
 
 Tree = Callable[[dict[str, str]], Decision]
 CODE = {
@@ -38,3 +39,10 @@ def test_it_is_for_all_from_an_item_with_a_command_for_this_one_on(tree: Tree, i
 def test_a_section_about_something_else_does_not(tree: Tree, title: str) -> None:
     page = MACOS.format("- Ubuntu: `cmake ..`\n").replace("Packages on macOS", title)
     assert tree(CODE | {"README.md": page}).command != ("train", "--fast")
+
+
+@pytest.mark.parametrize(("between", "number"), [("", 3), ("And so:\n", 7), ("\n", 3)])
+def test_the_block_right_above_the_item_is_for_all_too(between: str, number: int) -> None:
+    page = f"## Packages on macOS\nNow:\n```\nmkdir build\n```\n{between}- Ubuntu: `cmake ..`\n- macOS: `cmake ..`\n"
+    assert resumed(page.split("\n")) == {number}
+    assert next(line.number for line in lines_of(page) if not line.elsewhere) in {number, number + 1}

@@ -55,7 +55,8 @@ def _needed(call: Call, made: Sequence[Call]) -> bool:
     output, result = _behind(_OUTPUT, call), _behind(_RESULT, call)
     stops = re.compile(rf"(?<!\w){re.escape(result)}(?!\w)") if result else None
     for other in made:
-        if output and other.name in _DEFINES and any(word.endswith(f"=${{{output}}}") for word in other.words):
+        told = output and other.name in _DEFINES and any(word.endswith(f"=${{{output}}}") for word in other.words)
+        if told and not any(output in condition for condition in other.conditions):
             return True
         fatal = other.name == "message" and other.words[:1] == ("FATAL_ERROR",) and other.line > call.line
         if stops and fatal and any(map(stops.search, other.conditions[-1:])):

@@ -61,14 +61,15 @@ def lines_of(text: str) -> Iterator[Line]:
     whole = title_of(lines)
     titles: dict[int, str] = {}
     elsewhere, fenced = 0, False
+    here = resumed(lines)
     for number, line in enumerate(lines, 1):
+        elsewhere = 0 if elsewhere and number in here and about(titles) else elsewhere
         if fence(line):
             fenced = not fenced
             continue
         heading = None if fenced else heading_of(line, lines[number] if number < len(lines) else "")
         elsewhere = section_of(heading, elsewhere) if number != whole else 0
         titles = under(titles, heading)
-        elsewhere = elsewhere if fenced else until_here(line, titles, elsewhere)
         yield Line(number, line, fenced, heading, titles, bool(elsewhere))
 
 
@@ -121,13 +122,28 @@ def simulated(lead: str, titles: Mapping[int, str]) -> bool:
     return any(map(_HARDWARE.search, about)) and not any(_ELSEWHERE.search(_HARDWARE.sub("", each)) for each in about)
 
 
-def until_here(line: str, titles: Mapping[int, str], elsewhere: int) -> int:
-    """Return ``elsewhere``, 0 from an item of a section about another system on that is about this one.
+def resumed(lines: Sequence[str]) -> frozenset[int]:
+    """Return the numbers of the lines from which on a section about another system is about this one again.
 
     ``## Packages on macOS`` may be the last title above the steps that are the same on both: ``- Ubuntu: `cmake ..` ``.
+    Such an item has a command for this system; the block of commands right above it is for both.
     """
-    here = bool(elsewhere) and _HERE.match(line[:200]) and any(map(_SYSTEM.search, titles.values()))
-    return 0 if here else elsewhere
+    found: set[int] = set()
+    opened, fenced, behind = 0, False, False
+    for number, line in enumerate(lines, 1):
+        if fence(line):
+            fenced = not fenced
+            opened, behind = (number, False) if fenced else (opened, True)
+        elif not fenced and line.strip():
+            if _HERE.match(line[:200]):
+                found.add(opened if behind else number)
+            behind = False
+    return frozenset(found)
+
+
+def about(titles: Mapping[int, str]) -> bool:
+    """Tell whether a title names another system."""
+    return any(map(_SYSTEM.search, titles.values()))
 
 
 def section_of(heading: tuple[int, str] | None, elsewhere: int) -> int:

@@ -42,13 +42,14 @@ from roslab.evidence.prose.download_scripts import fetched_by
 from roslab.evidence.prose.failing import of_failure
 from roslab.evidence.prose.headings import (
     MAX_LINE,
+    about,
     fence,
     heading_of,
+    resumed,
     section_of,
     simulated,
     title_of,
     under,
-    until_here,
 )
 from roslab.evidence.prose.host_scripts import in_container
 from roslab.evidence.prose.in_containers import ENGINES, started_in
@@ -241,12 +242,13 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
     titles: dict[int, str] = {}
     elsewhere = index = 0
     fenced, lead = False, ""
-    title, commented = title_of(lines), commented_out(lines, _START)
+    title, commented, here = title_of(lines), commented_out(lines, _START), resumed(lines)
     while index < len(lines):
         line = lines[index]
         index += 1
         if not line.strip():
             continue
+        elsewhere = 0 if elsewhere and index in here and about(titles) else elsewhere
         if fence(line):
             fenced = not fenced
             continue
@@ -255,7 +257,6 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             heading = heading_of(line, below)
             elsewhere = section_of(heading, elsewhere) if index != title else 0
             titles = under(titles, heading)
-            elsewhere = until_here(line, titles, elsewhere)
             lead = line if line.rstrip(" *_").endswith(":") or not line.startswith(("    ", "\t")) else lead
         drawn = fenced and index < len(lines) and _BRANCH.match(lines[index][:MAX_LINE])
         if also:
