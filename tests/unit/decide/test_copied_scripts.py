@@ -50,7 +50,7 @@ def _dockerfile(root: Path, install: str, **more: str) -> str:
     ],
 )
 def test_they_get_it_once_they_are_installed(tmp_path: Path, install: str, names: str) -> None:
-    step = f"find install -path '*/lib/*' -type f \\( {names} \\) -exec chmod +x {{}} +"
+    step = f"find ../built/install -path '*/lib/*' -type f \\( {names} \\) -exec chmod +x {{}} +"
     text = _dockerfile(tmp_path, install)
     assert (step in text) is bool(names)
     assert ("chmod +x {} +" in text) is bool(names)
@@ -65,26 +65,26 @@ def test_a_file_below_the_project_installs_from_its_folder(tmp_path: Path) -> No
 @pytest.mark.parametrize("config", ["build_args: [--install-base, /opt/demo]", "build_args: [--merge-install]"])
 def test_where_colcon_installs_elsewhere_nothing_is_looked_for(tmp_path: Path, config: str) -> None:
     text = _dockerfile(tmp_path, FOLDER, **{"roslab.yaml": f"format: 3\n{config}\n"})
-    assert ("find install" in text) is ("merge" in config)
+    assert ("built/install -path" in text) is ("merge" in config)
 
 
-def test_the_step_does_so(tmp_path: Path) -> None:
-    text = _dockerfile(tmp_path, FOLDER)
-    step = next(line for line in text.splitlines() if "find install" in line).removeprefix(" && ").rstrip(" \\")
+@pytest.mark.parametrize("apart", [True, False])
+def test_the_step_does_so(tmp_path: Path, *, apart: bool) -> None:
+    """What is compiled in a stage of its own is moved once it is compiled."""
+    text = _dockerfile(tmp_path, FOLDER, **({} if apart else {"roslab.yaml": 'format: 3\ncustom: ["true"]\n'}))
+    step = next(line for line in text.splitlines() if "-exec chmod" in line).removeprefix(" && ").rstrip(" \\")
+    installed = tmp_path / ("built/install" if apart else "ws/install")
+    (tmp_path / "ws").mkdir()
     for name in ("demo/lib/demo/eye.py", "demo/share/demo/eye.py"):
-        (tmp_path / "install" / name).parent.mkdir(parents=True)
-        (tmp_path / "install" / name).write_text(SCRIPT)
-        (tmp_path / "install" / name).chmod(0o644)
+        (installed / name).parent.mkdir(parents=True)
+        (installed / name).write_text(SCRIPT)
+        (installed / name).chmod(0o644)
     shell = shutil.which("bash") or pytest.skip("bash is not here")
-    subprocess.run([shell, "-ec", step], cwd=tmp_path, check=True)
-    made = [path.relative_to(tmp_path / "install").as_posix() for path in tmp_path.rglob("eye.py") if _may_run(path)]
+    subprocess.run([shell, "-ec", step], cwd=tmp_path / "ws", check=True)
+    made = [path.relative_to(installed).as_posix() for path in installed.rglob("eye.py") if path.stat().st_mode & 0o100]
     assert made == ["demo/lib/demo/eye.py"]
-
-
-def _may_run(path: Path) -> bool:
-    return "install" in path.parts and bool(path.stat().st_mode & 0o100)
 
 
 def test_a_file_that_is_one_long_call_ends(tmp_path: Path) -> None:
     with ends():
-        _dockerfile(tmp_path, "install(FILES a\n" * 20_000)
+        _dockerfile(tmp_path, "install(FILES a\n" * 2_000)

@@ -62,11 +62,15 @@ def ignoring(source: str, build: RosBuild) -> Iterator[str]:
         yield f"touch {' '.join(_within(source, f'{folder}/{marker}'.lstrip('/')) for folder in build.ignored)}"
 
 
-def executable(build: RosBuild) -> Iterator[str]:
-    """Yield the command that gives scripts the right to be executed where CMake installed them without it."""
+def executable(build: RosBuild, *, moved: bool) -> Iterator[str]:
+    """Yield the command that gives scripts the right to be executed where CMake installed them without it.
+
+    ``moved``: what was compiled in a stage of its own is in the folder ``built`` of the home by then.
+    """
     if build.executable:
         names = " -o ".join(f"-name {quote.shell(name)}" for name in build.executable)
-        yield rf"find install -path '*/lib/*' -type f \( {names} \) -exec chmod +x {{}} +"
+        folder = "../built/install" if moved else "install"
+        yield rf"find {folder} -path '*/lib/*' -type f \( {names} \) -exec chmod +x {{}} +"
 
 
 def _within(source: str, path: str) -> str:

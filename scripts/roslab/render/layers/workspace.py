@@ -24,6 +24,7 @@ DECLARED = "declare-needs"
 HOLDING = "clone-holding"
 """The script that keeps a repository where it holds what the workspace lacks."""
 HEADERS_FIRST = "headers-first"
+REUSES = "reuse-build"
 """The script that compiles once more where a header was not generated in time."""
 PLAIN_APART = "plain-apart"
 """The script that compiles packages one by one where a clone brings one that catkin_make refuses."""
@@ -219,12 +220,12 @@ def compile_again(plan: Plan) -> tuple[str, str]:
     kept = secrets.Secrets(mounts=(compiler_cache.tree_mount(plan),))
     run = shell.run(
         f". {setups(plan)[0]}",
-        *_commands(plan, build, again=f"{attempts.tried(plan)}reuse-build "),
+        *_commands(plan, build, again=f"{attempts.tried(plan)}{REUSES} "),
         secrets=kept,
         around=cloned_heads.of_day(plan),
     )
     launcher = (compiler_cache.WITH_CACHE,) if compiler_cache.launchers(plan) else ()
-    scripts = ("compile-jobs", "reuse-build", *launcher, *_scripts(run))
+    scripts = ("compile-jobs", REUSES, *launcher, *_scripts(run))
     script = f"COPY --from=scripts{''.join(f' /{name}' for name in scripts)} /usr/local/bin/\n"
     return f"{script}{enter_source(plan)}\nWORKDIR {WS}", run.replace(shell.copy_script("compile-jobs"), "")
 
@@ -235,8 +236,8 @@ def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     declared = [f"{DECLARED} src"] if build.undeclared else []
     before = [*prepared.not_there(source, build), *prepared.ignoring(source, build), *unsure]
     before += [*prepared.lacking(source, build), *prepared.of_clones(plan, build), *declared]
-    made = _building(plan, build, again)
-    return [*before, *prepared.raised(plan.workspace, build), *made, *prepared.executable(build)]
+    behind = prepared.executable(build, moved=REUSES in again)
+    return [*before, *prepared.raised(plan.workspace, build), *_building(plan, build, again), *behind]
 
 
 def without_doubles(build: RosBuild) -> str:
