@@ -82,7 +82,7 @@ def there_in(candidate: Candidate, authored: AuthorDockerfile) -> bool:
     """
     script = program_of(candidate.argv)[-1]
     of_tree = candidate.argv[0] in _SHELLS or is_python(candidate)
-    if authored.kept is None or not (of_tree and script.endswith((".py", ".sh"))):
+    if authored.kept is None or not (of_tree and script.endswith((".py", ".sh", ".bash"))):
         return True
     mounted = [host for host, _, _ in authored.service.volumes] if authored.service else []
     return any(f"{script}/".startswith(f"{part}/") for part in (*authored.kept, *mounted))

@@ -53,7 +53,9 @@ def with_helpers(evidence: Evidence) -> bool:
     started = evidence.programs or any(each.file.endswith(".ipynb") for each in evidence.code)
     frameworks = any(each.namespace == "import" and framework_on_cuda(each.name) for each in evidence.code)
     said = (mention.value.split() for mention in evidence.mentions if mention.topic == "command")
-    scripts = any(words[0].startswith(("python", "bash", "sh")) or words[0].endswith(".sh") for words in said if words)
+    scripts = any(
+        words[0].startswith(("python", "bash", "sh")) or words[0].endswith((".sh", ".bash")) for words in said if words
+    )
     return bool(compiled(evidence)) and not (started or frameworks or scripts)
 
 

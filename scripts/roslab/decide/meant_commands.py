@@ -34,7 +34,8 @@ _LAUNCH_FILES = pattern(r"\blaunch[ -]?files?\b", re.IGNORECASE)
 _ITEM = pattern(r"(?:[-*+]|\d+[.)])\s+[`*_\[]*[\w/-]+\.launch")
 """An item of a list that begins with a launch file."""
 _COMMANDS = pattern(
-    r"\.sh\W.*?\b(?:contains?|lists?|holds?|ha(?:s|ve)|includes?|provides?)\s+(?:\w+\s+){0,3}commands?\b", re.IGNORECASE
+    r"\.(?:ba)?sh\W.*?\b(?:contains?|lists?|holds?|ha(?:s|ve)|includes?|provides?)\s+(?:\w+\s+){0,3}commands?\b",
+    re.IGNORECASE,
 )
 """A sentence on scripts: ``a.sh and b.sh contain the commands for both``."""
 _SUFFIX = pattern(r"(?:\.launch)?\.(?:launch|py|xml|ya?ml)$|_launch(?:\.\w+)?$")
@@ -100,7 +101,7 @@ def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
 def _runs(said: Mention) -> bool:
     """Tell whether a script is named like one that starts something, or its sentence says that it has the commands."""
     name = said.value.rpartition("/")[2]
-    return name.endswith(".sh") and bool(RUNS.match(name) or _COMMANDS.search(said.text))
+    return name.endswith((".sh", ".bash")) and bool(RUNS.match(name) or _COMMANDS.search(said.text))
 
 
 def named_like_it(candidates: Iterable[Candidate], evidence: Evidence, brings: Brings) -> Candidate | None:

@@ -24,7 +24,8 @@ PORT_OF_STREAMLIT = "8501"
 _VARIABLE = "…"
 """What stands in a command for a variable that the page does not set."""
 RUNS = pattern(
-    r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|(?:\.sh)?$)|[\w-]{1,60}[_-](?:run|demo)\.sh$", re.IGNORECASE
+    r"(?:run|demo|start|launch|play|exec\w*)(?:[_-]|(?:\.(?:ba)?sh)?$)|[\w-]{1,60}[_-](?:run|demo)\.(?:ba)?sh$",
+    re.IGNORECASE,
 )
 """The name of a script that starts something."""
 
@@ -43,7 +44,7 @@ def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool
     if argv[0] in OCTAVE:
         return None if ros or compiled or not file_of(mention) else argv
     script = argv[1:] if argv[0] in {"bash", "sh"} else argv
-    known = bool(script) and script[0] in mention.files and (script[0].endswith(".sh") or bare(script[0]))
+    known = bool(script) and script[0] in mention.files and (script[0].endswith((".sh", ".bash")) or bare(script[0]))
     known = known and _VARIABLE not in mention.value  # without what that holds, it is another call
     known = known and (not compiled or bool(RUNS.match(posixpath.basename(script[0]))))
     return ("bash", *script) if known else None

@@ -9,7 +9,7 @@ from roslab.values.pattern import pattern
 
 _UPKEEP = pattern(
     r"(?:^|/)(?:\.\w[\w-]*|build[_-]?(?:tools?|utils?|scripts?)|ci|continuous_integration|docs?|documentation|sphinx\w*|"
-    r"packaging|releases?|deploy\w*(?=/[^ ]*\.sh$)|dev(?:[_-]?tools?)?|maint\w*|admin|debian|"
+    r"packaging|releases?|deploy\w*(?=/[^ ]*\.(?:ba)?sh$)|dev(?:[_-]?tools?)?|maint\w*|admin|debian|"
     r"conda(?:[._-]recipe)?|recipe)/|"
     r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set|sync|check)_(?:\w+_)?version|versioneer|publish|upload|"
     r"coverage|codecov|stubgen|pre_?commit|git_?hook|noxfile|fabfile|conftest|setup|conf|gen_?docs?|make_?docs?)\.(?:py|sh)$",
@@ -22,4 +22,4 @@ def upkeep(candidate: Candidate) -> bool:
     """Tell whether a script is for those who work on the project: who only uses it never runs it."""
     words = program_of(candidate.argv)
     script = words[1] if words[0] in {"python3", "bash", "sh"} and len(words) > 1 else words[0]
-    return bool(_UPKEEP.search(script)) and script.endswith((".py", ".sh"))
+    return bool(_UPKEEP.search(script)) and script.endswith((".py", ".sh", ".bash"))

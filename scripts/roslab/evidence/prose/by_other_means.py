@@ -44,7 +44,7 @@ _DATA = pattern(
 _KEY = pattern(r"[\w-]{20,60}")
 """Of a file at Google Drive, which ``gdown`` takes in place of an address: https://github.com/wkentaro/gdown#usage"""
 _SCRIPT = pattern(
-    r"^(?:[\w./-]*/)?(?:build|make|compile|install)(?:[_-]\w+)*\.(?:sh|py)$|^[\w./-]*_(?:build|compile)\.sh$"
+    r"^(?:[\w./-]*/)?(?:build|make|compile|install)(?:[_-]\w+)*\.(?:(?:ba)?sh|py)$|^[\w./-]*_(?:build|compile)\.(?:ba)?sh$"
 )
 """A script that compiles something, by its name."""
 _FOLDER = pattern(r"(?:\./)?\w[\w-]*(?:/[\w.-]+)*/?")

@@ -44,7 +44,7 @@ def started_by(repository: Repository, entrypoint: tuple[str, ...]) -> tuple[str
     The script is the only one of that name in the tree: the image may have it anywhere.
     """
     file = _script(repository, entrypoint)
-    if file is None or not file.name.endswith(".sh"):
+    if file is None or not file.name.endswith((".sh", ".bash")):
         return entrypoint
     found = _ENDS.search(repository.read(file).rstrip())
     if found is None:

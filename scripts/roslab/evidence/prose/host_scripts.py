@@ -26,7 +26,7 @@ def in_container(mention: Mention, repository: Repository) -> Mention | None:
     ``None`` if its script starts no container, itself or by the script that it ends with.
     """
     words = mention.value.split()
-    script = next((word for word in words[:2] if word in mention.files and word.endswith(".sh")), "")
+    script = next((word for word in words[:2] if word in mention.files and word.endswith((".sh", ".bash"))), "")
     started = _started(repository, script, tuple(words[words.index(script) + 1 :])) if script else None
     return None if started is None else replace(mention, value=" ".join(started), files=())
 
@@ -44,7 +44,9 @@ def _started(
         return found[0] if found and not any(map(_on_host, lines)) else ()
     last = _words(lines[-1]) if further and lines and not any(map(_on_host, lines[:-1])) else ()
     last = last[1:] if last[:1] == ("exec",) else last
-    named = [file.path for file in repository.suffixed(".sh") if last and file.name == posixpath.basename(last[0])]
+    named = [
+        file.path for file in repository.suffixed(".sh", ".bash") if last and file.name == posixpath.basename(last[0])
+    ]
     if len(named) != 1 or named[0] == script or not starts_container(repository.read(named[0], limit=MAX_SIZE)):
         return None
     return _started(repository, named[0], last[1:], further=False)
@@ -70,7 +72,7 @@ def _handed(repository: Repository, words: tuple[str, ...]) -> tuple[str, ...]:
 
 def _script(repository: Repository, words: tuple[str, ...]) -> bool:
     """Tell whether words start a script of the tree, as a shell does that is the image's entry point."""
-    inside = words[0].endswith(".sh") and repository.has(words[0]) and all(map(_PLAIN.fullmatch, words))
+    inside = words[0].endswith((".sh", ".bash")) and repository.has(words[0]) and all(map(_PLAIN.fullmatch, words))
     return inside and not starts_container(repository.read(words[0], limit=MAX_SIZE))
 
 

@@ -34,8 +34,8 @@ _PYTHON = pattern(r"^(?:i?python)(\d(?:\.\d+)?)?$")
 _BUILT = pattern(r"^(?:\.{1,2}|build|bin)/(?:[\w.+-]+/)*[\w+-]+$")
 """The path of a compiled program, or of a script whose name has no ending."""
 _STARTS = pattern(
-    rf"jupyter[ -](?:notebook|lab)\b|streamlit run$|octave(?:-cli)?(?:\s|$)|"
-    rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|(?:ba)?sh \S+\.sh$|pixi run$|\.{{0,2}}/?[\w./-]+\.sh(?:\s|$)"
+    r"jupyter[ -](?:notebook|lab)\b|streamlit run$|octave(?:-cli)?(?:\s|$)|pixi run$|(?:ba)?sh \S+\.(?:ba)?sh$|"
+    rf"(?:{_BUILT.pattern.removesuffix('$')}(?=\s|$))|\.{{0,2}}/?[\w./-]+\.(?:ba)?sh(?:\s|$)"
 )
 """A compiled program or a shell script, by its path; a server of a notebook or of a page; Octave."""
 _BUILD_TOOLS = frozenset({"catkin_make", "catkin_make_isolated", "colcon"})

@@ -37,7 +37,7 @@ _STARTS = pattern(
     rf"(?:^|[\s;&(\"'])(?:(?:[\w.-]*/)*python[\d.]*[ \t]+(?!{_NO_PROGRAMS})\S|roslaunch[ \t]|rosrun[ \t]|"
     r"ros2[ \t]+(?:run|launch)[ \t]|(?:gz|ign)[ \t]+(?:sim|gazebo|launch)[ \t]|(?:torchrun|streamlit|accelerate)[ \t]|"
     r"(?:uv|poetry|pipenv|pdm|pixi|rye|conda)[ \t]+run[ \t]+(?!pytest|ruff|black|mypy|pre-commit|flake8)\S|"
-    r"(?:bash|sh)[ \t]+(?!-)\S+\.sh|\./[\w./-]+|(?:build|bin)/[\w./-]+)"
+    r"(?:bash|sh)[ \t]+(?!-)\S+\.(?:ba)?sh|\./[\w./-]+|(?:build|bin)/[\w./-]+)"
 )
 """A line that starts a program."""
 _DOCKER = pattern(r"(?:^|[\s;&(])(?:docker|docker-compose|podman|singularity|apptainer)[ \t]")

@@ -22,8 +22,8 @@ _SHORTEST = 4
 """Fewest letters by which the name of a fork is known."""
 _ELSEWHERE = pattern(r"~/|/(?:home|root|path/to)/|\$\{?\w+\}?/|…/")
 """What a path begins with that leads to the reader's own folders."""
-_PROGRAMS = (".py", ".sh")
-_NUMBERED = (".py", ".sh", ".yaml", ".yml")
+_PROGRAMS = (".py", ".sh", ".bash")
+_NUMBERED = (".py", ".sh", ".bash", ".yaml", ".yml")
 _SHEBANG = pattern(r"#![^\n]*?\b(python[23]?|bash|sh)\b")
 _BEFORE = pattern(r"^(?:\.{1,2}/)+")
 
@@ -38,7 +38,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
     if script := script_in(mention, repository) if mention.inside else None:
         words[script[0]] = script[1]
     for index, word in enumerate(words):
-        if index == 0 and not (script or word.endswith(".sh")):
+        if index == 0 and not (script or word.endswith((".sh", ".bash"))):
             continue
         named = any(sign in word for sign in "/._")
         path = posixpath.normpath(_BEFORE.sub("", written(word))) if named else ""
@@ -48,9 +48,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
             path = only(path, repository) or _where_it_went(path, mention.inside, repository) or path
         path = _by_its_program(words[0], _with_ending(path, repository) if index else path, repository)
         path = _as_spelt(_with_number(path, repository), repository)
-        beside = (
-            folder and path.endswith((".py", ".sh")) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
-        )
+        beside = folder and path.endswith(_PROGRAMS) and (index == 0 or words[0].startswith(("python", "bash", "sh")))
         if beside and not repository.has(path) and repository.has(f"{folder}/{path}"):
             path = f"{folder}/{path}"  # a page below the root starts what lies beside it
         if path not in {"", "."} and not path.startswith("/") and (repository.has(path) or path in repository.folders):

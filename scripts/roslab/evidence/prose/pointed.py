@@ -14,9 +14,9 @@ from roslab.evidence.python.top_level import first_statement
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-_FILE = pattern(r"(?<![\w./-])(?:\./)?(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.sh|\.ipynb)(?![\w/-])")
+_FILE = pattern(r"(?<![\w./-])(?:\./)?(?:[\w-]+/)*[\w-]+(?:\.launch(?:\.(?:py|xml))?|\.(?:ba)?sh|\.ipynb)(?![\w/-])")
 _EXAMPLE = pattern(r"(?<![\w./-])(?:\./)?(?:[\w-]+/)*(?:[\w-]+_)?(?:examples?|demo)(?:_[\w-]+)?\.py(?![\w/-])")
-_WORDS = (".launch", ".sh", ".ipynb", "example", "demo", ".py")
+_WORDS = (".launch", ".sh", ".bash", ".ipynb", "example", "demo", ".py")
 """Of these each match of the forms has one."""
 _SHOWS = pattern(r"\b(?:shows?|demonstrat(?:es?|ing)|illustrat(?:es?|ing)|explains?)\b", re.IGNORECASE)
 """A sentence on what an example is for: ``example.py shows how to use it``."""

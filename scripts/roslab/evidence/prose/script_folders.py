@@ -92,4 +92,6 @@ def started_beside(words: Sequence[str], repository: Repository) -> str:
 def _script(words: Sequence[str], repository: Repository) -> str:
     """Return the shell script that a command starts, with its path from the root, ``""`` where it starts none."""
     place = 1 if words[0] in {"bash", "sh"} else 0
-    return next((word for word in words[place : place + 1] if word.endswith(".sh") and repository.has(word)), "")
+    return next(
+        (word for word in words[place : place + 1] if word.endswith((".sh", ".bash")) and repository.has(word)), ""
+    )

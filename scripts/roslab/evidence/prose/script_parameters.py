@@ -22,7 +22,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     """Yield each parameter without which an option of a script that a page starts has no value, or an empty one."""
     seen: set[str] = set()
     for mention in mentions:
-        script = next((file for file in mention.files if file.endswith(".sh")), "")
+        script = next((file for file in mention.files if file.endswith((".sh", ".bash"))), "")
         if mention.topic != "command" or mention.source != "readme" or not script or script in seen:
             continue
         seen.add(script)

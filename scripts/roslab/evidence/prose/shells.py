@@ -45,7 +45,7 @@ _STARTS = pattern(
     r"(?:\w+=(?:\$\([^()\n]*\)|\$\{[^}\n]*\}|\"[^\"\n]*\"|'[^'\n]*'|[^\s\"'$(]|\$(?![({]))*[ \t]+)*"
     r"(?:python[\d.]*[ \t]+(?!-m[ \t]+pip\b|setup\.py\b|-[cV])|torchrun\b|accelerate[ \t]+launch|roslaunch\b|rosrun\b|"
     r"roscore\b|ros2[ \t]|jupyter\b|mpi(?:run|exec)\b|xvfb-run\b|rosbag[ \t]|gazebo\b|(?:gz|ign)[ \t]|"
-    r"[\w.~-]*/|(?:ba)?sh[ \t]+(?![^\n;&|]*(?:install|setup|deps?|dependenc|build)[\w-]*\.sh\b)\S|[$\"'])",
+    r"[\w.~-]*/|(?:ba)?sh[ \t]+(?![^\n;&|]*(?:install|setup|deps?|dependenc|build)[\w-]*\.(?:ba)?sh\b)\S|[$\"'])",
     re.MULTILINE,
 )
 """A line that starts a program, or what a variable names; another script that installs is none."""
@@ -60,7 +60,7 @@ _SUBMODULES = pattern(r"^[ \t]*git[ \t]+(?:-\S+[ \t]+)*submodule[ \t]+(?:add|ini
 
 def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
     """Tell whether a command runs a script that ends in a shell, or starts a container or no program at all."""
-    scripts = [file for file in mention.files if file.endswith(".sh")]
+    scripts = [file for file in mention.files if file.endswith((".sh", ".bash"))]
     asked = any(map(_OPTION.fullmatch, mention.value.split()))
     return any(_leads_elsewhere(repository.read(script, limit=MAX_SIZE), asked=asked) for script in scripts[:1])
 

@@ -87,7 +87,7 @@ def script_in(mention: Mention, repository: Repository) -> tuple[int, str, str] 
     position = min(_PLACES.get(words[0], 0), len(words) - 1)
     word = words[position]
     bare = word.startswith("./") and "." not in posixpath.basename(word)
-    if not (bare or word.endswith((".sh", ".launch", ".launch.py"))) or word.startswith(("/", "~")):
+    if not (bare or word.endswith((".sh", ".bash", ".launch", ".launch.py"))) or word.startswith(("/", "~")):
         return None
     for folder in (*ends(mention.inside), *package_folders(mention.inside, repository)):
         path = posixpath.normpath(posixpath.join(folder, word))

@@ -31,6 +31,7 @@ SIGNS: Signs = tuple(
         ("torchrun", r"\btorchrun\s"),
         ("accelerate", r"\baccelerate\s+launch\s"),
         (".sh", r"\b(?:ba)?sh\s+\S+\.sh\b"),
+        (".bash", r"\b(?:ba)?sh\s+\S+\.bash\b"),
         ("streamlit", r"\bstreamlit\s+run\s"),
         ("octave", r"\boctave(?:-cli)?\s[^\n]{0,300}\.m\b"),
         ("colcon", r"\bcolcon\b"),

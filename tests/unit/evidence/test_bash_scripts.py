@@ -1,0 +1,33 @@
+"""Scripts of the shell that end with ``.bash``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslab.pipeline import plan_repository
+
+FILES = {
+    "tools/train.bash": "#!/bin/bash\npython ../main.py --seed $1 --name $2\n",
+    "main.py": "import numpy\nif __name__ == '__main__':\n    print('a')\n",
+    "other/main.py": "import numpy\nif __name__ == '__main__':\n    print('a')\n",
+    "other/README.md": "# Other\n```\npython main.py --slow\n```\n",
+    "requirements.txt": "numpy\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("page", "command"),
+    [
+        ("cd tools\nbash train.bash 1 demo", "cd tools && exec bash train.bash 1 demo"),
+        ("bash tools/train.bash 1 demo", "bash tools/train.bash 1 demo"),
+        ("./tools/train.bash 1 demo", "tools/train.bash 1 demo"),
+    ],
+)
+def test_a_page_starts_one(tmp_path: Path, page: str, command: str) -> None:
+    for path, text in {**FILES, "README.md": f"# Demo\n## Training\n```bash\n{page}\n```\n"}.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text)
+    found = plan_repository(tmp_path).plan.run.command
+    assert command in (found if isinstance(found, str) else " ".join(found))
