@@ -244,6 +244,15 @@ def test_a_submodule_is_installed_where_the_code_imports_it(
     assert python.imported == (() if page else folders)
 
 
+@pytest.mark.parametrize("names", [("one", "two"), ("one", "two", "three")])
+def test_of_several_submodules_that_a_page_installs_one_may_fail(tree: Tree, names: tuple[str, ...]) -> None:
+    modules = "".join(f'[submodule "{n}"]\n\tpath = {n}\n\turl = https://github.com/lab/{n}.git\n' for n in names)
+    page = "# Run\n```\n" + "".join(f"pip install -e {name}\n" for name in names) + "python play.py\n```\n"
+    python = tree({**PLAY, "README.md": page, ".gitmodules": modules}).python
+    assert python.projects == python.unseen == names
+    assert python.imported == (names if len(names) > 2 else ())
+
+
 def test_a_submodule_that_cannot_be_cloned_is_told(tree: Tree) -> None:
     modules = '[submodule "a"]\n\tpath = planner\n\turl = ../planner.git\n'  # of an origin that nothing tells
     decision = tree({**PLAY, ".gitmodules": modules})

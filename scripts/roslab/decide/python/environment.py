@@ -30,7 +30,7 @@ from roslab.decide.python.gone_lists import gone_lists
 from roslab.decide.python.gpu_projects import asking, left_to_gpus
 from roslab.decide.python.ignored_environments import ignored_environments
 from roslab.decide.python.image_python import Python
-from roslab.decide.python.imported_submodules import imported, unread
+from roslab.decide.python.imported_submodules import may_fail, unread
 from roslab.decide.python.indexes import file_options, indexes_of
 from roslab.decide.python.kept_by_build_types import kept_by_build_types
 from roslab.decide.python.left_frameworks import left_frameworks
@@ -192,7 +192,7 @@ def decide_python(
         projects=tuple(project.folder or "." for project in chosen.projects),
         unseen=unseen(evidence, chosen.projects),
         gpu_asked=asking(evidence, kind),
-        imported=imported(chosen.projects),
+        imported=may_fail(chosen.projects, unseen(evidence, chosen.projects)),
         alone=repaired.alone,
         isolated=isolated(chosen.projects, compiled_first),
         conda_file=conda,

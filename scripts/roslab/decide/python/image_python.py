@@ -48,7 +48,7 @@ class Python:
     gpu_asked: tuple[str, ...] = ()
     """Folders with a setup.py that stops where torch sees no GPU, and asks for nothing else of one."""
     imported: tuple[str, ...] = ()
-    """Those of ``unseen`` for which nothing but an import speaks: what pip cannot install of them is left out."""
+    """Those of ``unseen`` for which an import alone speaks, or of several: what pip cannot install is left out."""
     lost_extensions: tuple[tuple[str, tuple[Requirement, ...]], ...] = ()
     """Those of ``projects`` whose extension lacks a library, each with what pip installs where it stops there."""
     alone: tuple[str, ...] = ()

@@ -7,6 +7,7 @@ So is what has a package.xml beside packages of ROS; of plain Python their tools
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
@@ -23,6 +24,8 @@ from roslab.values.dataclass import replace
 from roslab.values.name import bare_name, canonicalize_name
 
 _CODE = (".py", ".ipynb")
+SEVERAL = 3
+"""Fewest projects in submodules that a page installs for several purposes."""
 SHORTEST = 4
 """Fewest letters of a module that a repository is called after by more than chance."""
 
@@ -50,6 +53,18 @@ def with_imported(evidence: Evidence, kind: Kind) -> Evidence:
 def imported(projects: Iterable[PythonProject]) -> tuple[str, ...]:
     """Return the folders of those projects: what asks for them is a module of another folder."""
     return tuple(each.folder for each in projects if each.file.endswith(_CODE) and not _at(each.folder, each.file))
+
+
+def may_fail(projects: Iterable[PythonProject], unseen: Iterable[str]) -> tuple[str, ...]:
+    """Return the folders of the projects in submodules (``unseen``) that stop no image where pip cannot install them.
+
+    Those that an import alone speaks for, and all of a page that installs several: each is for one of its methods, and
+    nobody has seen whether they go together.
+    """
+    absent, projects = frozenset(unseen), tuple(projects)
+    pages = Counter(each.file for each in projects if each.folder in absent)
+    several = {each.folder for each in projects if each.folder in absent and pages[each.file] >= SEVERAL}
+    return tuple(dict.fromkeys(each.folder for each in projects if each.folder in {*imported(projects), *several}))
 
 
 def unread(projects: Iterable[PythonProject]) -> Iterator[Warning_]:

@@ -87,7 +87,7 @@ def _if_there(folder: str, install: str, plan: Plan) -> str:
 
 
 def _or_not(folder: str, plan: Plan) -> str:
-    """Return what follows the command of a folder for which nothing but an import speaks."""
+    """Return what follows the command of a folder that is left out where pip cannot install it."""
     told = quote.shell(f"roslab: left out: pip cannot install {folder}")
     return f" || echo {told}" if folder in plan.python.imported else ""
 
