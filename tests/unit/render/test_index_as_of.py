@@ -62,6 +62,7 @@ FILES = {
     "mended": {"mended-1.0.tar.gz": OLD, f"mended-2.0-{EVERY}.whl": NEW},
     "lacking": {f"lacking-0.9-{EVERY}.whl": OLD, "lacking-1.0.tar.gz": OLD},
     "calling": {f"calling-0.9-{EVERY}.whl": OLD, "calling-1.0.tar.gz": OLD},
+    "withdrawn": {f"withdrawn-{number}-{EVERY}.whl": day for number, day in (("1.0", OLD), ("1.1", OLD), ("3.0", NEW))},
     "later": {f"later-1.0-{EVERY}.whl": NEW, f"later-2.0-{EVERY}.whl": "2023-06-01"},
 }
 
@@ -190,6 +191,7 @@ class Index(BaseHTTPRequestHandler):
                 "hashes": {"sha256": hashlib.sha256(content(file)).hexdigest()},
                 **({} if self.path.startswith("/old") else {"upload-time": f"{day}T08:00:00Z"}),
                 **({"requires-python": "<3"} if file == "other-2.0.tar.gz" else {}),
+                **({"yanked": "too old"} if file.startswith("withdrawn-1.") else {}),
             }
             for file, day in FILES.get(name, {}).items()
         ]
@@ -294,6 +296,13 @@ def test_where_wheels_are_preferred_an_old_one_of_plain_python_is_not_taken_befo
         f"binary 1.0-{BINARY}.whl 1.0.tar.gz 1.1.tar.gz",
         f"other 1.0-{EVERY}.whl 1.0.tar.gz 2.0.tar.gz",
     ]
+
+
+def test_what_was_taken_back_since_is_there_where_the_day_had_nothing_else(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str
+) -> None:
+    output = ran(step, tmp_path, f"{index}/simple/", PAGES.replace("AGENT", "23.2.1").replace("plain", "withdrawn", 1))
+    assert output.splitlines()[0] == "withdrawn 1.0 1.1"
 
 
 def test_a_later_version_is_there_for_its_exact_number(

@@ -5,6 +5,7 @@
 # With --or-today no package is missing for it: where the index does not tell, or has nothing of the day for this Python,
 # that is said and newer ones are taken; and a later version can still be had by its exact number. Where pip fails for
 # something that can be done about, ask-pip-again calls it again.
+# What its authors took back (PEP 592) is shown as the index shows it, unless the day had nothing else of the package.
 # Of two packages that are released together (released-together.txt) one later version brings the other of that number.
 # Where wheels are preferred, one of plain Python is not taken before the source of a newer version: nothing is compiled.
 # Where git-as-of is in the image, what pip clones without naming a commit is of the day too.
@@ -175,6 +176,8 @@ def page(name, knows_yanked):
     old = outdated(kept)
     kept = [file for file in kept if file not in old]
     names = set(file["filename"] for file in kept)
+    # Where all that the day had was taken back since, the newest of it is what the code was written for
+    taken_back = OR_TODAY and all(file.get("yanked") for file in kept)
     lines = []
     for file in files if OR_TODAY and knows_yanked else kept:
         link = urljoin(address, file["url"])
@@ -185,7 +188,7 @@ def page(name, knows_yanked):
             more += ' data-requires-python="%s"' % escape(file["requires-python"], True)
         if file["filename"] not in names:  # pip takes it where its exact version is asked for, and nowhere else (PEP 592)
             more += ' data-yanked="%s"' % ("an older version" if file in old else "uploaded after " + DAY)
-        elif file.get("yanked"):
+        elif file.get("yanked") and not taken_back:
             more += ' data-yanked=""'
         lines.append('<a href="%s"%s>%s</a><br>' % (escape(link, True), more, escape(file["filename"])))
     return "<!DOCTYPE html><html><body>%s</body></html>" % "\n".join(lines)
