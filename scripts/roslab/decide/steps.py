@@ -114,10 +114,16 @@ def _named(step: str, there: Mapping[str, str]) -> str:
 
 
 def _data(evidence: Evidence, names: set[str], fetched: set[str]) -> Iterator[Warning_]:
-    """Yield one warning for all the data that pages near the root fetch and the image does not."""
+    """Yield one warning for all the data that pages near the root fetch and the image does not.
+
+    Where none of these starts anything, pages below that do so count instead.
+    """
     told: dict[str, Mention] = {}
+    starting = {each.file for each in evidence.mentions if each.topic == "command" and each.source == "readme"}
+    below = not any(map(_near, starting))
     for mention in (each for each in evidence.mentions if each.topic == "data"):
-        near = mention.source == "readme" and mention.file.count("/") <= 1 and not places.aside(mention.file)
+        near = _near(mention.file) or (below and mention.file in starting and not places.aside(mention.file))
+        near = near and mention.source == "readme"
         there = mention.value.partition(" ")[2] in fetched or _answered(mention.value, names)
         if near and not there:
             told.setdefault(mention.value, mention)
@@ -126,6 +132,10 @@ def _data(evidence: Evidence, names: set[str], fetched: set[str]) -> Iterator[Wa
         more = f" and {len(others)} more" if others else ""
         message = f"data that a page fetches is not part of the image: `{first.value}`{more}"
         yield warn(f"{message}; fetch it into a volume, or by `custom` in roslab.yaml", first)
+
+
+def _near(page: str) -> bool:
+    return page.count("/") <= 1 and not places.aside(page)
 
 
 def _lists(evidence: Evidence) -> Iterator[Warning_]:

@@ -419,3 +419,18 @@ def test_an_archive_of_another_thing_or_release_is_told(tree: Tree, apt: str, pa
 @pytest.mark.parametrize("file", ["boost_models.zip", "boost-data.tar.gz", "models/boost/….tar.gz", "boost_1_83_0.deb"])
 def test_only_a_version_follows_the_name_of_a_library(file: str) -> None:
     assert in_its_place(f"wget https://example.org/{file}", {"boost": "libboost-all-dev"}) is None
+
+
+@pytest.mark.parametrize(("root", "told"), [("", True), ("```\npython play.py\n```\n", False)])
+def test_where_the_first_page_starts_nothing_a_page_below_tells_of_its_data(tree: Tree, root: str, told: bool) -> None:
+    page = (
+        "# Start\n```\nwget -qO- https://example.org/a.zip | bsdtar -xvf- -C ./\npython play.py --data a/b.pkl\n```\n"
+    )
+    files = {
+        "play.py": "import numpy\n",
+        "walker/play.py": "import numpy\n",
+        "README.md": f"# Demo\n[Getting Started](walker/docs/quick_start.md)\n{root}",
+        "walker/docs/quick_start.md": page,
+    }
+    found = [w.file for w in tree(files).warnings if w.message.startswith("data that a page fetches")]
+    assert found == (["walker/docs/quick_start.md"] if told else [])
