@@ -22,6 +22,8 @@ OURS = "org/repro-action"
 ACTIONS = HERE / "actions"
 STEP = r"^\s*(?:-\s+)?uses:\s*['\"]?"
 USES = re.compile(STEP + r"(?P<name>[\w.-]+/[\w.-]+)(?:/[^@\s'\"]+)?@(?P<ref>[^\s'\"#]+)", re.MULTILINE)
+UNREAD = ("tests/", "benchmarks/", "examples/")
+"""Folders that no step of an action or a workflow reads; act copies an action twice in each job."""
 NESTED = re.compile(STEP + r"\./(?P<path>\.github/workflows/[\w.-]+\.ya?ml)", re.MULTILINE)
 
 
@@ -119,7 +121,7 @@ def mappings(caller: Path, actions: Path | None = None) -> dict[str, Path]:
 
 @cache
 def program(checkout: Path) -> Path:
-    """Return a copy of what a commit of the checkout would have, made once by each process.
+    """Return a copy of what a commit of the checkout would have but `UNREAD`, made once by each process.
 
     For every run act reads an action's whole folder into memory, where it may not change: a virtual environment in it
     costs more than the run does. Its modules are compiled here once: each run, or job of a workflow, would compile them
@@ -132,7 +134,7 @@ def program(checkout: Path) -> Path:
     place = Path(tempfile.mkdtemp(prefix="repro-action-", dir=memory()))
     atexit.register(shutil.rmtree, place, ignore_errors=True)
     for name in filter(None, answer.stdout.split("\0")):
-        if os.path.lexists(checkout / name):
+        if os.path.lexists(checkout / name) and not name.startswith(UNREAD):
             (place / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(checkout / name, place / name, follow_symlinks=False)
     # Valid without their sources' times, which act does not keep
