@@ -54,7 +54,11 @@ def up() -> str:
     daemon = program()
     Path(address().removeprefix("unix://")).unlink(missing_ok=True)
     engine.unmount_below(home() / "buildkit")
+    known = home() / "buildkit" / "knows-the-bases"
+    if not known.exists():
+        forget()  # of a layer it notes some 200 repositories and no more: the one of `mounts` must be among them
     processes.start(NAME, [daemon, "--config", _configuration()], ready=answers)
+    known.touch()
     return f"started: {address()}"
 
 

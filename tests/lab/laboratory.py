@@ -23,6 +23,7 @@ from . import (
     facts,
     git_hosts,
     images,
+    mounts,
     network,
     packages,
     packages_folder,
@@ -109,6 +110,9 @@ def up(
             if not real:
                 _images(emulated=emulated, everything=everything, bases=bases)
             programs.result()
+        if bases is None:
+            with step("layers that pushes take from the registry") as told:
+                told.note = mounts.up(_docker_environment(), _architectures(emulated=emulated))
 
 
 def _programs() -> None:
@@ -124,8 +128,7 @@ def _images(*, emulated: bool, everything: bool, bases: Sequence[str] | None) ->
     # Who once asked for everything keeps it; else the next plain `up` would take the slow images away again.
     kept = folder() / "everything"
     everything = everything or kept.exists()
-    # An engine that was found may lack the image store that keeps several platforms.
-    architectures = ARCHITECTURES if emulated and images.several_platforms(env) else ARCHITECTURES[:1]
+    architectures = _architectures(emulated=emulated)
     for architecture in architectures:
         with step(f"root file system, {architecture}") as told:
             told.note = rootfs.make(architecture).name
@@ -142,6 +145,11 @@ def _images(*, emulated: bool, everything: bool, bases: Sequence[str] | None) ->
             told.note = git_hosts.make(images.references(wanted), env)
     if everything:
         kept.touch()
+
+
+def _architectures(*, emulated: bool) -> Sequence[str]:
+    """Return those of the images; an engine that was found may lack the store that keeps several platforms."""
+    return ARCHITECTURES if emulated and images.several_platforms(_docker_environment()) else ARCHITECTURES[:1]
 
 
 def lint() -> None:

@@ -11,7 +11,10 @@ from concurrent.futures import ThreadPoolExecutor
 from threading import Event
 from urllib.parse import urljoin
 
-from lab.laboratory import Laboratory
+import pytest
+
+from lab import mounts, registry
+from lab.laboratory import ARCHITECTURES, Laboratory
 
 LAYER = b"a layer" * 100
 CONFIGURATION = b"{}"
@@ -19,6 +22,15 @@ MANIFEST = "application/vnd.oci.image.manifest.v1+json"
 UPLOADERS = 4
 TRIES = 80
 """Without a memory of its layers the registry refused 9 in 100 manifests."""
+
+
+@pytest.mark.parametrize("owner", mounts.OWNERS)
+def test_layers_of_the_usual_base_can_be_taken_from_a_repository_of_each_owner(lab: Laboratory, owner: str) -> None:
+    """It is the last one by name, for which alone BuildKit asks."""
+    there = f"{owner}/{mounts.NAME}"
+    index, _ = registry.manifest(f"{there}:{'-'.join(ARCHITECTURES)}")
+    assert [each["platform"]["architecture"] for each in index["manifests"]] == list(ARCHITECTURES)
+    assert max(name for name in registry.repositories() if name.startswith(f"{owner}/")) == there
 
 
 def test_a_manifest_is_taken_while_its_layer_is_uploaded_again(lab: Laboratory) -> None:
