@@ -214,11 +214,24 @@ def index() -> Iterator[str]:
     server.server_close()
 
 
+@pytest.fixture(scope="module")
+def with_pip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a Python with pip and nothing else, as an image has it: pip looks at all that is installed."""
+    folder = tmp_path_factory.mktemp("python") / "python"
+    own_python(folder)
+    (folder / "bin/pip").write_text('#!/bin/sh\nexec "$(dirname "$0")/python3" -m pip "$@"\n')
+    (folder / "bin/rustc").write_text("#!/bin/sh\nexit 1\n")  # of which pip tells the index, where it is installed
+    for name in ("pip", "rustc"):
+        (folder / "bin" / name).chmod(0o755)
+    return folder
+
+
 @pytest.fixture
-def step(tmp_path: Path, index: str) -> Iterator[list[subprocess.Popen[str]]]:
+def step(tmp_path: Path, index: str, with_pip: Path) -> Iterator[list[subprocess.Popen[str]]]:
     """Have the scripts under the names that they have in an image; what they start ends with the test."""
     if shutil.which("bash") is None:
         pytest.skip("a step of a build has bash")
+    (tmp_path / "python").symlink_to(with_pip)
     for name in ("index-as-of", "ask-pip-again", "git-as-of", "shell-as-of"):
         text = (SCRIPTS / f"{name}.sh").read_text(encoding="utf-8")
         (tmp_path / name).write_text(text.replace("/dev/shm", str(tmp_path)))  # other tests have theirs
@@ -230,8 +243,11 @@ def step(tmp_path: Path, index: str) -> Iterator[list[subprocess.Popen[str]]]:
             os.killpg(process.pid, signal.SIGKILL)
 
 
-UNASKED = {"PIP_DISABLE_PIP_VERSION_CHECK": "1"}
-"""Else each pip asks once more, for itself, which takes as long as what it was called for."""
+UNASKED = {"PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_WARN_CONFLICTS": "0"}
+"""Else each pip asks once more, for itself, which takes as long as what it was called for, and reads what is installed.
+
+Of an option whose name begins with "no" a value that means no is the yes.
+"""
 OF_DAY = f'eval "$(index-as-of {DAY} --or-today)"'
 TODAY = "source ask-pip-again"
 either = pytest.mark.parametrize("start", [OF_DAY, TODAY])
@@ -248,7 +264,7 @@ def ran(
 ) -> str:
     """Return what a step prints after its ``start``; ``before`` is run before that."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("PIP_", "GIT_"))}
-    path = f"{folder}:{Path(sys.executable).parent}:{environment['PATH']}"
+    path = f"{folder}:{folder}/python/bin:{environment['PATH']}"
     with (folder / "said").open("w") as said:
         process = subprocess.Popen(
             ["bash", "-ec", f"{before}\n{start}\n{commands}"],
