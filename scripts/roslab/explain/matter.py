@@ -47,6 +47,9 @@ _FAILED_TO = pattern(r"^(?:ERROR: )?(?:failed to (?:build|solve): ){1,3}")
 _OTHERWISE = pattern(r"roslab: the tables of rosdistro \S{1,60} do not answer: the base's own are used$")
 _OF_TABLES = pattern(r"unable to process source|urlopen error|error loading sources list")
 """What rosdep says of tables that do not answer."""
+_GAVE_UP = pattern(r"\s{0,8}(?:WARNING: )?Retrying \(Retry\(total=0")
+_TRIES = pattern(r"\s{0,8}(?:WARNING: )?Retrying \(Retry\(total=")
+_FETCHES = pattern(r"\s{0,8}(?:Downloading|Using cached) \S{1,300}\.(?:whl|tar\.gz|zip)\b")
 _SAYS = pattern(
     r"(?i)\b(?:error|fatal|failed|failure|cannot|can't|could not|couldn't|unable|undefined|not found"
     r"|no such|denied|killed|invalid|missing|unsupported|unrecognized|refused|aborted|expired|mismatch"
@@ -71,7 +74,7 @@ def lines(step: Step) -> list[Line]:
         for line in step.lines
         if (text := _alone(line.text)) and not _NEVER.match(text) and not _PROBE.search(text)
     ]
-    found = _without_tables(found)
+    found = _without_index(_without_tables(found))
     word = last_word(step)
     if word:
         found.append(Line(found[-1].number if found else 0, word))
@@ -82,6 +85,14 @@ def _without_tables(found: list[Line]) -> list[Line]:
     """Return the lines without rosdep's about tables in whose place the base's own are used: these answer."""
     last = next((index for index, line in enumerate(found) if _OTHERWISE.match(line.text.strip())), 0)
     return [line for line in found[:last] if not _OF_TABLES.search(line.text)] + found[last:] if last else found
+
+
+def _without_index(found: list[Line]) -> list[Line]:
+    """Return the lines without pip's tries of an index after which it took packages of another."""
+    first = next((index for index, line in enumerate(found) if _GAVE_UP.match(line.text)), None)
+    if first is None or not any(_FETCHES.match(line.text) for line in found[first:]):
+        return found
+    return [line for line in found if not _TRIES.match(line.text)]
 
 
 def _alone(text: str) -> str:

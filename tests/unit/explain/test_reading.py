@@ -438,3 +438,21 @@ def test_tables_in_whose_place_others_are_used_are_no_cause() -> None:
     assert "no arms" in told.error
     without = log.replace("roslab: the tables of rosdistro", "roslab: other tables of rosdistro")
     assert explain(io.BytesIO(without.encode())).explanations[0].id == "host-unknown"
+
+
+def test_one_of_two_indexes_that_does_not_answer_is_no_cause_where_pip_went_on() -> None:
+    retry = "WARNING: Retrying (Retry(total=0, connect=None)) after connection broken by 'NewConnectionError('<a>')'"
+    log = f"""\
+#6 [3/4] RUN pip install --extra-index-url https://other.example.org/simple -e .
+#6 1.0 {retry}: /simple/opencv-python/
+#6 1.1 Collecting opencv-python (from demo==0.0.1)
+#6 1.2   Downloading opencv_python-4.5.5.64-cp36-abi3-manylinux_2_17_x86_64.whl (60.5 MB)
+#6 2.0 {retry}: /simple/demo-tools/
+#6 2.1 ERROR: Could not find a version that satisfies the requirement demo_tools (from demo) (from versions: none)
+#6 2.1 ERROR: No matching distribution found for demo_tools
+#6 ERROR: process "/bin/sh -c pip install" did not complete successfully: exit code: 1
+"""
+    told = explain(io.BytesIO(log.encode())).explanations[0]
+    assert (told.id, "demo_tools" in told.cause) == ("pip-name-unknown", True)
+    without = "\n".join(line for line in log.splitlines() if "Downloading" not in line) + "\n"
+    assert explain(io.BytesIO(without.encode())).explanations[0].id == "pip-no-network"
