@@ -37,14 +37,17 @@ def with_the_one_named(
 ) -> tuple[str, ...]:
     """Return a command whose launch file is a blank with the first of its package that its section names above it.
 
+    Of a name with a blank in it, it is the first one that fits.
+
     ``pointed`` are launch files that pages name, as ``pointed_launches`` returns them.
     """
     at = _place(argv)
-    if not at or len(argv) <= at or argv[at] not in _BLANKS:
+    if not at or len(argv) <= at or not (argv[at] in _BLANKS or _BLANK.search(argv[at])):
         return argv
+    meant = None if argv[at] in _BLANKS else _meant(argv[at])
     for mention, package, name in sorted(pointed, key=lambda each: each[0].line):
         here = mention.file == said.file and mention.line < said.line and mention.heading == said.heading
-        if here and package == argv[at - 1]:
+        if here and package == argv[at - 1] and (argv[at] in _BLANKS or (meant and meant.fullmatch(name))):
             return (*argv[:at], name, *argv[at + 1 :])
     return argv
 
@@ -63,13 +66,18 @@ def with_a_launch_file(argv: tuple[str, ...], launched: Mapping[str, frozenset[s
         return (*argv[:at], *whole, *argv[at + 1 :]) if len(whole) == 1 else argv
     if number := numbered(argv[at], names):
         return (*argv[:at], number, *argv[at + 1 :])
-    said = LAUNCH.sub("", argv[at])
+    meant = _meant(argv[at])
+    fitting = sorted(name for name in names if meant and meant.fullmatch(name))
+    return (*argv[:at], fitting[0], *argv[at + 1 :]) if fitting else argv
+
+
+def _meant(written: str) -> re.Pattern[str] | None:
+    """Return what fits the blank in a name, ``None`` where none is in it or nothing is left to tell by."""
+    said = LAUNCH.sub("", written)
     parts = _BLANK.split(said)
     if len(parts) < 2 or not any(part.strip("_-.") for part in parts):
-        return argv
-    meant = re.compile(r"\w+".join(map(re.escape, parts)) + re.escape(argv[at][len(said) :]))
-    fitting = sorted(name for name in names if meant.fullmatch(name))
-    return (*argv[:at], fitting[0], *argv[at + 1 :]) if fitting else argv
+        return None
+    return re.compile(r"\w+".join(map(re.escape, parts)) + re.escape(written[len(said) :]))
 
 
 def _endings(name: str) -> tuple[str, ...]:

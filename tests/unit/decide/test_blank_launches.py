@@ -50,6 +50,8 @@ def test_the_first_that_fits_is_started(tree: Tree, said: str, file: str) -> Non
             "# Use\nOf launch/mapping_ouster.launch and mapping_velodyne.launch.",
             "mapping_ouster.launch",
         ),
+        ("mapping_[x].launch", "# Use\n| Desk | [a](launch/mapping_velodyne.launch) |", "mapping_velodyne.launch"),
+        ("mapping_[x].launch", "# Use\n| Desk | [a](launch/show.launch) |", "mapping_ouster.launch"),
         ("[launch-file]", "# Build\nSee launch/mapping_velodyne.launch.\n# Use", "show.launch"),
         ("[launch-file]", "# Use\nNothing is named here.", "show.launch"),
     ],
