@@ -19,6 +19,7 @@ _WHY = {
     ORIGIN: "the environment that is not made has it, and the project does not name it",
 }
 _BY_NAME = "imported by what a command starts, declared nowhere and in no table: the package of its name is tried"
+_OF_OWNER = "the project needs it, and a page links to its owner's repository of that name"
 _ALONE = "conda alone has it: it comes from there, with the Python"
 
 
@@ -34,10 +35,12 @@ def reasons_of(chosen: Chosen, alone: Iterable[Requirement]) -> Iterator[Reason]
         stops = "" if asked.file.endswith("Pipfile") else "; what builds the project stops at it"
         why = f"{asked.file} declares it{stops}"
         yield because("dependencies", asked.text, why, asked, weight=Weight.MANIFEST)
+    declaring = {asked.file for project in chosen.projects for asked in project.requirements}
     for asked in chosen.guessed:
         said = "a page lists it" if asked.role == "listed" else "named in an install line"
         why = "imported, only an extra declares it" if asked.group else _WHY.get(asked.origin, said)
         why = _BY_NAME if asked.key in chosen.by_name and asked.origin == "import" else why
+        why = _OF_OWNER if asked.url and asked.file in declaring else why
         yield because("dependencies", asked.text, why, asked, weight=Weight.GUESS)
     if chosen.conda:
         place = Place(file=chosen.conda, line=1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.cmake import Call, calls
@@ -62,13 +63,20 @@ def goes_on(call: Call, text: str, repository: Repository, file: File) -> bool:
     That is behind the ``else`` of ``if(NAME_FOUND)``, and what the author has: who installs what the page says lacks
     the first one. With that there, the build takes it, which nobody may have tried on this Ubuntu.
     """
-    if call.name != "find_package" or "_FOUND" not in text or "REQUIRED" not in call.words:
+    if call.name != "find_package" or "REQUIRED" not in call.words:
         return False
     module = module_of(call, repository, file)
-    if module is None or _STOPS.search(repository.read(module)):
+    if module is None or f"not ({call.words[0]}_found)".lower() not in _conditions(text):
         return False
-    absent = f"not ({call.words[0]}_found)".lower()
-    return any(absent in map(str.lower, other.conditions) for other in calls(text, _WAYS))
+    return not _STOPS.search(repository.read(module))
+
+
+@lru_cache(maxsize=1)  # a file is asked about once for each of its calls
+def _conditions(text: str) -> frozenset[str]:
+    """Return the conditions, in lower case, under which a file looks for anything."""
+    if "_FOUND" not in text:
+        return frozenset()
+    return frozenset(each.lower() for other in calls(text, _WAYS) for each in other.conditions)
 
 
 def _required(call: Call) -> list[str]:
