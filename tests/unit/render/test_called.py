@@ -32,7 +32,9 @@ def test_the_table_has_what_a_script_calls(script: str) -> None:
 
 
 def test_no_script_but_one_reads_a_name_itself() -> None:
-    assert [name for name, text in SCRIPTS.items() if re.search("sed.*<name", text)] == []
+    removed = re.escape("s#<name>[^<]*</name>##g")
+    reads = [name for name, text in SCRIPTS.items() if re.search("sed.*<name", re.sub(removed, "", text))]
+    assert reads == []
 
 
 def test_what_is_called_is_copied_once() -> None:
