@@ -78,19 +78,20 @@ def test_whose_a_failed_build_is(error: str, base: blame.Base, whose: str) -> No
 
 
 @pytest.mark.parametrize(
-    ("package", "base", "whose"),
+    ("package", "variable", "base", "whose"),
     [
-        ("ros-noetic-libnmea-msgs", FOCAL, "ours or the code's"),
-        ("ros-noetic-nmea-msgs", FOCAL, "stand-in"),
-        ("ros-noetic-nmea-msgs", REAL, "ours or the code's"),
-        ("libnmea-dev", FOCAL, "ours or the code's"),
+        ("ros-noetic-libnmea-msgs", "NMEA", FOCAL, "ours or the code's"),
+        ("ros-noetic-nmea-msgs", "LIBNMEA_MSGS", FOCAL, "stand-in"),
+        ("ros-noetic-nmea-msgs", "NMEA_MSGS", REAL, "ours or the code's"),
+        ("libnmea-dev", "NMEA", FOCAL, "ours or the code's"),
+        ("libnmea-dev", "NMEA_MSGS", FOCAL, "stand-in"),  # the variable alone names what the stand-in lacks
     ],
 )
-def test_a_library_that_only_the_stand_in_leaves_out(package: str, base: blame.Base, whose: str) -> None:
+def test_a_library_that_only_the_stand_in_leaves_out(package: str, variable: str, base: blame.Base, whose: str) -> None:
     error = (
         "CMake Error: The following variables are used in this project, but they are set to NOTFOUND.\n"
         "#9 1.2 Please set them or make sure they are set and tested correctly in the CMake files:\n"
-        "#9 1.2 NMEA_MSGS_INCLUDE_DIR\n#9 1.2    used as include directory in directory /ws/src/a"
+        f"#9 1.2 {variable}_INCLUDE_DIR\n#9 1.2    used as include directory in directory /ws/src/a"
     )
     log = f"#6 [4/5] RUN install-optional-apt {package}\n#6 1.0 roslab: left out: apt {package}\n{LOG}"
     assert blame.of_build(log.format(error=error), base)[0] == whose
