@@ -14,6 +14,10 @@ def log(command: str, *lines: str) -> str:
     return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
 
 
+BOOST = (
+    "CMake Error at /usr/share/cmake-3.28/Modules/FindPackageHandleStandardArgs.cmake:230 (message):",
+    '  Could NOT find Boost (missing: {}) (found version "{}")',
+)
 IGNORED = "ERROR: Ignored the following versions that require a different python version: "
 
 
@@ -67,6 +71,32 @@ IGNORED = "ERROR: Ignored the following versions that require a different python
 )
 def test_the_cause_is_what_the_message_says(text: str, cause: str) -> None:
     assert [found.id for found in explain(io.BytesIO(text.encode())).explanations] == [cause]
+
+
+@pytest.mark.parametrize(
+    ("missing", "version", "cause", "repair"),
+    [
+        ("program_options", "1.83.0", "boost-part-missing", ("libboost-all-dev",)),
+        ("thread unit_test_framework", "1.65.1", "boost-part-missing", ("libboost-all-dev",)),
+        ("python310", "1.74.0", "boost-part-missing", ("libboost-all-dev",)),
+        ("python3", "1.65.1", "boost-part-missing", ("libboost-all-dev",)),
+        ("signals", "1.65.1", "boost-part-missing", ("libboost-all-dev",)),
+        ("thread signals", "1.83.0", "boost-part-gone", ()),
+        ("python3 thread", "1.74.0", "boost-part-gone", ()),
+    ],
+)
+def test_a_part_of_boost_that_no_package_has_is_not_asked_for(
+    missing: str, version: str, cause: str, repair: tuple[str, ...]
+) -> None:
+    text = log("cmake .", BOOST[0], BOOST[1].format(missing, version))
+    (found,) = explain(io.BytesIO(text.encode())).explanations
+    assert (found.id, dict(found.repair).get("apt", ())) == (cause, repair)
+
+
+def test_what_cmake_only_says_of_boost_is_no_cause() -> None:
+    said = f"--{BOOST[1].format('signals', '1.83.0')[1:]}"
+    text = log("make", said, "a.cpp:3:10: fatal error: arm/arm.h: No such file or directory")
+    assert [found.id for found in explain(io.BytesIO(text.encode())).explanations] == ["header-missing"]
 
 
 def test_a_package_of_ros_that_is_not_released_is_no_package_of_apt() -> None:
