@@ -26,8 +26,8 @@ _KINDS = (
 FRAME = pattern(r'File "(?P<file>[^"\n]{1,300})", line (?P<line>\d{1,6})')
 _CMAKE = pattern(r"(?m)(?:CMake Error at |^ {1,4})(?P<file>[\w./+-]{1,300}):(?P<line>\d{1,6}) \(")
 """The place of an error, or a line of the calls that led to it."""
-_NAMED = pattern(r"'([^'\n]{1,80})'")
-"""What an error of a compiler is about."""
+_NAMED = pattern(r"[`']([^`'\n]{1,80})'")
+"""What an error of a compiler or a linker is about."""
 _AT = pattern(r"(?P<file>[\w./+-]{1,300}\.\w{1,8}):(?P<line>\d{1,6})\b")
 
 

@@ -20,6 +20,7 @@ OPENCV = "-I/usr/local/include/opencv4 -I/usr/include/opencv4 -include"
 LOADED = " ".join(
     f"-DCV_LOAD_IMAGE_{name}" for name in ("COLOR=1", "GRAYSCALE=0", "UNCHANGED=-1", "ANYDEPTH=2", "ANYCOLOR=4")
 )
+TWICE = "multiple definition of `{}'; {}: first defined here"
 CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
 
 
@@ -67,6 +68,12 @@ def repaired(folder: Path, text: str, files: dict[str, str]) -> Repair:
             f"env.CXXFLAGS: {LOADED}, for what is said of CV_LOAD_IMAGE_COLOR (main.cpp:1)",
         ),
         ("main.cpp:1:3: error: 'CvMat' was not declared in this scope", ""),
+        (
+            f"/usr/bin/ld: b.c.o:(.bss+0x0): {TWICE.format('arm', 'a.c.o:(.bss+0x0)')}",
+            "env.CFLAGS: -fcommon, for what is said of arm",
+        ),
+        (f"/usr/bin/ld: b.cpp.o:(.bss+0x0): {TWICE.format('arm', 'libarm.a(a.cpp.o):(.bss+0x0)')}", ""),
+        (f"b.o: in function `arm()': {TWICE.format('arm()', 'a.o:a.cpp:(.text+0x0)')}", ""),
     ],
 )
 def test_an_error_that_a_flag_answers_gets_the_flag(tmp_path: Path, said: str, wanted: str) -> None:
@@ -115,6 +122,13 @@ DSO = "/usr/bin/ld: {}: error adding symbols: DSO missing from command line"
             ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-latomic", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-latomic"],
         ),
         ("main.cpp:(.text+0x1): undefined reference to `cv::imread(cv::String const&, int)'", []),
+        ("main.cpp:(.text+0x1): undefined reference to `timer_callback'", []),
+        (
+            "main.cpp:(.text+0x1): undefined reference to `timer_create'",
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-lrt", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-lrt"],
+        ),
+        ("main.cpp:(.text+0x1): undefined reference to `mq_publish(int)'", []),
+        ("main.cpp:(.text+0x1): undefined reference to `dlopen_plugin'", []),
     ],
 )
 def test_a_library_of_the_system_or_of_ros_is_linked(tmp_path: Path, said: str, wanted: list[str]) -> None:
