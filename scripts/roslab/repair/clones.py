@@ -10,6 +10,7 @@ from roslab.config.source import flow
 from roslab.decide.ros.source_names import address, fixed, plain
 from roslab.evidence import places
 from roslab.evidence.dependency import GitSource
+from roslab.evidence.ros.vcs import https
 from roslab.explain.answer import Explanation
 from roslab.knowledge.distros import distro
 from roslab.knowledge.released import released
@@ -72,7 +73,7 @@ def named(word: str, given: Given) -> GitSource | None:
 def of_pip(git: GitSource) -> str:
     """Return the line with which pip installs a repository: https://pip.pypa.io/en/stable/topics/vcs-support/."""
     ref = fixed(git.ref)
-    return f"git+{git.url}{f'@{ref}' if ref else ''}"
+    return f"git+{https(git.url)}{f'@{ref}' if ref else ''}"
 
 
 def _lines(word: str, given: Given) -> Iterator[tuple[str, str]]:
@@ -84,7 +85,7 @@ def _lines(word: str, given: Given) -> Iterator[tuple[str, str]]:
     if build not in get_args(SourceBuild):
         return
     if own := named(word, given):
-        yield address(own.url), flow(word, own.url, ref=fixed(own.ref), build=build)
+        yield address(own.url), flow(word, https(own.url), ref=fixed(own.ref), build=build)
         return
     there = {address(each.repo) for each in _cloned_already(given) if each.repo}
     known = [row for row in tabled(word, given) if address(row.repo) not in there]

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from roslab.decide.python.of_owner import known_of_index
-from roslab.decide.ros.source_names import address, fixed
+from roslab.decide.ros.source_names import address
 from roslab.evidence.dependency import GitSource
-from roslab.evidence.ros.vcs import https
 from roslab.explain.answer import Explanation
 from roslab.repair.change import Given, Worked
+from roslab.repair.clones import of_pip
 from roslab.values.name import canonicalize_name
 
 
@@ -25,10 +25,9 @@ def linked(found: Explanation, given: Given) -> Worked:
     git = next((git for git in called if _offered(git) and address(git.url) != here), None)
     if git is None:
         return Worked(why=found.fix)
-    ref = f"@{ref}" if (ref := fixed(git.ref)) else ""
     of_owner = bool(here) and address(git.url).rpartition("/")[0] == here.rpartition("/")[0]
     sure = of_owner or git.kind == "clone" or git.holds or git.told or git.to_install
-    return Worked(values=(f"{name} @ git+{https(git.url)}{ref}",), certain=sure)
+    return Worked(values=(f"{name} @ {of_pip(git)}",), certain=sure)
 
 
 def _offered(git: GitSource) -> bool:

@@ -9,6 +9,7 @@ from roslab.explain.answer import Explanation
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.repair.change import Given, Worked
 from roslab.values.name import canonicalize_name
+from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import requirement
@@ -95,19 +96,34 @@ def _listed(log: str, name: str, release: str, wanted: Version) -> list[Version]
 
 
 def dropped(found: Explanation, given: Given) -> Worked:
-    """Take a release that still has what was dropped, if this Python has one and no list of the tree pins another."""
+    """Take a release that still has what was dropped, if this Python has one and nobody asks for another release."""
     names = dict(found.names)
     limit, newest = names.get("limit", ""), names.get("newest_python", "")
     python = given.plan.python.version or python_of_ubuntu().get(given.plan.ubuntu or "", "")
     if newest and python and Version(python) > Version(newest):
-        return Worked(why=f"{limit} has no wheel for Python {python}: `base.python` in roslab.yaml names {newest}")
+        other = "the code needs a newer version" if given.plan.ros_distro else f"`base.python: '{newest}'` has one"
+        return Worked(why=f"{limit} has no wheel for Python {python}: {other}")
     key, bound = canonicalize_name(names.get("package", "")), Version(limit.partition("<")[2])
-    lists = (each for each in given.evidence.requirements if each.file in given.plan.python.requirements)
-    for line in (line for each in lists for line in each.requirements):
+    for line in _installed(given):
         asks = line.specifier if line.key == key else ()
         if any(part.operator == "==" or (part.operator in _LOWER and _from(part.version, bound)) for part in asks):
-            return Worked(why=f"{line.file}:{line.line} asks for {line.written}: take a release of {limit} there")
+            place = Place(file=line.file, line=line.line)
+            return Worked(why=f"{place} asks for {line.written}: take a release of {limit} there")
     return Worked(values=(limit,))
+
+
+def _installed(given: Given) -> Iterator[Requirement]:
+    """Yield what roslab.yaml, and the lists and projects that the image installs, ask for in any case."""
+    for index, text in enumerate(given.config.pip):
+        at = given.config.origin(f"pip.{index}") or given.config.origin("pip")
+        file, line = (at.file, at.line) if isinstance(at, Place) else (given.config.file or "roslab.yaml", 1)
+        if asked := requirement(text, "configuration", file, line):
+            yield asked
+    for file in given.evidence.requirements:
+        yield from file.requirements if file.file in given.plan.python.requirements else ()
+    for project in given.evidence.python:
+        if (project.file.rpartition("/")[0] or ".") in given.plan.python.projects:
+            yield from (each for each in project.requirements if not each.role)
 
 
 def _from(version: str, bound: Version) -> bool:

@@ -90,6 +90,16 @@ def test_what_a_log_lacks_is_cloned_from_where_the_tree_says(
     assert [str(change) for change in found.certain.changes] == wanted
 
 
+@pytest.mark.parametrize("page", ["git clone git@{}", "git clone ssh://git@{}"])
+def test_a_build_has_no_key_for_ssh(tmp_path: Path, page: str) -> None:
+    files = {"README.md": f"```\n{page}\n```\n".format("github.com/example/arm_driver.git")}
+    found = repaired(made(tmp_path, {**PYTHON, **files}), log("python3 main.py", NO_MODULE))
+    assert [change.value for change in found.changes] == ["git+https://github.com/example/arm_driver.git"]
+    (tmp_path / "ros").mkdir()
+    found = repaired(made(tmp_path / "ros", {**ROS, **files}), log("catkin_make", NO_HEADER.format("arm_driver/arm.h")))
+    assert [str(change) for change in found.changes] == [DRIVER.replace("ref: noetic, ", "")]
+
+
 def test_what_a_table_knows_is_cloned_with_its_needs(tmp_path: Path) -> None:
     said = "-- Could not find the required component 'minkindr_conversions'. The following CMake error indicates that"
     wanted = said.replace("minkindr_conversions", "eigen_catkin")

@@ -159,6 +159,7 @@ def test_there_a_newer_release_than_the_pinned_one_is_taken(
     assert not taken or (taken in planned and "Cython==0.22.0" not in planned)
 
 
+PROJECT = '[project]\nname = "robot"\nversion = "1"\ndependencies = ["jinja2{}"]\n'
 ESCAPE = "ImportError: cannot import name 'escape' from 'jinja2' (/opt/venv/jinja2/__init__.py)"
 JOBLIB = "ModuleNotFoundError: No module named 'sklearn.externals.joblib'"
 TRACE = 'Traceback (most recent call last):\n  File "/home/jovyan/robot/main.py", line 1, in <module>\n'
@@ -177,7 +178,12 @@ TRACE = 'Traceback (most recent call last):\n  File "/home/jovyan/robot/main.py"
         ),
         ("jinja2>=3.1", "3.10", ESCAPE, "not: requirements.txt:1 asks for jinja2>=3.1: take a release of jinja2<3.1"),
         ("scikit-learn", "3.8", JOBLIB, "scikit-learn<0.23"),
-        ("scikit-learn", "3.10", JOBLIB, "not: scikit-learn<0.23 has no wheel for Python 3.10: `base.python`"),
+        (
+            "scikit-learn",
+            "3.10",
+            JOBLIB,
+            "not: scikit-learn<0.23 has no wheel for Python 3.10: `base.python: '3.8'` has one",
+        ),
         ("six", "3.10", ESCAPE.replace("escape", "robot"), "not: Take versions that fit each other"),
     ],
 )
@@ -189,3 +195,23 @@ def test_a_release_that_still_has_a_name_is_taken(
     told = [*(change.value for change in found.certain.changes), *(f"not: {why}" for _, why in found.refused)]
     assert len(told) == 1
     assert told[0].startswith(taken)
+
+
+@pytest.mark.parametrize(
+    ("files", "why"),
+    [
+        ({"roslab.yaml": f"{PYTHON}pip: [six, jinja2==3.1.4]\n"}, "roslab.yaml:3 asks for jinja2==3.1.4: "),
+        ({"pyproject.toml": PROJECT.format("==3.1.4")}, "pyproject.toml:4 asks for jinja2==3.1.4: "),
+        ({"pyproject.toml": PROJECT.format(">=3"), "other/requirements.txt": "jinja2==3.1.4\n"}, ""),
+    ],
+)
+def test_no_release_is_taken_that_somebody_else_rules_out(tmp_path: Path, files: dict[str, str], why: str) -> None:
+    found = repaired(tmp_path, files, f"{TRACE}{ESCAPE}\n")
+    assert [change.value for change in found.changes] == ([] if why else ["jinja2<3.1"])
+    assert [reason[: len(why)] for _, reason in found.refused] == ([why] if why else [])
+
+
+def test_beside_ros_no_other_python_is_named(tmp_path: Path) -> None:
+    found = repaired(tmp_path, OF_ROS, f"{TRACE}{JOBLIB}\n")
+    assert found.changes == ()
+    assert "base.python" not in found.refused[0][1]
