@@ -181,7 +181,9 @@ def _list(edits: Edits, node: Node | None, key: str, entries: list[Entry]) -> st
         old = edits.text[node.start.index : node.end.index]
         edits.put(node.start.index, node.end.index, f"[{', '.join([old, *values])}]")
     elif node is not None:
-        edits.put(node.start.index, node.end.index, f"[{', '.join(values)}]")
+        at = node.start.index
+        apart = " " if edits.text[at - 1 : at] == ":" else ""  # a key without a value ends there
+        edits.put(at, node.end.index, f"{apart}[{', '.join(values)}]")
     else:
         return f"{key}:\n" + "".join(f"  - {text}{_note(one.note)}\n" for one, text in written.items())
     return ""

@@ -25,6 +25,8 @@ WANTED = (Entry(key="apt", value="libglog-dev"),)
         ("format: 3\napt:\n- git", "format: 3\napt:\n- git\n- libglog-dev"),
         ("format: 3\napt: git\n", "format: 3\napt: [git, libglog-dev]\n"),
         ("format: 3\napt: []\n", "format: 3\napt: [libglog-dev]\n"),
+        ("format: 3\napt:\nname: robot\n", "format: 3\napt: [libglog-dev]\nname: robot\n"),
+        ("format: 3\napt: # later\n", "format: 3\napt: [libglog-dev] # later\n"),
         ("format: 3\napt: [git, libglog-dev]\n", "format: 3\napt: [git, libglog-dev]\n"),
     ],
 )
