@@ -141,13 +141,14 @@ def _one(failure: Failure, case: _Case) -> tuple[int, Match] | None:
     if earlier is None or (failure.not_before and not _never_before(failure, case)):
         return None
     also = compiled(failure.also).search(whole) if failure.also else None
+    extra = None if failure.extra_before else _extra(failure, case, 0)  # the same for each match
     inside = list(enumerate(matches))
     for at, found in reversed(inside) if failure.passing else inside:  # a build goes on after all but the last of those
         if (failure.copied and not _copied(found["path"], case)) or _only_tried(found.groupdict(), case):
             continue
         names = {
             **(_groups([also]) if also else {}),
-            **_extra(failure, case, found.start()),
+            **(_extra(failure, case, found.start()) if extra is None else extra),
             **_groups(matches[at:] if failure.every else [found]),
             **earlier,
         }
