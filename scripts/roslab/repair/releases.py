@@ -5,18 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
+from roslab.decide.python.bounds import excluded
 from roslab.explain.answer import Explanation
 from roslab.knowledge.distros import python_of_ubuntu
+from roslab.knowledge.removals import removals
 from roslab.repair.change import Given, Worked
 from roslab.values.name import canonicalize_name
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
-from roslab.values.requirement_line import requirement
+from roslab.values.requirement_line import requirement, stated
 from roslab.values.version import Version, version_of
 
 _PIN = pattern(r"==\s*(?P<release>\d[\w.!+]{0,60})$")
-_LOWER = (">=", ">", "~=")
 _CUT = "…"
 """What stands in place of the middle of a long line."""
 _LISTED = pattern(r"\(from versions: (?P<versions>[^)\n]{1,20000})\)")
@@ -103,30 +104,28 @@ def dropped(found: Explanation, given: Given) -> Worked:
     if newest and python and Version(python) > Version(newest):
         other = "the code needs a newer version" if given.plan.ros_distro else f"`base.python: '{newest}'` has one"
         return Worked(why=f"{limit} has no wheel for Python {python}: {other}")
-    key, bound = canonicalize_name(names.get("package", "")), Version(limit.partition("<")[2])
-    for line in _installed(given):
-        asks = line.specifier if line.key == key else ()
-        if any(part.operator == "==" or (part.operator in _LOWER and _from(part.version, bound)) for part in asks):
+    asked, bound = tuple(_installed(given)), stated(limit)
+    for line in asked:
+        if excluded(bound, (line,)):
             place = Place(file=line.file, line=line.line)
             return Worked(why=f"{place} asks for {line.written}: take a release of {limit} there")
-    return Worked(values=(limit,))
+    with_it = next((each.beside for each in removals() if each.having == limit), None)
+    needed = with_it is not None and with_it.written not in given.plan.python.bounds and not excluded(with_it, asked)
+    return Worked(values=(limit, with_it.written) if with_it and needed else (limit,))
 
 
 def _installed(given: Given) -> Iterator[Requirement]:
     """Yield what roslab.yaml, and the lists and projects that the image installs, ask for in any case."""
     for index, text in enumerate(given.config.pip):
         at = given.config.origin(f"pip.{index}") or given.config.origin("pip")
-        file, line = (at.file, at.line) if isinstance(at, Place) else (given.config.file or "roslab.yaml", 1)
-        if asked := requirement(text, "configuration", file, line):
+        place = at if isinstance(at, Place) else Place(file=given.config.file or "roslab.yaml")
+        if asked := requirement(text, "configuration", place.file, place.line or 1):
             yield asked
-    for file in given.evidence.requirements:
-        yield from file.requirements if file.file in given.plan.python.requirements else ()
+    plan = given.plan.python
+    apart = {*plan.pip, *plan.pip_guessed}  # lines of lists that are not installed as they are
+    for line in (line for each in given.evidence.requirements for line in each.requirements):
+        if line.file in plan.requirements or line.text in apart:
+            yield line
     for project in given.evidence.python:
-        if (project.file.rpartition("/")[0] or ".") in given.plan.python.projects:
+        if (project.file.rpartition("/")[0] or ".") in plan.projects:
             yield from (each for each in project.requirements if not each.role)
-
-
-def _from(version: str, bound: Version) -> bool:
-    """Tell whether a lower limit allows nothing below a version."""
-    least = version_of(version)
-    return least is not None and least >= bound
