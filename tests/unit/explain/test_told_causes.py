@@ -6,13 +6,8 @@ import io
 
 import pytest
 
+from failed_builds import log
 from roslab.explain.answer import explain
-
-
-def log(command: str, *lines: str) -> str:
-    said = "".join(f"#6 1.2 {line}\n" for line in lines)
-    return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
-
 
 BOOST = (
     "CMake Error at /usr/share/cmake-3.28/Modules/FindPackageHandleStandardArgs.cmake:230 (message):",

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import pytest
 
-from roslab.cli.repairing import given
+from failed_builds import log, repaired
 from roslab.config.addition import added
 from roslab.config.reader import read
-from roslab.explain.answer import explain
-from roslab.pipeline import plan_repository
-from roslab.repair.change import Repair
-from roslab.repair.repair import repair
 
 PACKAGE = """\
 <package format="2"><name>robot</name><version>1.0.0</version><description>d</description>
@@ -45,21 +40,6 @@ DRIVER = (
 )
 
 
-def made(folder: Path, files: dict[str, str]) -> Path:
-    for name, text in files.items():
-        (folder / name).write_text(text)
-    return folder
-
-
-def log(command: str, *lines: str) -> str:
-    said = "".join(f"#6 1.2 {line}\n" for line in lines)
-    return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
-
-
-def repaired(folder: Path, text: str) -> Repair:
-    return repair(explain(io.BytesIO(text.encode())), given(plan_repository(folder)))
-
-
 @pytest.mark.parametrize(
     ("files", "text", "wanted"),
     [
@@ -86,24 +66,23 @@ def repaired(folder: Path, text: str) -> Repair:
 def test_what_a_log_lacks_is_cloned_from_where_the_tree_says(
     tmp_path: Path, files: dict[str, str], text: str, wanted: list[str]
 ) -> None:
-    found = repaired(made(tmp_path, {**files, "README.md": PAGE}), text)
+    found = repaired(tmp_path, text, {**files, "README.md": PAGE})
     assert [str(change) for change in found.certain.changes] == wanted
 
 
 @pytest.mark.parametrize("page", ["git clone git@{}", "git clone ssh://git@{}"])
 def test_a_build_has_no_key_for_ssh(tmp_path: Path, page: str) -> None:
     files = {"README.md": f"```\n{page}\n```\n".format("github.com/example/arm_driver.git")}
-    found = repaired(made(tmp_path, {**PYTHON, **files}), log("python3 main.py", NO_MODULE))
+    found = repaired(tmp_path, log("python3 main.py", NO_MODULE), {**PYTHON, **files})
     assert [change.value for change in found.changes] == ["git+https://github.com/example/arm_driver.git"]
-    (tmp_path / "ros").mkdir()
-    found = repaired(made(tmp_path / "ros", {**ROS, **files}), log("catkin_make", NO_HEADER.format("arm_driver/arm.h")))
+    found = repaired(tmp_path / "ros", log("catkin_make", NO_HEADER.format("arm_driver/arm.h")), {**ROS, **files})
     assert [str(change) for change in found.changes] == [DRIVER.replace("ref: noetic, ", "")]
 
 
 def test_what_a_table_knows_is_cloned_with_its_needs(tmp_path: Path) -> None:
     said = "-- Could not find the required component 'minkindr_conversions'. The following CMake error indicates that"
     wanted = said.replace("minkindr_conversions", "eigen_catkin")
-    found = repaired(made(tmp_path, ROS), log("catkin_make", wanted, NO_ARM[1]))
+    found = repaired(tmp_path, log("catkin_make", wanted, NO_ARM[1]), ROS)
     assert [str(change)[:40] for change in found.certain.changes] == [
         "source: [{name: catkin_simple, repo: htt",
         "source: [{name: eigen_catkin, repo: http",
@@ -114,7 +93,7 @@ def test_what_a_table_knows_is_cloned_with_its_needs(tmp_path: Path) -> None:
 def test_what_roslab_yaml_clones_already_is_not_cloned_again(tmp_path: Path) -> None:
     source = "source: [{name: arm, repo: 'https://github.com/example/arm_driver', build: catkin_make}]\n"
     files = {**ROS, "README.md": PAGE, "roslab.yaml": ROS["roslab.yaml"] + source}
-    found = repaired(made(tmp_path, files), log("catkin_make", NO_HEADER.format("arm_driver/arm.h")))
+    found = repaired(tmp_path, log("catkin_make", NO_HEADER.format("arm_driver/arm.h")), files)
     assert found.changes == ()
 
 
@@ -122,8 +101,9 @@ def test_what_ros_released_is_not_cloned(tmp_path: Path) -> None:
     page = PAGE.replace("example/robot_arm", "example/pluginlib")
     package = PACKAGE.replace("</buildtool_depend>", "</buildtool_depend><depend>pluginlib</depend>")
     found = repaired(
-        made(tmp_path, {**ROS, "package.xml": package, "README.md": page}),
+        tmp_path,
         log("catkin_make", NO_HEADER.format("pluginlib/class_loader.h")),
+        {**ROS, "package.xml": package, "README.md": page},
     )
     assert found.changes == ()
 
@@ -138,7 +118,7 @@ def test_what_ros_released_is_not_cloned(tmp_path: Path) -> None:
 )
 def test_the_line_of_a_clone_is_added_and_read(tmp_path: Path, before: str | None, after: str) -> None:
     files = {**ROS, "README.md": PAGE}
-    entries = repaired(made(tmp_path, files), log("catkin_make", NO_HEADER.format("arm_driver/arm.h"))).entries
+    entries = repaired(tmp_path, log("catkin_make", NO_HEADER.format("arm_driver/arm.h")), files).entries
     text = added(before, entries)
     assert f"{after}{{name: arm_driver, " in text
     last = read(text).source[-1]

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import pytest
 
-from roslab.cli.repairing import given
+from failed_builds import log, repaired
 from roslab.config.addition import added
 from roslab.config.reader import read
-from roslab.explain.answer import explain
-from roslab.pipeline import plan_repository
-from roslab.repair.change import Repair
-from roslab.repair.repair import repair
 
 CPP = {"CMakeLists.txt": "project(robot CXX)\nadd_executable(robot main.cpp)\n", "main.cpp": "int main() {}\n"}
 OPENCV = "-I/usr/local/include/opencv4 -I/usr/include/opencv4 -include"
@@ -22,17 +17,6 @@ LOADED = " ".join(
 )
 TWICE = "multiple definition of `{}'; {}: first defined here"
 CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
-
-
-def log(command: str, *lines: str) -> str:
-    said = "".join(f"#6 1.2 {line}\n" for line in lines)
-    return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
-
-
-def repaired(folder: Path, text: str, files: dict[str, str]) -> Repair:
-    for name, content in files.items():
-        (folder / name).write_text(content)
-    return repair(explain(io.BytesIO(text.encode())), given(plan_repository(folder)))
 
 
 @pytest.mark.parametrize(

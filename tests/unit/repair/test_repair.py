@@ -9,14 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from roslab.cli.repairing import given
+from failed_builds import log, repaired
 from roslab.explain.answer import explain
 from roslab.knowledge.failures import failures
 from roslab.knowledge.repairs import repairs
-from roslab.pipeline import plan_repository
 from roslab.repair import dockerfile
-from roslab.repair.change import Repair
-from roslab.repair.repair import repair
 from roslab.repair.ways import WAYS
 
 PACKAGE = """\
@@ -34,15 +31,6 @@ def made(folder: Path, files: Mapping[str, str]) -> Path:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
     return folder
-
-
-def log(command: str, *lines: str) -> str:
-    said = "".join(f"#6 1.2 {line}\n" for line in lines)
-    return f'#6 [3/4] RUN {command}\n{said}#6 ERROR: process "/bin/sh -c {command}" did not complete: exit code: 1\n'
-
-
-def repaired(folder: Path, text: str) -> Repair:
-    return repair(explain(io.BytesIO(text.encode())), given(plan_repository(folder)))
 
 
 REFUSED = "ERROR: Package 'example' requires a different Python: 3.10.12 not in '<3.10,>=3.7'"
