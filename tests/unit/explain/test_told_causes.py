@@ -13,6 +13,8 @@ BOOST = (
     "CMake Error at /usr/share/cmake-3.28/Modules/FindPackageHandleStandardArgs.cmake:230 (message):",
     '  Could NOT find Boost (missing: {}) (found version "{}")',
 )
+DENIED = "Traceback (most recent call last):\nPermissionError: [Errno 13] Permission denied: '{}'\n"
+PACKAGING = "ImportError: cannot import name 'packaging' from 'pkg_resources' ({}/pkg_resources/__init__.py)"
 IGNORED = "ERROR: Ignored the following versions that require a different python version: "
 
 
@@ -58,13 +60,22 @@ IGNORED = "ERROR: Ignored the following versions that require a different python
             ),
             "cmake-notfound-variable",
         ),
+        (DENIED.format("/dev/ttyUSB0"), "device-denied"),
+        (DENIED.format("/opt/venv/share/robot/cache"), "start-write-denied"),
+        (
+            log("colcon build", "/ws/build/arm/_deps/six-src/six.hpp:30:3: error: expected ';' before '}' token"),
+            None,
+        ),
+        (log("pip install arm", PACKAGING.format("/opt/venv/lib/python3.10/site-packages")), "python-name-dropped"),
+        # What is installed is not what pip builds with, beside it
+        (log("pip install arm", PACKAGING.format("/tmp/pip-build-env-a1/overlay")), "python-api-removed"),
         (log("make", "Failed to import jinja2: No module named 'jinja2'"), "python-module-missing"),
         (log("make", "a.cpp:3:1: error: 'CV_SVD_U_T' was not declared in this scope"), "api-known"),
         (log("make", "a.cpp:3:1: error: 'cvSolve' was not declared in this scope"), "api-known"),
         (log("make", "a.cpp:3:10: fatal error: cv.hpp: No such file or directory"), "api-known"),
     ],
 )
-def test_the_cause_is_what_the_message_says(text: str, cause: str) -> None:
+def test_the_cause_is_what_the_message_says(text: str, cause: str | None) -> None:
     assert [found.id for found in explain(io.BytesIO(text.encode())).explanations] == [cause]
 
 
