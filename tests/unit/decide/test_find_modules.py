@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from hanging import ends
 from roslab.decide.decision import Decision
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -113,3 +114,10 @@ def test_the_other_way_is_taken_where_the_module_never_stops(
     decision = tree(files)
     found = {*decision.apt, *decision.apt_guessed}
     assert {each for each in found if "blas" in each or "lapack" in each} == installed
+
+
+def test_many_calls_for_such_a_module_end(tree: Tree) -> None:
+    """What the file looks for besides is read once, and not for each of them."""
+    code = "find_package(OpenBLAS REQUIRED)\n" * 6_000
+    with ends():
+        tree({"CMakeLists.txt": f"project(a)\n{code}if(NOT A_FOUND)\nendif()\n", "cmake/FindOpenBLAS.cmake": _WARNS})
