@@ -47,8 +47,9 @@ PATHS = "import rospy\nfrom pathlib import Path\nrospy.init_node('a')\n"
         ({"a/scripts/node.py": PATHS.replace("from", "try:\n  from", 1)}, "2021-01-15", "melodic"),
         ({"a/scripts/node.py": PATHS, "requirements.txt": "pathlib\n"}, "2021-01-15", "melodic"),
         ({"a/scripts/node.py": PATHS, "README.md": "Tested on ROS Melodic.\n"}, "2021-01-15", "melodic"),
+        ({"a/scripts/node.py": PATHS.replace("pathlib", "functools32")}, "2021-01-15", "melodic"),
     ],
-    ids=["none", "python", "before", "python3", "no node", "caught", "installed", "named"],
+    ids=["none", "python", "before", "python3", "no node", "caught", "installed", "named", "of Python 2"],
 )
 def test_what_python_3_alone_has(tmp_path: Path, files: dict[str, str], date: str, distro: str) -> None:
     assert decided(tmp_path, {**FILES, **files}, date).ros_distro == distro

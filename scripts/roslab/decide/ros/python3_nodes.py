@@ -31,8 +31,8 @@ def with_python3(evidence: Evidence, ros: int, answer: str) -> tuple[str, str, P
     """
     if ros != 1 or not distros()[answer].python.startswith("2"):
         return None
-    found, own = _import(evidence), _of_own_library(evidence)
-    if not (found or own):
+    found = _import(evidence) or _of_own_library(evidence)
+    if found is None:
         return None
     date = dated(evidence)
     having = [each for each in distros().values() if each.ros == 1 and each.python.startswith("3")]
@@ -40,13 +40,11 @@ def with_python3(evidence: Evidence, ros: int, answer: str) -> tuple[str, str, P
     if not having:
         return None
     best = max(having, key=lambda each: each.preference).name
-    if own and not found:
-        why = f"no distribution is named; code of ROS imports {own.value} of Python 3, which {best} has"
-        return best, why, own
-    if not found:
-        return None
-    why = f"no distribution is named; programs for Python 3 import {found.name}, and {best} has it for that"
-    return best, why, found
+    if isinstance(found, Mention):
+        why = f"code of ROS imports {found.value} of Python 3, which {best} has"
+    else:
+        why = f"programs for Python 3 import {found.name}, and {best} has it for that"
+    return best, f"no distribution is named; {why}", found
 
 
 def _of_own_library(evidence: Evidence) -> Mention | None:

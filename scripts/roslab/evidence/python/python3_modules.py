@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 
 from roslab.evidence import places
@@ -15,7 +16,8 @@ from roslab.values.pattern import pattern
 
 def read(repository: Repository) -> Iterator[Mention]:
     """Yield the first such import that nothing catches; a first line that asks for Python 3 tells enough by itself."""
-    names = [name for name, since in backports().items() if since.major > 2]
+    own = (name for name, since in backports().items() if since.major > 2)
+    names = [name for name in own if name in sys.stdlib_module_names]  # functools32 is only the package for Python 2
     imported = pattern(rf"(?m)^(?:from|import)[ \t]+({'|'.join(sorted(names))})\b[^\n]*")
     for module in modules(repository):
         if not module.names_ros or asks_python3(module) or places.aside(module.file.path):
