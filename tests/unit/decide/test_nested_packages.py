@@ -124,6 +124,9 @@ def test_what_a_package_of_ros_2_needs_is_built_inside_it(tree: Tree, tool: str)
     assert decision.packages == (f"{ACME}/package.xml", "arm/acme_types/package.xml", "arm/package.xml")
     assert decision.hidden == (ACME, "arm/acme_types")
     assert not {"acme_msgs", "acme_types"} & {*decision.rosdep}
+    assert [each.reason for each in decision.reasons if "none inside another" in each.reason] == [
+        "another package of the repository needs it: colcon is told of it, which looks for none inside another package"
+    ] * 2
     (told,) = [each.message for each in decision.warnings if "inside another package" in each.message]
     assert told.endswith("arm/other")
 
@@ -134,6 +137,7 @@ def test_what_a_page_tells_colcon_of_is_built(tree: Tree, told: str) -> None:
     inside = package("arm/panel", tool="ament_cmake") | package("arm/other", tool="ament_cmake")
     decision = tree({**package("arm", tool="ament_cmake"), **inside, "README.md": page})
     assert (decision.package_names, decision.hidden) == (("arm", "panel"), ("arm/panel",))
+    assert any(each.reason.startswith("a page tells colcon of its folder") for each in decision.reasons)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 from roslab.config.model import BuildTool, Config
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because, warn
-from roslab.decide.ros.base_paths import BASE_PATHS
+from roslab.decide.ros.base_paths import BASE_PATHS, base_paths
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence.facts import Evidence, PackageManifest
 from roslab.values.dataclass import dataclass
@@ -17,9 +17,8 @@ WEIGHT = 60
 _OF_CATKIN = "Project"
 """The name of the project in the CMakeLists.txt that catkin puts into a workspace, which colcon passes by."""
 _TOLD = "colcon is told of it, which takes the project above for a package and looks for none below"
-_INSIDE = (
-    "another package of the repository needs it: colcon is told of it, which looks for none inside another package"
-)
+_INSIDE = "{}: colcon is told of it, which looks for none inside another package"
+_NEEDED, _NAMED = "another package of the repository needs it", "a page tells colcon of its folder"
 _NOT_BUILT = "not built, for no package of ROS below this project asks for it; compile it under `custom` in roslab.yaml"
 
 
@@ -72,7 +71,10 @@ def decide_hidden(
     kept = {top for top in tops if _names(evidence, top) & names or _makes(evidence, top) & started}
     told = {m.name or "": projects[hiding[folder][0]] for m in built if (folder := m.file.rpartition("/")[0]) in hiding}
     reasons = [because("workspace", name, _TOLD, project, weight=WEIGHT) for name, project in told.items()]
-    reasons += [because("workspace", folder, _INSIDE, above, weight=WEIGHT) for folder, above in inside.items()]
+    named = base_paths(evidence) if inside else ()
+    for folder, around in inside.items():
+        why = _INSIDE.format(_NAMED if folder.rpartition("/")[2] in named else _NEEDED)
+        reasons.append(because("workspace", folder, why, around, weight=WEIGHT))
     warnings = (warn(_NOT_BUILT, projects[top]) for top in sorted(tops - kept))
     answer = Hidden(folders=tuple(sorted({*hiding, *inside})), above=tuple(sorted(tops - kept)))
     return Choice(answer=answer, reasons=tuple(reasons), warnings=tuple(warnings))
