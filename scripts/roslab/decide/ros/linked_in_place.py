@@ -26,16 +26,21 @@ def linked_files(evidence: Evidence) -> Iterator[tuple[str, Place]]:
 
 def linked_in_place(evidence: Evidence) -> Iterator[tuple[CMakeProject, str, Place]]:
     """Yield each project of plain CMake, beside the packages, in whose ``build`` such a file is."""
-    packages = [manifest.file.rpartition("/")[0] for manifest in evidence.manifests]
-    plain = {each.file.rpartition("/")[0]: each for each in evidence.cmake if each.top_level and not each.added}
-    plain = {
-        folder: each
-        for folder, each in plain.items()
-        if folder and folder not in packages and not any(package.startswith(f"{folder}/") for package in packages)
-    }
+    tops = {each.file.rpartition("/")[0]: each for each in evidence.cmake if each.top_level and not each.added}
     found: dict[str, tuple[CMakeProject, str, Place]] = {}
     for path, place in linked_files(evidence):
-        for folder, project in plain.items():
-            if path.startswith(f"{folder}/{BUILD}/"):
-                found.setdefault(folder, (project, path, place))
-    yield from found.values()
+        for folder in _before(path):
+            if folder in tops:
+                found.setdefault(folder, (tops[folder], path, place))
+    for folder, each in found.items():
+        packages = (manifest.file for manifest in evidence.manifests)
+        if not any(package.startswith(f"{folder}/") for package in packages):
+            yield each
+
+
+def _before(path: str) -> Iterator[str]:
+    """Yield the folders below which a path goes through a folder ``build``."""
+    end = path.find(f"/{BUILD}/")
+    while end > 0:
+        yield path[:end]
+        end = path.find(f"/{BUILD}/", end + 1)

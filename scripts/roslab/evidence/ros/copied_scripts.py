@@ -18,9 +18,9 @@ from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
 MOST = 40
-"""Most scripts of a repository, and calls of one file."""
+"""Most scripts of a repository, calls of one file, and folders or files of one call."""
 _INSTALL = pattern(r"^[ \t]*install[ \t]*\(\s*(DIRECTORY|FILES)\s([^()#]{1,4000})\)", re.IGNORECASE | re.MULTILINE)
-_PROGRAMS = pattern(r"\blib/(?:\$\{PROJECT_NAME\}|\$\{CMAKE_PROJECT_NAME\}|\w+)/?")
+_PROGRAMS = pattern(r"lib/(?:\$\{PROJECT_NAME\}|\$\{CMAKE_PROJECT_NAME\}|\w+)/?")
 _PERMISSIONS = pattern(r"\b(?:(?:FILE_)?PERMISSIONS|USE_SOURCE_PERMISSIONS)\b")
 _HERE, _PROJECT = "${CMAKE_CURRENT_SOURCE_DIR}/", "${PROJECT_SOURCE_DIR}/"
 _TOOL = "ament_cmake"
@@ -52,7 +52,7 @@ def _scripts(kind: str, said: str, file: File, package: str, repository: Reposit
     at = next((index for index, word in enumerate(words) if word.upper() == "DESTINATION"), len(words))
     if _PERMISSIONS.search(said) or not _PROGRAMS.fullmatch(" ".join(words[at + 1 : at + 2])):
         return
-    for word in takewhile(lambda each: not _KEYWORD.fullmatch(each), words):
+    for word in islice(takewhile(lambda each: not _KEYWORD.fullmatch(each), words), MOST):
         folder = package if word.startswith(_PROJECT) else file.folder
         path = posixpath.normpath(posixpath.join(folder, word.removeprefix(_PROJECT).removeprefix(_HERE)))
         if kind == "FILES":

@@ -22,23 +22,24 @@ def needed_inside(
 
     ``told``: the names of the folders in which pages have colcon look.
     """
-    needed = {name for manifest in outer for name in _needs(manifest)}
     left: dict[str, PackageManifest] = {}
     for each in inner:
         if each.name and not each.ignored and _of_ament(each):
             left.setdefault(each.name, each)
     shown = {name for name, each in left.items() if posixpath.basename(posixpath.dirname(each.file)) in told}
-    while found := next((name for name in left if name in needed or name in shown), None):
-        manifest = left.pop(found)
-        if found in shown or not ever_released(found):
-            needed |= _needs(manifest)
+    wanted = [*(name for name in left if name in shown), *(name for manifest in outer for name in _needs(manifest))]
+    while wanted:
+        found = wanted.pop()
+        manifest = left.pop(found, None)
+        if manifest and (found in shown or not ever_released(found)):
+            wanted += _needs(manifest)
             yield manifest
 
 
-def _needs(manifest: PackageManifest) -> set[str]:
+def _needs(manifest: PackageManifest) -> list[str]:
     """Return the packages that a package of ROS 2 needs to be built or to run."""
     named = manifest.dependencies if _of_ament(manifest) and not manifest.ignored else ()
-    return {each.name for each in named if each.role in _NEEDS}
+    return [each.name for each in named if each.role in _NEEDS]
 
 
 def _of_ament(manifest: PackageManifest) -> bool:
