@@ -35,10 +35,9 @@ def with_libraries(
     Two versions would be mixed. What CMake finds as packages of ROS keeps its keys.
     """
     built = frozenset(source.name for source, _ in libraries)
-    names = "|".join(bare_name(name) for name in built)
+    names = "|".join(re.escape(bare_name(name)) for name in built)
     asked = (re.escape(need.name.lower().replace("_", "-")) for _, need in libraries if need.namespace == "cmake")
-    twins = "|".join(dict.fromkeys((*names.split("|"), *asked)))
-    twin = re.compile(rf"ros-[a-z]+-(?:lib)?(?:{twins})") if names else None
+    twin = re.compile(rf"ros-[a-z]+-(?:lib)?(?:{'|'.join((names, *asked))})") if names else None
     key = re.compile(rf"lib(?:{names})") if names else None
     tabled = frozenset(source.name for source, _ in libraries if source.tabled)
     doubles = frozenset[str]() if config.compatible else _doubles(tabled, evidence, config, target)
