@@ -63,3 +63,27 @@ def test_many_blocks_are_read_once() -> None:
         for line in (1, 20_000)
     )
     assert {each.heading for each in headed(asked, script)} == {"bionic"}
+
+
+@pytest.mark.parametrize(
+    "inside",
+    [
+        "  sudo apt install libfoo0; fi\n",
+        "  cat > a.py <<'EOF'\nif a:\n  b\nelse:\n  c\nEOF\nfi\n",
+        "  a\nelse sudo apt install libbar1; fi\n",
+        "  if a; then b; fi\n  for a in b; do if c; then d; fi; done\n  echo wi fi\nfi\n",
+    ],
+)
+def test_what_follows_a_block_has_no_title(inside: str) -> None:
+    script = f'if [ "$release" = "18.04" ]; then\n{inside}sudo apt install libend1\n'
+    last = script.count("\n")
+    asked = Dependency(namespace="apt", name="libend1", strength="prose", file="install.sh", line=last)
+    assert headed((asked,), script) == (asked,)
+
+
+def test_a_block_of_one_line_stands_in_the_one_around_it() -> None:
+    script = (
+        'if [ "$release" = "18.04" ]; then\n  for a in b; do if c; then d; fi; done\n  sudo apt install libin1\nfi\n'
+    )
+    asked = Dependency(namespace="apt", name="libin1", strength="prose", file="install.sh", line=3)
+    assert [each.heading for each in headed((asked,), script)] == ["bionic"]

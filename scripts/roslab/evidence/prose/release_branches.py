@@ -10,7 +10,10 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 _STEP = pattern(r"[ \t]{0,80}(if|elif|else|fi)\b([^\n]{0,400})")
-_CLOSED = pattern(r"[;\s]fi\s*(?:[;#&|].*)?$")
+_CLOSED = pattern(r";\s{0,9}fi\s*(?:[;#&|].*)?$")
+_OPENS = pattern(r"\bif\b")
+_OF_PYTHON = ":"
+"""The end of such a line of Python, which a script may write to a file."""
 _EQUAL = pattern(r"\$[^=\n]{1,80}?(?<!!)==?\s{0,4}[\"']?([a-z]{4,9}|\d\d\.\d\d)[\"']?(?=[\s\];)]|$)")
 _ELSE = pattern(r"!=|!\s|&&|\s-[a-z]{1,2}\s|<|>|=~")
 """The condition asks for more than that, or for something else."""
@@ -31,21 +34,22 @@ def _titles(lines: Iterable[str]) -> dict[int, str]:
     found: dict[int, str] = {}
     blocks: list[_Block] = []
     for number, line in enumerate(lines, 1):
-        step = _STEP.match(line)
-        if step is None:
-            if blocks and (blocks[-1].title or blocks[-1].around):
-                found[number] = blocks[-1].title or blocks[-1].around
-            continue
-        if step[1] == "if" and not _CLOSED.search(line):
+        step = None if line.rstrip().endswith(_OF_PYTHON) else _STEP.match(line)
+        word, closes = step[1] if step else "", bool(_CLOSED.search(line))
+        if closes and _OPENS.search(line):
+            word, closes = "", False  # a block on a line of its own
+        if word == "if":
             blocks.append(_Block(blocks[-1].title or blocks[-1].around if blocks else ""))
-        if not blocks or (step[1] == "if" and _CLOSED.search(line)):
+        if not blocks:
             continue
-        if step[1] == "fi":
-            blocks.pop()
-        elif step[1] == "else":
-            blocks[-1].others()
-        else:
+        if step and word in {"if", "elif"}:
             blocks[-1].asks(step[2])
+        elif word == "else":
+            blocks[-1].others()
+        if word != "fi" and (not word or closes) and (title := blocks[-1].title or blocks[-1].around):
+            found[number] = title
+        if word == "fi" or closes:
+            blocks.pop()
     return found
 
 
