@@ -35,6 +35,7 @@ def test_a_line_that_goes_to_the_top(line: str) -> None:
         "# The top directory of this repository has two folders",
         "python main.py  # from the root of the repository",
         "From the root of the problem, run:",
+        "From the root of the repository, run `make`.",
     ],
 )
 def test_a_line_that_does_not(line: str) -> None:

@@ -21,7 +21,8 @@ _GOES = (
     r"(?:(?:go|change|return|navigate|move|switch|cd|come)[ ](?:back[ ])?(?:in)?to|back[ ](?:in[ ]|to[ ])?"
     r"|from|in|inside|at)[ ]"
 )
-_ENDS = r"[ \t]{0,9}(?:[.,:;!].{0,60}|\(.{0,80}|and\b.{0,60})?$"
+_ENDS = r"[ \t]{0,9}(?:[.,:;!][^`\n]{0,60}|\([^`\n]{0,80}|and\b[^`\n]{0,60})?$"
+"""What follows has no command of its own, which would be lost."""
 _TOP = pattern(
     rf"{_BEGINS}{_GOES}(?:the[ ])?(?:(?:top|root|main|base)(?:[ -]level)?(?:[ ]{_PLACE})?[ ]{_OF}"
     rf"|repo(?:sitory)?(?:'s)?[ ](?:top|root)(?:[ ]{_PLACE})?"
