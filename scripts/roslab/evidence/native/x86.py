@@ -31,7 +31,7 @@ _SETTING = frozenset({"set", "list", "string"})
 _FLAGS = pattern(r"CMAKE_(?:C|CXX|CUDA)_FLAGS\w*|CUDA_NVCC_FLAGS\w*|ROS_(?:COMPILE|LINK)_FLAGS")
 _NAME = pattern(r"[A-Za-z]\w+")
 _CONDITION = pattern(
-    r"\s*(?:#|(?:else|end)?if\b|option\s*\(\s*\w+\s+\"[^\"\n]{0,400}\"\s*(?:OFF|FALSE|NO|0)?\s*\))", re.IGNORECASE
+    r"\s*(?:#|(?:else|end)?if\b|option\s*\(\s*\w+\s+\"[^\"\n]{0,400}\"\s*(?:(?:OFF|FALSE|NO|0)\s*)?\))", re.IGNORECASE
 )
 """A condition, or the declaration of an option that is off."""
 _VARIABLE = pattern(r"\$\{(\w+)\}")
