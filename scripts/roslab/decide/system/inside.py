@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Iterator
 from roslab.config.model import Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
+from roslab.decide.ros.linked_in_place import linked_files
 from roslab.decide.ros.workspace import packages_of
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
@@ -93,15 +94,12 @@ def _of_packages(evidence: Evidence) -> Iterator[tuple[str, str, Place]]:
     """
     packages = {manifest.file.rpartition("/")[0] for manifest in packages_of(evidence).built}
     plain = [p for p in evidence.cmake if p.top_level and p.name and p.file.rpartition("/")[0] not in packages]
-    for project in evidence.cmake:
-        if project.file.rpartition("/")[0] not in packages:
-            continue
-        for path, line in project.linked:
-            name = path.rpartition("/")[2].rpartition(".")[0].removeprefix("lib")
-            around = [p.file.rpartition("/")[0] for p in plain if p.name == name and not places.vendored(p.file)]
-            around = [folder for folder in around if not folder or project.file.startswith(f"{folder}/")]
-            if around:
-                yield max(around, key=len), path, Place(file=project.file, line=line)
+    for path, place in linked_files(evidence):
+        name = path.rpartition("/")[2].rpartition(".")[0].removeprefix("lib")
+        around = [p.file.rpartition("/")[0] for p in plain if p.name == name and not places.vendored(p.file)]
+        around = [folder for folder in around if not folder or place.file.startswith(f"{folder}/")]
+        if around:
+            yield max(around, key=len), path, place
 
 
 def meant(path: str, folders: Collection[str]) -> str | None:
