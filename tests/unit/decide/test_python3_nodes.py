@@ -33,6 +33,7 @@ def test_the_distribution(tmp_path: Path, node: str, date: str, distro: str) -> 
     assert found.ros_distro == distro
 
 
+WITH_IT = CATKIN.replace("</package>", "<exec_depend>python-pathlib</exec_depend></package>")
 PATHS = "import rospy\nfrom pathlib import Path\nrospy.init_node('a')\n"
 
 
@@ -48,8 +49,22 @@ PATHS = "import rospy\nfrom pathlib import Path\nrospy.init_node('a')\n"
         ({"a/scripts/node.py": PATHS, "requirements.txt": "pathlib\n"}, "2021-01-15", "melodic"),
         ({"a/scripts/node.py": PATHS, "README.md": "Tested on ROS Melodic.\n"}, "2021-01-15", "melodic"),
         ({"a/scripts/node.py": PATHS.replace("pathlib", "functools32")}, "2021-01-15", "melodic"),
+        ({"a/scripts/node.py": PATHS, "a/package.xml": WITH_IT}, "2021-01-15", "melodic"),
+        ({"a/scripts/node.py": PATHS, "README.md": "`sudo apt install python-pathlib`\n"}, "2021-01-15", "melodic"),
+        ({"a/scripts/node.py": PATHS, "README.md": "`pip install pathlib`\n"}, "2021-01-15", "melodic"),
     ],
-    ids=["none", "python", "before", "python3", "no node", "caught", "installed", "named", "of Python 2"],
+    ids=[
+        "none",
+        "python",
+        "before",
+        "python3",
+        "no node",
+        "caught",
+        "installed",
+        "named",
+        "of Python 2",
+        *("key", "by apt", "by pip"),
+    ],
 )
 def test_what_python_3_alone_has(tmp_path: Path, files: dict[str, str], date: str, distro: str) -> None:
     assert decided(tmp_path, {**FILES, **files}, date).ros_distro == distro

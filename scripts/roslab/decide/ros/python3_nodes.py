@@ -48,13 +48,18 @@ def with_python3(evidence: Evidence, ros: int, answer: str) -> tuple[str, str, P
 
 
 def _of_own_library(evidence: Evidence) -> Mention | None:
-    """Return an import of what Python 3's own library has, where nothing is for Python 2 and nobody installs it."""
+    """Return an import of what Python 3's own library has, where nothing is for Python 2 and nobody installs it.
+
+    ``python-pathlib`` is the package of the same for Python 2.
+    """
     said = next((each for each in evidence.mentions if each.topic == "python3_module"), None)
     old = any(each.topic == "python" and each.value.startswith("2") for each in evidence.mentions)
     if said is None or old:
         return None
-    listed = (each for file in evidence.requirements for each in file.requirements)
-    return None if any(each.key == said.value for each in listed) else said
+    listed = [*evidence.prose_pip, *(each for file in evidence.requirements for each in file.requirements)]
+    keys = [*evidence.prose, *(each for manifest in evidence.manifests for each in manifest.dependencies)]
+    installed = {each.key for each in listed} | {each.name.removeprefix("python-") for each in keys}
+    return None if said.value in installed else said
 
 
 def not_for_python3(evidence: Evidence, ros_distro: str | None) -> tuple[Warning_, ...]:
