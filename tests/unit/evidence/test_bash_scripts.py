@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from roslab.evidence.prose.titled import titles_commands
 from roslab.pipeline import plan_repository
 
 FILES = {
@@ -23,6 +24,8 @@ FILES = {
         ("cd tools\nbash train.bash 1 demo", "cd tools && exec bash train.bash 1 demo"),
         ("bash tools/train.bash 1 demo", "bash tools/train.bash 1 demo"),
         ("./tools/train.bash 1 demo", "tools/train.bash 1 demo"),
+        ("```\nTo train, run `~/demo/tools/train.bash 1 demo`.\n```", "tools/train.bash 1 demo"),
+        ("```\nTraining is started by `tools/train.bash 1 demo`.\n```", "tools/train.bash 1 demo"),
     ],
 )
 def test_a_page_starts_one(tmp_path: Path, page: str, command: str) -> None:
@@ -31,3 +34,8 @@ def test_a_page_starts_one(tmp_path: Path, page: str, command: str) -> None:
         (tmp_path / path).write_text(text)
     found = plan_repository(tmp_path).plan.run.command
     assert command in (found if isinstance(found, str) else " ".join(found))
+
+
+@pytest.mark.parametrize("script", ["train.sh", "train.bash"])
+def test_a_block_that_starts_one_has_a_title(script: str) -> None:
+    assert titles_commands(["### Run `train`", "```", f"bash {script}", "```"], 1)

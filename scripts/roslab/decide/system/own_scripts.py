@@ -35,7 +35,7 @@ from roslab.values.words import written
 
 WEIGHT = 300
 """Sources do not compete, so it only orders the report."""
-_INSTALLS = pattern(r"(?:^|/)(?:build|make|compile|install)(?:[_-]\w+)*\.sh$")
+_INSTALLS = pattern(r"(?:^|/)(?:build|make|compile|install)(?:[_-]\w+)*\.(?:ba)?sh$")
 """Such scripts of a submodule as a page calls before make: without what they compile, make has nothing to link."""
 _ANEW = "make --always-make"
 _QMAKE = "QT_SELECT=5 qmake"

@@ -31,11 +31,12 @@ _NAMED_PYTHON = pattern(
 """A sentence that runs a file of Python; what is used *as* something is read by another program."""
 _NAMED_SHELL = pattern(
     r"\b(?:run|runn?ing|start|launch|execute)\b(?:\s+(?:the|a|script|file|program|our)){0,3}\s+"
-    r"`(?:(?:\./)?~/[\w.-]+/|\./)((?:[\w.-]+/)+[\w.-]+\.sh(?: [^`<\n]{0,200})?)`",
+    r"`(?:(?:\./)?~/[\w.-]+/|\./)((?:[\w.-]+/)+[\w.-]+\.(?:ba)?sh(?: [^`<\n]{0,200})?)`",
     re.IGNORECASE,
 )
 """A sentence that runs a script below a folder of the tree, which may lie in the reader's home."""
-IN_SENTENCES: Signs = (("`", _NAMED), (".py", _NAMED_PYTHON), (".sh", _NAMED_SHELL), ("`", _GO_INTO), ("://", _CLONED))
+_SHELL: Signs = ((".sh", _NAMED_SHELL), (".bash", _NAMED_SHELL))
+IN_SENTENCES: Signs = (("`", _NAMED), (".py", _NAMED_PYTHON), *_SHELL, ("`", _GO_INTO), ("://", _CLONED))
 """What a sentence tells to do, each after a part of it."""
 _SAID_LAUNCH = pattern(
     r"(?<![`\w/-])(?:roslaunch|ros2 launch) +(?:[a-z]\w+ +[\w./-]+|(?:~/)?[\w.-]+/[\w./-]+)"
@@ -81,7 +82,8 @@ def in_sentence(line: str, *, title: bool = False) -> Iterator[str]:
     yield from (f"cd {named[1]}" for named in (_GO_INTO.finditer(line) if quoted else ()))
     yield from (f"./{named[1]}" for named in (_NAMED.finditer(line) if quoted and not title else ()))
     yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
-    yield from (f"./{named[1]}" for named in (_NAMED_SHELL.finditer(line) if ".sh" in line else ()))
+    shell = any(part in line for part, _ in _SHELL)
+    yield from (f"./{named[1]}" for named in (_NAMED_SHELL.finditer(line) if shell else ()))
 
 
 def _call(said: re.Match[str]) -> str:

@@ -15,7 +15,8 @@ from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.words import joined
 
-_FILE = r"(?<!`)`{1,2}(?P<path>(?:\./)?(?:[\w.-]+/)*[\w-]+\.(?:py|sh))(?P<rest>(?: [^`<\n]{1,200})?)`{1,2}(?!`)"
+_FILE = r"(?<!`)`{1,2}(?P<path>(?:\./)?(?:[\w.-]+/)*[\w-]+\.(?:py|(?:ba)?sh))(?P<rest>(?: [^`<\n]{1,200})?)`{1,2}(?!`)"
+_ENDINGS = (".py", ".sh", ".bash")
 _SPAN = pattern(_FILE)
 _THING = r"(?:scripts?|files?|programs?|modules?|code|entry[- ]?points?)"
 _RUN = r"(?:run|execut\w+|start\w*|launch\w*)\b(?! by\b)"
@@ -63,7 +64,7 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
     It starts in its folder where it, or a module beside it, names a path that is in the tree from there alone.
     ``mentions``: what the page runs by commands. What is compiled starts by the path that the sentence has.
     """
-    if "`" not in text or not (".py" in text or ".sh" in text or _COMPILED.search(text)):
+    if "`" not in text or not (any(ending in text for ending in _ENDINGS) or _COMPILED.search(text)):
         return
     commands = [m for m in mentions if m.topic == "command"]
     known = {word for m in commands for word in m.value.split()}

@@ -8,8 +8,8 @@ from roslab.evidence.prose.headings import fence, heading_of
 from roslab.evidence.prose.telling import SIGNS, telling
 
 _STARTING = (
-    *("roslaunch", "rosrun", "ros2", "gz ", "ign ", "gazebo ", ".wbt", "run", "torchrun", "accelerate", ".sh"),
-    *("streamlit", "octave", "jupyter", "python", "./", "build/", "/lib/", "bin/"),
+    *("roslaunch", "rosrun", "ros2", "gz ", "ign ", "gazebo ", ".wbt", "run", "torchrun", "accelerate"),
+    *(".sh", ".bash", "streamlit", "octave", "jupyter", "python", "./", "build/", "/lib/", "bin/"),
 )
 _STARTS = tuple(sign for sign in SIGNS if sign[0] in _STARTING)
 """Signs of a command that starts something; others install, fetch or compile."""
