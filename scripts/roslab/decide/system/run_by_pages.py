@@ -10,6 +10,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import OwnScript
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MOST = 6
@@ -78,6 +79,6 @@ def script_of(mention: Mention, absent: tuple[str, ...], unread: re.Pattern[str]
             path, folder = posixpath.normpath(posixpath.join(ends[0], script)), ends[0]  # or below it
         else:
             return None
-    program = "bash" if script.endswith((".sh", ".bash")) else "python3"
+    program = "bash" if script.endswith(SHELL_SCRIPTS) else "python3"
     command = shlex.join((program, posixpath.relpath(path, folder or "."), *words))
     return OwnScript(folder=folder, path=path, command=command)

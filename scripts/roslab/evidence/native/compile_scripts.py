@@ -10,10 +10,10 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.makefile import Makefile
 from roslab.repository.checkout import Repository
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
-_SHELL = (".sh", ".bash")
 _CALL = pattern(r"(?:(?:^|[\s/])(?:g\+\+|gcc|clang(?:\+\+)?|nvcc)(?:-[\d.]+)?|\$\{?(?:CXX|CC|NVCC)\}?)\s([^\n;]*)")
 _OUTPUT = pattern(r"(?:^|\s)-o\s+(?:[\w.-]+/){0,4}([A-Za-z][\w-]{0,60})(?=\s|$)")
 _OBJECT = pattern(r"(?:^|\s)-(?:c|shared|E|S|M)(?=\s|$)")
@@ -30,7 +30,12 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> tuple[Makefile,
     found: dict[str, Makefile] = {}
     for mention in mentions:
         script = mention.files[0] if mention.topic == "build_script" and mention.files else ""
-        if script.endswith(_SHELL) and mention.source == "readme" and not _aside(script) and not _aside(mention.file):
+        if (
+            script.endswith(SHELL_SCRIPTS)
+            and mention.source == "readme"
+            and not _aside(script)
+            and not _aside(mention.file)
+        ):
             for made in _script(script, mention, repository):
                 found.setdefault(script, made)
     return tuple(found.values())

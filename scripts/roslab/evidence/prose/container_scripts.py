@@ -12,6 +12,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import logical_lines
 from roslab.evidence.prose.shells import MAX_SIZE
 from roslab.repository.checkout import Repository, nearest
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_DEPTH = 3
@@ -45,7 +46,7 @@ def read(repository: Repository) -> Iterator[Mention]:
 
     ``inside`` is the image of that container, where the script names it and does not build it: ``lab/viewer``.
     """
-    scripts = [f for f in repository.suffixed(".sh", ".bash") if f.path.count("/") <= MAX_DEPTH]
+    scripts = [f for f in repository.suffixed(*SHELL_SCRIPTS) if f.path.count("/") <= MAX_DEPTH]
     for file in nearest(scripts)[:MAX_FILES]:
         text = "" if places.vendored(file.path) or file.size > MAX_SIZE else repository.read(file)
         lines = tuple(logical_lines(text)) if _RUNS.search(text) else ()

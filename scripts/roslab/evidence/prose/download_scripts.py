@@ -11,6 +11,7 @@ from roslab.evidence.prose.downloads import placed
 from roslab.evidence.prose.installs import Collector
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.endings import SHELL_SCRIPTS
 
 MAX_SIZE = 16 * 1024
 _SHELLS = frozenset({"bash", "sh"})
@@ -26,7 +27,7 @@ def fetched_by(mention: Mention, repository: Repository) -> Iterator[Mention]:
     """
     words = mention.value.split()
     script = words[1] if words[0] in _SHELLS and len(words) > 1 else words[0]
-    if not script.endswith((".sh", ".bash")) or script not in mention.files or not any(_fetches(script, repository)):
+    if not script.endswith(SHELL_SCRIPTS) or script not in mention.files or not any(_fetches(script, repository)):
         return
     collector = Collector(mention.file, "readme", folder=mention.inside, heading=mention.heading)
     collector.text(repository.read(script, limit=MAX_SIZE))

@@ -12,6 +12,7 @@ from roslab.evidence.lex.dockerfile import Instruction
 from roslab.evidence.prose.entry_folders import absent
 from roslab.knowledge.machine_variables import of_every_image
 from roslab.repository.checkout import File, Repository
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -44,7 +45,7 @@ def started_by(repository: Repository, entrypoint: tuple[str, ...]) -> tuple[str
     The script is the only one of that name in the tree: the image may have it anywhere.
     """
     file = _script(repository, entrypoint)
-    if file is None or not file.name.endswith((".sh", ".bash")):
+    if file is None or not file.name.endswith(SHELL_SCRIPTS):
         return entrypoint
     found = _ENDS.search(repository.read(file).rstrip())
     if found is None:
@@ -95,7 +96,7 @@ def _script(repository: Repository, entrypoint: tuple[str, ...]) -> File | None:
     named = [file for file in repository.named(posixpath.basename(script)) if file.name == posixpath.basename(script)]
     if len(named) != 1 or named[0].size > MAX_SIZE:
         return None
-    shell = named[0].name.endswith((".sh", ".bash")) or _is_shell(repository.read(named[0]))
+    shell = named[0].name.endswith(SHELL_SCRIPTS) or _is_shell(repository.read(named[0]))
     return named[0] if shell else None
 
 

@@ -17,6 +17,7 @@ from roslab.evidence.prose.named_places import Named, Readers
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import dataclass, field
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
@@ -180,7 +181,7 @@ def name_of(url: str) -> str:
 def _texts(repository: Repository) -> Iterator[tuple[File, MentionSource, str]]:
     for page in pages(repository):
         yield page, "readme", text_of(repository, page)
-    scripts = [file for file in repository.suffixed(".sh", ".bash") if file.path.count("/") <= DEEPEST]
+    scripts = [file for file in repository.suffixed(*SHELL_SCRIPTS) if file.path.count("/") <= DEEPEST]
     workflows = [file for file in repository.suffixed(".yml", ".yaml") if file.folder == ".github/workflows"]
     written: tuple[tuple[MentionSource, Iterable[File]], ...] = (
         ("script", scripts),

@@ -12,6 +12,7 @@ from roslab.evidence.prose.in_containers import inside, is_program
 from roslab.evidence.prose.shells import MAX_SIZE, starts_container
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 _GIVEN = pattern(r"\"?\$@\"?[ \t]*$")
@@ -26,7 +27,7 @@ def in_container(mention: Mention, repository: Repository) -> Mention | None:
     ``None`` if its script starts no container, itself or by the script that it ends with.
     """
     words = mention.value.split()
-    script = next((word for word in words[:2] if word in mention.files and word.endswith((".sh", ".bash"))), "")
+    script = next((word for word in words[:2] if word in mention.files and word.endswith(SHELL_SCRIPTS)), "")
     started = _started(repository, script, tuple(words[words.index(script) + 1 :])) if script else None
     return None if started is None else replace(mention, value=" ".join(started), files=())
 
@@ -45,7 +46,7 @@ def _started(
     last = _words(lines[-1]) if further and lines and not any(map(_on_host, lines[:-1])) else ()
     last = last[1:] if last[:1] == ("exec",) else last
     named = [
-        file.path for file in repository.suffixed(".sh", ".bash") if last and file.name == posixpath.basename(last[0])
+        file.path for file in repository.suffixed(*SHELL_SCRIPTS) if last and file.name == posixpath.basename(last[0])
     ]
     if len(named) != 1 or named[0] == script or not starts_container(repository.read(named[0], limit=MAX_SIZE)):
         return None
@@ -72,7 +73,7 @@ def _handed(repository: Repository, words: tuple[str, ...]) -> tuple[str, ...]:
 
 def _script(repository: Repository, words: tuple[str, ...]) -> bool:
     """Tell whether words start a script of the tree, as a shell does that is the image's entry point."""
-    inside = words[0].endswith((".sh", ".bash")) and repository.has(words[0]) and all(map(_PLAIN.fullmatch, words))
+    inside = words[0].endswith(SHELL_SCRIPTS) and repository.has(words[0]) and all(map(_PLAIN.fullmatch, words))
     return inside and not starts_container(repository.read(words[0], limit=MAX_SIZE))
 
 

@@ -11,6 +11,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.ros.own_setup import of_root
 from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -48,7 +49,7 @@ def read(repository: Repository) -> Iterator[Mention]:
     if repository.has("package.xml"):
         return
     texts = [(page, text_of(repository, page)) for page in pages(repository)]
-    scripts = (*repository.suffixed(".sh", ".bash"), *repository.named(*_COMPOSED))
+    scripts = (*repository.suffixed(*SHELL_SCRIPTS), *repository.named(*_COMPOSED))
     near = nearest(file for file in scripts if file.size <= MAX_SIZE and not places.vendored(file.path))[:MOST]
     texts += [(file, repository.read(file)) for file in near if file not in {page for page, _ in texts}]
     if found := _mounted(repository, texts):

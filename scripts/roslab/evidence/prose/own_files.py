@@ -14,6 +14,7 @@ from roslab.evidence.prose.started_in import beside_build, ends, script_in, star
 from roslab.evidence.ros import vcs
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.numbered import numbered
 from roslab.values.pattern import pattern
 from roslab.values.words import joined, written
@@ -38,7 +39,7 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
     if script := script_in(mention, repository) if mention.inside else None:
         words[script[0]] = script[1]
     for index, word in enumerate(words):
-        if index == 0 and not (script or word.endswith((".sh", ".bash"))):
+        if index == 0 and not (script or word.endswith(SHELL_SCRIPTS)):
             continue
         named = any(sign in word for sign in "/._")
         path = posixpath.normpath(_BEFORE.sub("", written(word))) if named else ""

@@ -13,6 +13,7 @@ from roslab.evidence.python.install_lines import builds_in_place
 from roslab.knowledge.compiled import programs
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 from roslab.values.python_options import program_of_python
 
@@ -91,7 +92,7 @@ def called(mention: Mention, repository: Repository) -> Iterator[Dependency]:
 
 def of_python(mention: Mention, repository: Repository) -> Iterator[Mention]:
     """Yield the shell script that a command of a page runs, if it starts a program of Python, with that program."""
-    script = next((file for file in mention.files[:1] if file.endswith((".sh", ".bash"))), None)
+    script = next((file for file in mention.files[:1] if file.endswith(SHELL_SCRIPTS)), None)
     text = repository.read(script, limit=MAX_SIZE) if script else ""
     if script and (match := _PYTHON.search(text)):
         yield replace(mention, topic="runs", value=script, files=(script, *_started(text, match, script, repository)))

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -93,5 +94,5 @@ def _script(words: Sequence[str], repository: Repository) -> str:
     """Return the shell script that a command starts, with its path from the root, ``""`` where it starts none."""
     place = 1 if words[0] in {"bash", "sh"} else 0
     return next(
-        (word for word in words[place : place + 1] if word.endswith((".sh", ".bash")) and repository.has(word)), ""
+        (word for word in words[place : place + 1] if word.endswith(SHELL_SCRIPTS) and repository.has(word)), ""
     )

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -22,7 +23,7 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
     """Yield each parameter without which an option of a script that a page starts has no value, or an empty one."""
     seen: set[str] = set()
     for mention in mentions:
-        script = next((file for file in mention.files if file.endswith((".sh", ".bash"))), "")
+        script = next((file for file in mention.files if file.endswith(SHELL_SCRIPTS)), "")
         if mention.topic != "command" or mention.source != "readme" or not script or script in seen:
             continue
         seen.add(script)

@@ -11,12 +11,12 @@ from roslab.evidence.prose.called_in_scripts import calls_of
 from roslab.knowledge.compiled import programs
 from roslab.knowledge.session_programs import session_programs, terminals
 from roslab.repository.checkout import Repository, nearest
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MOST = 20
 """Most such scripts that are read, those nearest to the root first."""
 MAX_SIZE = 64 * 1024
-_SUFFIXES = (".sh", ".bash")
 _LAUNCHES = pattern(r"^[^#\n]*\b(?:roslaunch|ros2[ \t]+launch)[ \t]+[\w./${\"-]")
 
 
@@ -26,7 +26,7 @@ def read(repository: Repository) -> Iterator[Dependency]:
     They are how the author starts the package, also where no page says so; all other scripts may be for anything.
     """
     folders = {posixpath.join(file.folder, "scripts") for file in repository.named("package.xml")}
-    scripts = (file for file in repository.suffixed(*_SUFFIXES) if file.folder in folders) if folders else ()
+    scripts = (file for file in repository.suffixed(*SHELL_SCRIPTS) if file.folder in folders) if folders else ()
     for file in nearest(file for file in scripts if file.size <= MAX_SIZE and not places.aside(file.path))[:MOST]:
         text = repository.read(file)
         if not any(map(_LAUNCHES.match, text.split("\n"))):

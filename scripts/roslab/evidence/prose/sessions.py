@@ -15,6 +15,7 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.lex.shell import UNKNOWN, commands, logical_lines
 from roslab.evidence.prose.runners import by_ros, started
 from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 from roslab.values.words import joined
 
@@ -35,7 +36,7 @@ def read(repository: Repository) -> Iterator[Mention]:
     """Yield the lines of each file that start something, the files nearest to the root first."""
     for file in nearest(list(_sessions(repository)))[:MAX_FILES]:
         yield from _of_session(repository, file)
-    scripts = [f for f in repository.suffixed(".sh", ".bash") if _STARTS.fullmatch(f.name) and _near(f)]
+    scripts = [f for f in repository.suffixed(*SHELL_SCRIPTS) if _STARTS.fullmatch(f.name) and _near(f)]
     for file in nearest(scripts)[:MAX_FILES]:
         text = repository.read(file)
         if _CONTAINER.search(text):

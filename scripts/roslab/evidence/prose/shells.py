@@ -10,6 +10,7 @@ import re
 
 from roslab.evidence.facts import Mention
 from roslab.repository.checkout import Repository
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -60,7 +61,7 @@ _SUBMODULES = pattern(r"^[ \t]*git[ \t]+(?:-\S+[ \t]+)*submodule[ \t]+(?:add|ini
 
 def leads_elsewhere(mention: Mention, repository: Repository) -> bool:
     """Tell whether a command runs a script that ends in a shell, or starts a container or no program at all."""
-    scripts = [file for file in mention.files if file.endswith((".sh", ".bash"))]
+    scripts = [file for file in mention.files if file.endswith(SHELL_SCRIPTS)]
     asked = any(map(_OPTION.fullmatch, mention.value.split()))
     return any(_leads_elsewhere(repository.read(script, limit=MAX_SIZE), asked=asked) for script in scripts[:1])
 

@@ -17,6 +17,7 @@ from roslab.evidence.native.x86_binaries import is_x86
 from roslab.evidence.prose.pages import pages
 from roslab.evidence.x86_only import X86Only
 from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 128 * 1024
@@ -58,7 +59,7 @@ def _read(repository: Repository) -> tuple[Mention, ...]:
     ]
     if not there:
         return ()
-    scripts = nearest(repository.suffixed(".sh", ".bash"))[:MAX_FILES]
+    scripts = nearest(repository.suffixed(*SHELL_SCRIPTS))[:MAX_FILES]
     for file in (*scripts, *pages(repository)):
         text = repository.read(file) if file.size <= MAX_SIZE else ""
         if "/lib" in text and (found := tuple(_copied(file, text, there))):

@@ -9,6 +9,7 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.knowledge.released import ever_released
 from roslab.repository.checkout import Repository, nearest
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 64 * 1024
@@ -31,7 +32,7 @@ _WORDS = ("rosrun", "roslaunch", "ros2")
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return each released package once, at its first place; ``roslaunch a.launch`` names none."""
     found: dict[str, Dependency] = {}
-    scripts = [f for f in repository.suffixed(".sh", ".bash") if f.size <= MAX_SIZE and not places.aside(f.path)]
+    scripts = [f for f in repository.suffixed(*SHELL_SCRIPTS) if f.size <= MAX_SIZE and not places.aside(f.path)]
     for file in nearest(scripts)[:MAX_FILES]:
         text = repository.read(file)
         for number, line in enumerate(text.splitlines(), 1) if any(word in text for word in _WORDS) else ():
