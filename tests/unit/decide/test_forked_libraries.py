@@ -53,3 +53,10 @@ def test_what_cmake_finds_where_it_was_compiled_is_built_with_its_options(tree: 
     )
     (source,) = tree(cpp(page, "acmelib")).source
     assert (source.name, source.ref, source.cmake_options) == ("acmelib", "v2", "-DWITH_GUI=OFF")
+
+
+def test_archives_of_the_table_have_no_ref(tree: Tree) -> None:
+    page = CLONE.replace("gtsam", "onnxruntime").replace("cmake ..", "cmake ../cmake")
+    (source,) = tree(cpp(f"{page}make install\n", "onnxruntime")).source
+    assert bool(source.zip)
+    assert not source.ref

@@ -48,10 +48,12 @@ def as_written(
     forks = {plain(git.name): git for git in built_by_hand(evidence) if _of_its_own(git)}
     links, date = linked_releases(evidence), dated(evidence)
     day = date.value if date else ""
-    named = (
-        (by_url.get(address(each.repo or "")) or forks.get(plain(each.name)) or of_release(each, links), each, asked)
-        for each, asked in sources
-    )
+
+    def written_by_author(source: Source) -> GitSource | None:
+        fork = forks.get(plain(source.name)) if source.repo else None
+        return by_url.get(address(source.repo or "")) or fork or of_release(source, links)
+
+    named = ((written_by_author(each), each, asked) for each, asked in sources)
     return tuple(
         (with_beside(_like(source, git, day), git, evidence) if git else source, asked) for git, source, asked in named
     )
@@ -83,13 +85,13 @@ def _authored(evidence: Evidence, purpose: Literal["project", "ci"]) -> Iterator
 def _like(source: Source, git: GitSource, day: str) -> Source:
     options = _options(shlex.split(source.cmake_options), git)
     place = Place(file=git.file, line=git.line)
-    if source.repo and git.kind == "clone" and address(git.url) != address(source.repo):
-        return replace(source, repo=https(git.url), ref=fixed(git.ref), cmake_options=options, place=place)
     if not (ref := fixed(git.ref)):
         return replace(source, cmake_options=options, place=place) if git.options else source
     ref = source.ref if moves(ref) and source.ref else ref
     before = day if drifts(ref) else source.before
-    return replace(source, ref=ref, before=before, cmake_options=options, place=place)
+    fork = source.repo and git.kind == "clone" and address(git.url) != address(source.repo)
+    repo = https(git.url) if fork else source.repo
+    return replace(source, repo=repo, ref=ref, before=before, cmake_options=options, place=place)
 
 
 def _options(ours: Iterable[str], git: GitSource) -> str:
@@ -115,8 +117,7 @@ def by_hand(
     """
     if config.compatible or kind == "python":
         return ()
-    date = dated(evidence)
-    day = "" if date is None else date.value
+    day = date.value if (date := dated(evidence)) else ""
     offered = _offered(evidence, kind)
     taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
     if kind in {"cpp", "cuda"}:
