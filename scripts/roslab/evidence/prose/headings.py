@@ -135,7 +135,7 @@ def resumed(lines: Sequence[str]) -> frozenset[int]:
             fenced = not fenced
             opened, behind = (number, False) if fenced else (opened, True)
         elif not fenced and line.strip():
-            if _HERE.match(line[:200]):
+            if "`" in line and _HERE.match(line[:200]):
                 found.add(opened if behind else number)
             behind = False
     return frozenset(found)
