@@ -20,6 +20,8 @@ LAUNCH = pattern(r"\.launch(?:\.(?:py|xml|ya?ml))?$|_launch\.(?:py|xml|ya?ml)$")
 """How the name of a launch file ends."""
 
 
+MOST = 3
+"""Most blanks of a name: with each one more, far more ways to fill them in are tried."""
 BLANK = "<>"
 """What stands for a blank of a page in brackets, which the reader fills in."""
 _BLANKS = frozenset({BLANK, "…"})
@@ -75,7 +77,7 @@ def _meant(written: str) -> re.Pattern[str] | None:
     """Return what fits the blank in a name, ``None`` where none is in it or nothing is left to tell by."""
     said = LAUNCH.sub("", written)
     parts = _BLANK.split(said)
-    if len(parts) < 2 or not any(part.strip("_-.") for part in parts):
+    if not 1 < len(parts) <= MOST + 1 or not any(part.strip("_-.") for part in parts):
         return None
     return re.compile(r"\w+".join(map(re.escape, parts)) + re.escape(written[len(said) :]))
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from roslab.decide.blank_launches import with_a_launch_file
 from roslab.decide.decision import Decision
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -100,3 +101,10 @@ def test_what_a_launch_file_needs_that_describes_nothing(tree: Tree) -> None:
     found = tree({**ROS2, "launch/map.launch.py": LAUNCHED, "README.md": page})
     told = [each.message for each in found.warnings if "default command needs the package" in each.message]
     assert ["lab_arm" in each for each in told] == [True]
+
+
+@pytest.mark.parametrize(("blanks", "filled"), [(3, True), (4, False), (20, False)])
+def test_a_name_of_many_blanks_is_left_as_it_is(blanks: int, *, filled: bool) -> None:
+    said = ("roslaunch", "demo", f"{'aXX' * blanks}.launch")
+    whole, other = f"{'a' * 60}.launch", f"{'a' * 120}-.launch"
+    assert with_a_launch_file(said, {"demo": frozenset({whole, other})})[2] == (whole if filled else said[2])

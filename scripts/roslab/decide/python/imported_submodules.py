@@ -64,7 +64,8 @@ def may_fail(projects: Iterable[PythonProject], unseen: Iterable[str]) -> tuple[
     absent, projects = frozenset(unseen), tuple(projects)
     pages = Counter(each.file for each in projects if each.folder in absent)
     several = {each.folder for each in projects if each.folder in absent and pages[each.file] >= SEVERAL}
-    return tuple(dict.fromkeys(each.folder for each in projects if each.folder in {*imported(projects), *several}))
+    folders = several.union(imported(projects))
+    return tuple(dict.fromkeys(each.folder for each in projects if each.folder in folders))
 
 
 def unread(projects: Iterable[PythonProject]) -> Iterator[Warning_]:
