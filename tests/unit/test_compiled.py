@@ -46,10 +46,12 @@ def test_a_called_script_leaves_a_module(tmp_path: Path, files: dict[str, str], 
     assert ("has compiled no module" in done.stderr) is failed
 
 
-@pytest.mark.parametrize(("install", "proved"), [("sh build.sh", True), ("pip install torch", False)])
+@pytest.mark.parametrize(
+    ("install", "proved"), [("sh build.sh", True), ("bash build.bash", True), ("pip install torch", False)]
+)
 def test_where_a_page_runs_a_script_that_compiles(tmp_path: Path, install: str, proved: bool) -> None:
     page = f"# Net\n## Install\n```\n{install}\n```\n## Run\n```\npython train.py\n```\n"
-    put(tmp_path, {**FILES, "README.md": page})
+    put(tmp_path, {**FILES, "build.bash": FILES["build.sh"], "README.md": page})
     found = [proof for proof in plan_repository(tmp_path).plan.proofs if proof.name == NAME]
     assert [(proof.rung, proof.required) for proof in found] == [(0, False)] * proved
 

@@ -39,3 +39,13 @@ def test_a_page_starts_one(tmp_path: Path, page: str, command: str) -> None:
 @pytest.mark.parametrize("script", ["train.sh", "train.bash"])
 def test_a_block_that_starts_one_has_a_title(script: str) -> None:
     assert titles_commands(["### Run `train`", "```", f"bash {script}", "```"], 1)
+
+
+@pytest.mark.parametrize("ending", ["sh", "bash"])
+def test_one_that_keeps_the_project_is_not_started(tmp_path: Path, ending: str) -> None:
+    script = f"tools/publish.{ending}"
+    (tmp_path / "tools").mkdir()
+    for path, text in {"main.py": FILES["main.py"], script: "python main.py --all\n"}.items():
+        (tmp_path / path).write_text(text)
+    (tmp_path / "README.md").write_text(f"# Demo\n## Usage\n```\nbash {script} demo\n```\n")
+    assert plan_repository(tmp_path).plan.run.command == ("python3", "main.py")
