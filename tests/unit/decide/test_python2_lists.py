@@ -32,6 +32,7 @@ def _decided(tree: Tree, name: str, ros: str) -> Decision:
         ("planner_requirements2.7.txt", "Melodic", False),
         ("requirements2.txt", "Noetic", False),
         ("requirements-numpy2.txt", "Noetic", False),
+        ("requirements-py2neo.txt", "Noetic", False),
         ("requirements-torch2.7.txt", "Noetic", False),
         ("requirements.txt", "Noetic", False),
     ],

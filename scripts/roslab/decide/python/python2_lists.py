@@ -14,10 +14,10 @@ from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 _NAMED = pattern(
-    r"(?<![a-z0-9])py(?:thon)?[-_.]?2(?:[-_.]?[67])?(?!\d)|(?:requirements?|reqs?|pip)[-_.]?2[-_.]?7(?!\d)",
+    r"(?<![a-z0-9])py(?:thon)?[-_.]?2(?:[-_.]?[67])?(?![a-z0-9])|(?:requirements?|reqs?|pip)[-_.]?2[-_.]?7(?!\d)",
     re.IGNORECASE,
 )
-"""``requirements_py27``, ``python2``, ``lab_requirements2.7``; ``numpy2`` and ``torch2.7`` name another thing."""
+"""``requirements_py27``, ``python2``, ``lab_requirements2.7``; ``py2neo``, ``numpy2``, ``torch2.7`` are others."""
 
 
 def for_python2(files: Iterable[RequirementFile], python: str | None) -> Loose:
