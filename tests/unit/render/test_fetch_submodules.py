@@ -42,7 +42,10 @@ def test_what_can_be_had_is_there(tmp_path: Path, gone: str, there: list[str], s
     _made(tmp_path, "media")
     _made(tmp_path, "json", "leaf")
     _made(tmp_path, "deep", "leaf")
-    _made(tmp_path, "all", "media", "json", "deep")
+    folder = _made(tmp_path, "all", "media", "json", "deep")
+    with (folder / ".gitmodules").open("a", encoding="utf-8") as file:
+        file.write('[submodule "old"]\npath = old\nurl = https://example.org/of/a/folder/that/was/removed\n')
+    _git(folder, "commit", "--all", "--quiet", "--message", "A line that was left")
     _git(tmp_path, "clone", "--quiet", (tmp_path / "all").as_uri(), "clone")
     if gone:
         (tmp_path / gone).rename(tmp_path / "private")

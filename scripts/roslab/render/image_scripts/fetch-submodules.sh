@@ -8,12 +8,12 @@ export GIT_TERMINAL_PROMPT=0 # a host without such a repository asks for a passw
 fetch() {
   local path
   if [ ! -e "$1/.gitmodules" ] || git -C "$1" submodule update --init --recursive; then return; fi
-  while read -r path; do
+  while read -r -d '' path; do
     if git -C "$1" submodule update --init --force -- "${path}"; then # it may be cloned, and not checked out yet
       fetch "$1/${path}"
     else
       echo "roslab: left out: ${1##*/}/${path} cannot be cloned"
     fi
-  done < <(git config --file "$1/.gitmodules" --get-regexp '^submodule\..*\.path$' | sed 's/^[^ ]* //')
+  done < <(git -C "$1" ls-files --stage -z | sed --null-data --quiet 's/^160000 [^\t]*\t//p')
 }
 fetch "${1%/}"
