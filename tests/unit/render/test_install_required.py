@@ -209,7 +209,7 @@ def test_what_starts_vcpkg_is_installed_where_cmake_fetches_it(
     assert (calls, said) == ([installed] if installed else [], "")
 
 
-CLONES = 'if [ "$1" = clone ]; then mkdir --parents "${!#}"; fi'
+CLONES = 'cat >/dev/null; if [ "$1" = clone ]; then mkdir --parents "${!#}"; fi'
 GTEST = "https://github.com/google/googletest.git"
 
 
@@ -243,6 +243,14 @@ def test_but_not_what_needs_more_than_cmake(tmp_path: Path) -> None:
     _, said = Stage(tmp_path, ubuntu="bionic", ros="melodic", git=CLONES).library("find_package(raisim REQUIRED)\n")
     assert "roslab: it can be built before acme; write into roslab.yaml:" in said
     assert not (tmp_path / "built").exists()
+
+
+def test_what_two_names_ask_for_is_tried_once(tmp_path: Path) -> None:
+    stage = Stage(tmp_path, git=f'echo "$*" >>{tmp_path}/git; exit 1')
+    _, said = stage.library("find_package(GTSAM REQUIRED)\nfind_package(gtsam REQUIRED)\n")
+    assert said.count("no package of this image's sources") == 2
+    assert said.count("write into roslab.yaml") == 1
+    assert len((tmp_path / "git").read_text().splitlines()) == 1
 
 
 def test_a_library_that_can_be_built_before_is_told_with_what_to_write(tmp_path: Path) -> None:

@@ -95,7 +95,7 @@ build() {
     { git clone --quiet "${url}" "${source}" && git -C "${source}" -c advice.detachedHead=false checkout --quiet "${ref}" &&
       git -C "${source}" submodule update --init --recursive && with_packages "${depends[@]}" &&
       mkdir --parents "${source}/build" && (cd "${source}/build" && cmake -DCMAKE_BUILD_TYPE=Release "${options[@]}" .. &&
-      make --jobs="$(compile-jobs 2>/dev/null || echo 2)" && make install && make install DESTDIR=/installed) && ldconfig; } || {
+      make --jobs="$(compile-jobs 2>/dev/null || echo 2)" && make install && make install DESTDIR=/installed) && ldconfig; } </dev/null || {
       rm -rf "${source}"
       return 1
     }
@@ -116,8 +116,8 @@ cp "${lists}/${name}.txt" "/installed${lists}/"
 if [ -s "${lists}/${name}.txt" ]; then echo "roslab: ${name} requires, and apt installs: $(tr '\n' ' ' <"${lists}/${name}.txt")"; fi
 install
 while IFS='' read -r recipe; do
-  if build "${recipe}" </dev/null; then continue; fi
+  if build "${recipe}"; then continue; fi
   echo "roslab: it can be built before ${name}; write into roslab.yaml:" >&2
   sed -e 's/^/format: 3\nsource:\n  - /' -e 's/ | /\n  - /g' <<<"${recipe}" >&2
-done <"${recipes}"
+done < <(LC_ALL=C sort --unique "${recipes}")
 rm -rf "${recipes}" /tmp/required
