@@ -69,7 +69,7 @@ by_name() {
 for_another() { # PACKAGE
   local log="${notes:?}.log" packages name # ask-pip-again has pip write it
   packages="$(grep --count --extended-regexp ' (Collecting|Processing) ' "${log}" 2>/dev/null)"
-  name="${1%% @ *}" && name="${name##*/}" && name="${name%%[@#=<>~! ]*}" && name="${name%.git}"
+  name="${1%% @ *}" && name="${name##*/}" && name="${name%%[[@#=<>~! ]*}" && name="${name%.git}"
   [ "${packages:-0}" -gt 1 ] \
     && ! grep --quiet --ignore-case --extended-regexp "Failed building wheel for ${name//[-_.]/[-_.]}\$" "${log}"
 }
