@@ -46,6 +46,7 @@ def _run(tmp_path: Path, *words: str) -> tuple[str, dict[str, str]]:
     command = ["take-listed", *words, remote, f"{tmp_path}/ws/src/lab_ws"]
     environment = os.environ | {"ROS_DISTRO": "melodic"}
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    assert "Traceback" not in done.stderr
     source = tmp_path / "ws/src"
     return done.stdout, {str(file.parent.relative_to(source)): file.read_text() for file in source.rglob("a")}
 
@@ -105,7 +106,15 @@ def test_branches_of_the_distribution_days_and_submodules(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
-    "text", ["- [\n", "- git: 5\n- 7\n", "repositories: [1]\n", "", "- git: {local-name: ../x, uri: -u}\n"]
+    "text",
+    [
+        "- [\n",
+        "- git: 5\n- 7\n",
+        "repositories: [1]\n",
+        "",
+        "sources: [7]\ngroups: [{name: [a]}]\n",
+        "- git: {local-name: ../x, uri: -u}\n",
+    ],
 )
 def test_a_list_that_is_none(tmp_path: Path, text: str) -> None:
     (tmp_path / "ws/src").mkdir(parents=True)

@@ -21,12 +21,13 @@ for path in sys.argv[1:]:
         rows = [(name, row) for name, row in data["repositories"].items() if isinstance(row, dict)]
     elif isinstance(data, dict) and isinstance(data.get("sources"), list):
         def folder(row):
-            return str(row.get("name") or str(row.get("repo") or "").rstrip("/").rpartition("/")[2].replace(".git", ""))
+            last = str(row.get("repo") or "").rstrip("/").rpartition("/")[2]
+            return str(row.get("name") or (last[:-4] if last.endswith(".git") else last))
         def listed(key):
             entries = data.get(key) if isinstance(data.get(key), list) else []
             return [(folder(row), row) for row in entries if isinstance(row, dict) and row.get("type", "git") == "git"]
         groups = data.get("groups") if isinstance(data.get("groups"), list) else []
-        groups = {row.get("name"): row.get("members") for row in groups if isinstance(row, dict)}
+        groups = {row.get("name"): row.get("members") for row in groups if isinstance(row, dict) and isinstance(row.get("name"), str)}
         wanted, left = set(), [data.get("default_group")]
         while left:
             name = left.pop()
