@@ -43,7 +43,7 @@ def ever_released(package: str) -> bool:
 
 
 def released_for(package: str, ros: int) -> bool:
-    """Tell whether any distribution of ROS 1 or 2 released a package of this name: one of both is few."""
+    """Tell whether any distribution of ROS 1 or 2 released a package of this name."""
     return ever_released(package) and any(
         package in released(each.name) for each in distros().values() if each.ros == ros
     )
