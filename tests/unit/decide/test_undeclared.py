@@ -51,6 +51,12 @@ def test_a_release_that_does_not_say_what_it_needs(lines: list[str], bounds: lis
         (["faiss-cpu"], None, "3.10", []),
         (["pandas==1.3.0"], None, "3.8", []),
         (["pandas==2.1.0"], None, "3.13", []),
+        (["pandas==2.1.0"], None, "3.12.4", ["numpy<2"]),
+        (["trimesh==3.7.12"], None, "3.8", ["numpy<1.24"]),
+        (["trimesh==3.7.12"], None, "3.11", ["numpy<1.24"]),
+        (["trimesh==3.7.12"], None, "3.12", []),  # no such NumPy has a wheel for it, and none compiles there
+        (["networkx==2.4"], None, "3.7", []),
+        (["networkx==2.4"], None, "2.7", []),
         (["pandas==2.0.3", "numpy==1.24.0"], None, "3.10", []),
         (["pandas==2.0.3", "opencv-python==4.12.0.88"], None, "3.10", []),
         (["gym"], None, "3.10", ["numpy<2"]),

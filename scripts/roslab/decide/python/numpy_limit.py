@@ -23,7 +23,7 @@ from roslab.values.requirement import Requirement
 from roslab.values.requirement_line import stated
 from roslab.values.version import Version
 
-OLDEST_PYTHON = Version("3.9")
+_OLDEST_PYTHON = Version("3.9")
 """The first Python that NumPy 2 has wheels for: https://numpy.org/doc/stable/release/2.0.0-notes.html."""
 _LAST_NUMPY_1 = "1.26.4"
 _UPPER = frozenset({"<", "<=", "==", "~="})
@@ -130,7 +130,7 @@ def limit_of(evidence: Evidence, ubuntu: str, by_pip: set[str]) -> Limit | None:
             below, last = broken[each.name]["below"], broken[each.name]["last"]
             why = f"is older than NumPy {below}, and stops beside one that pip brings: names that it uses were removed"
             return Limit(below=below, last=last, why=why, used=each)
-    if not used or Version(python_of_ubuntu().get(ubuntu, "0")) < OLDEST_PYTHON:
+    if not used or Version(python_of_ubuntu().get(ubuntu, "0")) < _OLDEST_PYTHON:
         return None
     why = "was built with NumPy 1, which what pip brings must not replace by NumPy 2"
     return Limit(below="2", last=_LAST_NUMPY_1, why=why, used=used[0])

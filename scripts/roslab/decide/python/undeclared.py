@@ -9,17 +9,16 @@ from collections.abc import Iterable
 
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.bounds import Constraints, excluded, needing_numpy
-from roslab.decide.python.numpy_limit import OLDEST_PYTHON
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.frameworks import conda_names
+from roslab.knowledge.frameworks import conda_names, newest_framework, next_after
 from roslab.knowledge.undeclared_limits import UndeclaredLimit, undeclared_limits
 from roslab.values.dataclass import dataclass
 from roslab.values.requirement import Requirement
-from roslab.values.version import Version
+from roslab.values.version import Version, minor_of
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -42,8 +41,8 @@ def decide_undeclared(
 
     What a table limits for another reason (``numpy<2`` for the code) may still be too new for it.
     ``environment``: the one that conda makes; what it names with a version of its own is left to its author. What no
-    version is said of is the newest of the ``day``. NumPy is limited for a ``python`` that has both it and NumPy 2, and
-    for nothing that needs a newer one.
+    version is said of is the newest of the ``day``. NumPy is limited for a ``python`` that has releases on both sides
+    of the bound, and for nothing that needs a newer one.
     """
     packages = of_conda(environment) if environment else []
     asked = (*asked, *packages)
@@ -54,7 +53,7 @@ def decide_undeclared(
             bound = known.limit
             if not older(each, known, day) or bound.key in limited or excluded(bound, asked) or _has(bound, asked):
                 continue
-            if bound.key == "numpy" and (not _has_both(python) or needing_numpy(asked, bound.below)):
+            if bound.key == "numpy" and (not _has_both(python, bound.below) or needing_numpy(asked, bound.below)):
                 continue
             why = f"{each.written} needs it, and does not say so"
             before = found.get(bound.key)
@@ -90,12 +89,16 @@ def _has(bound: Requirement, asked: Iterable[Requirement]) -> bool:
     return any(last is None or each.release or Version(each.below or last) <= Version(last) for each in limits)
 
 
-def _has_both(python: str | None) -> bool:
-    """Tell whether there are wheels of NumPy 1 and of NumPy 2 for a Python: of the one, up to 3.12.
-
-    https://numpy.org/doc/stable/release/1.26.0-notes.html, read 2026-11-28.
-    """
-    return python is None or OLDEST_PYTHON <= Version(python) < Version("3.13")
+def _has_both(python: str | None, below: str | None) -> bool:
+    """Tell whether NumPy has wheels for a Python on both sides of a bound: else it stops pip, or says nothing."""
+    if python is None or below is None:
+        return True
+    minor = minor_of(python) or python
+    older, newest = newest_framework("numpy", python=minor, below=below), newest_framework("numpy", python=minor)
+    if older is None or newest is None or not older.runs_with(minor):
+        return False
+    after = next_after(newest)
+    return after is None or Version(after.first) > Version(below)
 
 
 def older(asked: Requirement, known: UndeclaredLimit, day: str | None = None) -> bool:
