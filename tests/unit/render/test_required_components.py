@@ -162,3 +162,11 @@ def test_what_a_file_has_another_way_for(tmp_path: Path, cmake: str, module: str
     tree_of(tmp_path, {"CMakeLists.txt": cmake, **({"cmake/FindOpenBLAS.cmake": module} if module else {})})
     command = ["required-by-cmake", str(tmp_path / "CMakeLists.txt")]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split() == names
+
+
+@pytest.mark.parametrize(("first", "second"), [(WARNS, STOPS), (STOPS, WARNS)])
+def test_of_two_modules_of_a_name_either_may_stop_it(tmp_path: Path, first: str, second: str) -> None:
+    modules = {"a/FindOpenBLAS.cmake": first, "b/FindOpenBLAS.cmake": second}
+    tree_of(tmp_path, {"CMakeLists.txt": ANOTHER_WAY.format(""), **modules})
+    command = ["required-by-cmake", str(tmp_path / "CMakeLists.txt")]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split() == ["LAPACK", "OpenBLAS"]

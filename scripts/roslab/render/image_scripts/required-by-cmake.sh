@@ -171,13 +171,13 @@ required() {
 }
 # Reads names, and prints those without which the file in a folder stops: FOLDER
 settled() {
-  local name module
+  local name modules stops='handle_standard_args|(FATAL|SEND)_ERROR'
   while read -r name; do
-    module=''
+    modules=()
     if [[ "${name}" =~ ^either:[A-Za-z0-9_+-]+$ ]]; then
-      module="$(find "$1" -name .git -prune -o -name "Find${name#either:}.cmake" -print -quit)"
+      mapfile -t modules < <(find "$1" -name .git -prune -o -name "Find${name#either:}.cmake" -print)
     fi
-    if [ -z "${module}" ] || grep --quiet --ignore-case --extended-regexp 'handle_standard_args|(FATAL|SEND)_ERROR' "${module}"; then
+    if [ "${#modules[@]}" -eq 0 ] || grep --quiet --ignore-case --extended-regexp "${stops}" "${modules[@]}"; then
       printf '%s\n' "${name#either:}"
     fi
   done
