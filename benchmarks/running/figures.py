@@ -21,6 +21,11 @@ between the release that the plan names and the Debian below that name. What no 
 """
 """Two paragraphs of Markdown."""
 
+ALL = """\
+Of each list the newest reading of each repository. What was not finished in time, and what only the stand-ins
+prevent, is in no share; `at first` is the list's first reading, `ran` is of the images with a command.
+"""
+
 
 def sums(rows: Sequence[Row]) -> list[str]:
     """Return the figures of a reading, a sentence each."""

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from benchmarks.running.browser import page
-from benchmarks.running.figures import INTRODUCTION, over_time, sums, title, when
+from benchmarks.running.figures import ALL, INTRODUCTION, over_time, sums, title, when
 from benchmarks.running.rows import OUTCOMES, Row, read
 
 HEAD = ("repository", "base", "built", "imports", "command", "started", "alive", "screen", "rung", "outcome", "why")
@@ -48,7 +48,7 @@ def _plain(text: str) -> str:
 
 def markdown(readings: dict[str, tuple[Row, ...]]) -> str:
     """Return the page as Markdown."""
-    parts = ["# Does it work?\n", INTRODUCTION, "## All lists\n", over_time(readings)]
+    parts = ["# Does it work?\n", INTRODUCTION, "## All lists\n", ALL, over_time(readings)]
     for name, rows in readings.items():
         parts.append(f"## {title(name)}\n\n{when(rows)}\n")
         parts.append("\n".join(f"- {sentence}" for sentence in sums(rows)) + "\n")
