@@ -70,12 +70,6 @@ def named(word: str, given: Given) -> GitSource | None:
     return own if own and address(own.url) not in there else None
 
 
-def of_pip(git: GitSource) -> str:
-    """Return the line with which pip installs a repository: https://pip.pypa.io/en/stable/topics/vcs-support/."""
-    ref = fixed(git.ref)
-    return f"git+{https(git.url)}{f'@{ref}' if ref else ''}"
-
-
 def _lines(word: str, given: Given) -> Iterator[tuple[str, str]]:
     """Yield the lines of the repositories that hold a package, by their addresses; none that the build clones already.
 

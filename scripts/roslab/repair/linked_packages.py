@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from roslab.decide.python.of_owner import known_of_index
-from roslab.decide.ros.source_names import address
+from roslab.decide.ros.source_names import address, for_pip
 from roslab.evidence.dependency import GitSource
 from roslab.explain.answer import Explanation
 from roslab.repair.change import Given, Worked
-from roslab.repair.clones import of_pip
 from roslab.values.name import canonicalize_name
 
 
@@ -27,7 +26,7 @@ def linked(found: Explanation, given: Given) -> Worked:
         return Worked(why=found.fix)
     of_owner = bool(here) and address(git.url).rpartition("/")[0] == here.rpartition("/")[0]
     sure = of_owner or git.kind == "clone" or git.holds or git.told or git.to_install
-    return Worked(values=(f"{name} @ {of_pip(git)}",), certain=sure)
+    return Worked(values=(f"{name} @ {for_pip(git)}",), certain=sure)
 
 
 def _offered(git: GitSource) -> bool:

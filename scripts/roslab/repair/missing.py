@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import PurePosixPath
 
+from roslab.decide.ros.source_names import for_pip
 from roslab.evidence import places
 from roslab.explain.answer import Explanation
 from roslab.knowledge.frameworks import imports
@@ -49,7 +50,7 @@ def _named_by_tree(module: str, given: Given) -> Worked | None:
     if given.plan.workspace.ros:
         return clones.cloned((module,), given)
     own = clones.named(module, given)
-    return Worked(values=(clones.of_pip(own),)) if own else None
+    return Worked(values=(for_pip(own),)) if own else None
 
 
 def _installed(module: str, package: str, found: Explanation, given: Given) -> Worked | None:

@@ -10,10 +10,9 @@ from collections.abc import Iterator
 
 from roslab.decide.python.packages import Chosen
 from roslab.decide.ros.sought_addresses import public_owner
-from roslab.decide.ros.source_names import address, fixed
+from roslab.decide.ros.source_names import address, for_pip
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
-from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.not_on_index import not_on_index
 from roslab.knowledge.on_index import named_like
@@ -34,8 +33,7 @@ def with_repositories_of_owner(evidence: Evidence, chosen: Chosen) -> Chosen:
             continue
         if known_of_index(asked.key) or not there.isdisjoint((asked.key, address(git.url))):
             continue
-        ref = f"@{ref}" if (ref := fixed(git.ref)) else ""
-        found.setdefault(asked.key, stated(f"git+{https(git.url)}{ref}", "import", asked.file, asked.line))
+        found.setdefault(asked.key, stated(for_pip(git), "import", asked.file, asked.line))
     return replace(chosen, guessed=(*found.values(), *chosen.guessed)) if found else chosen
 
 

@@ -38,6 +38,12 @@ def fixed(ref: str | None) -> str | None:
     return ref if ref and re.fullmatch(r"[\w./+-]+", ref) and not ref.startswith("-") else None
 
 
+def for_pip(git: GitSource) -> str:
+    """Return the line with which pip installs a repository: https://pip.pypa.io/en/stable/topics/vcs-support/."""
+    ref = fixed(git.ref)
+    return f"git+{https(git.url)}{f'@{ref}' if ref else ''}"
+
+
 def drifts(ref: str | None) -> bool:
     """Tell whether a ref is a branch by its name, whose commits go on: ``noetic-devel``, ``ros2``, ``feature/humble``.
 
