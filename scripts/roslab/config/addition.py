@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 
 from roslab.config.document import parse
-from roslab.config.edit import Edits, is_text, quoted
+from roslab.config.edit import OTHER_THAN_TEXT, Edits, is_text, quoted
 from roslab.config.model import Config
 from roslab.config.node import Mapping, Node, Sequence
 from roslab.config.reader import mapping_of, read
@@ -28,7 +28,6 @@ SINGLE = (
 """Keys with one value, which is set."""
 _PLAIN = pattern(r"[A-Za-z][\w.+-]*")
 """Text that YAML reads as text without quotes in any position; words such as ``yes`` are quoted all the same."""
-_WORDS = {"yes", "no", "on", "off", "null", "y", "n"}
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -199,4 +198,4 @@ def _note(note: str) -> str:
 
 
 def _word(value: str) -> str:
-    return value if _PLAIN.fullmatch(value) and value.lower() not in _WORDS else quoted(value)
+    return value if _PLAIN.fullmatch(value) and value.lower() not in OTHER_THAN_TEXT else quoted(value)

@@ -7,6 +7,9 @@ import json
 from roslab.config.node import Mapping, Node, Scalar
 from roslab.values.dataclass import dataclass, field
 
+OTHER_THAN_TEXT = frozenset({"yes", "no", "on", "off", "null", "y", "n"})
+"""Words that YAML, or an older version of it, takes for something else than text, besides ``true`` and ``false``."""
+
 
 @dataclass(kw_only=True, slots=True)
 class Edits:

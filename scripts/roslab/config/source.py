@@ -6,7 +6,7 @@ from typing import cast
 
 from roslab.config import packages
 from roslab.config.cited import shown
-from roslab.config.edit import quoted
+from roslab.config.edit import OTHER_THAN_TEXT, quoted
 from roslab.config.model import Source, SourceBuild
 from roslab.config.node import Mapping, Scalar, Sequence
 from roslab.config.reading import Reading, Text
@@ -19,13 +19,11 @@ OLD_TOOLS = {"catkin_build": "catkin_tools"}
 _FLAG = pattern(r"(?:^|\s)(?:-b|--branch)[ =]+(\S+)|(?:^|\s)--(?:single-branch|depth[ =]\d+)")
 _SSH = pattern(r"(?:ssh://)?git@([^/:]+)[/:](.+)")
 _IN_FLOW = pattern(r"[A-Za-z][\w./+-]*(?::[\w./+-]+)?")
-"""Text that YAML reads as text without quotes within ``{}``, apart from these words."""
-_WORDS = {"yes", "no", "on", "off", "true", "false", "null", "y", "n"}
+"""Text that YAML reads as text without quotes within ``{}``, apart from words that are something else."""
+_OTHER = {*OTHER_THAN_TEXT, "true", "false"}
+_NAME = pattern(r"\{name: ([^,}]{1,200})")
 _PUBLIC = ("github.com", "gitlab.com", "bitbucket.org")
 """Hosts whose public repositories have the same path by https."""
-
-
-_NAME = pattern(r"\{name: ([^,}]{1,200})")
 
 
 def flow(name: str, repo: str, *, ref: str | None, build: str, options: str = "") -> str:
@@ -41,7 +39,7 @@ def named(line: str) -> str:
 
 
 def _plain(value: str) -> str:
-    return value if _IN_FLOW.fullmatch(value) and value.lower() not in _WORDS else quoted(value)
+    return value if _IN_FLOW.fullmatch(value) and value.lower() not in _OTHER else quoted(value)
 
 
 def sources(reading: Reading, root: Mapping, key: str) -> tuple[Source, ...]:
