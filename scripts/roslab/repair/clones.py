@@ -17,6 +17,7 @@ from roslab.knowledge.released import released
 from roslab.knowledge.repairs import CLONES
 from roslab.knowledge.ros_sources import RosSource, ros_sources
 from roslab.repair.change import Given, Worked
+from roslab.values.dataclass import replace
 
 _NAMES = ("name", "header", "module", "library")
 """What a failure captures of something that a repository may hold."""
@@ -34,12 +35,27 @@ def brought(found: Explanation, given: Given) -> Worked | None:
     if not said or given.plan.author_dockerfile:
         return None
     words = list(dict.fromkeys(word.partition("/")[0] if "/" in word else word.partition(".")[0] for word in said))
+    if not {each.name for each in given.evidence.manifests}.isdisjoint(words):
+        return None  # the repository's own: it is built later, or does not lay it down
     ros = given.plan.ros_distro
     new = [word for word in words if ros and word in released(ros) and word not in given.plan.rosdep_keys]
     packages = tuple(f"ros-{ros}-{word.replace('_', '-')}" for word in new)
     if packages := tuple(each for each in packages if each not in (*given.plan.apt, *given.plan.apt_guessed)):
         return Worked(key="apt", values=packages)
-    return cloned(words, given)
+    worked = cloned(words, given)
+    if worked is None or names.get("name"):
+        return worked
+    return replace(worked, certain=all(surely(git, given) for word in words if (git := named(word, given))))
+
+
+def surely(git: GitSource, given: Given) -> bool:
+    """Tell whether the tree has its reader install a repository, or has it of its own owner, and more than links to it.
+
+    A folder of headers or a module may have the name of a repository that is another one.
+    """
+    here = address(given.evidence.origin or "")
+    of_owner = bool(here) and address(git.url).rpartition("/")[0] == here.rpartition("/")[0]
+    return of_owner or git.kind != "link" or bool(git.holds or git.told or git.to_install)
 
 
 def cloned(words: Iterable[str], given: Given) -> Worked | None:

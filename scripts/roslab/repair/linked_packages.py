@@ -7,6 +7,7 @@ from roslab.decide.ros.source_names import address, for_pip
 from roslab.evidence.dependency import GitSource
 from roslab.explain.answer import Explanation
 from roslab.repair.change import Given, Worked
+from roslab.repair.clones import surely
 from roslab.values.name import canonicalize_name
 
 
@@ -24,9 +25,7 @@ def linked(found: Explanation, given: Given) -> Worked:
     git = next((git for git in called if _offered(git) and address(git.url) != here), None)
     if git is None:
         return Worked(why=found.fix)
-    of_owner = bool(here) and address(git.url).rpartition("/")[0] == here.rpartition("/")[0]
-    sure = of_owner or git.kind == "clone" or git.holds or git.told or git.to_install
-    return Worked(values=(f"{name} @ {for_pip(git)}",), certain=sure)
+    return Worked(values=(f"{name} @ {for_pip(git)}",), certain=surely(git, given))
 
 
 def _offered(git: GitSource) -> bool:

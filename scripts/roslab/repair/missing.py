@@ -14,6 +14,7 @@ from roslab.knowledge.released import released
 from roslab.repair import clones
 from roslab.repair.asked import FRAME, here, in_log
 from roslab.repair.change import Given, Worked
+from roslab.values.dataclass import replace
 from roslab.values.home import HOME
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -47,10 +48,10 @@ def module(found: Explanation, given: Given) -> Worked:
 
 def _named_by_tree(module: str, given: Given) -> Worked | None:
     """Return the repository that the tree names for a module: of the workspace of ROS, else one that pip installs."""
-    if given.plan.workspace.ros:
-        return clones.cloned((module,), given)
-    own = clones.named(module, given)
-    return Worked(values=(for_pip(own),)) if own else None
+    git = clones.named(module, given)
+    of_pip = Worked(values=(for_pip(git),)) if git else None
+    worked = clones.cloned((module,), given) if given.plan.workspace.ros else of_pip
+    return replace(worked, certain=clones.surely(git, given)) if worked and git else worked
 
 
 def _installed(module: str, package: str, found: Explanation, given: Given) -> Worked | None:

@@ -97,6 +97,29 @@ def test_what_roslab_yaml_clones_already_is_not_cloned_again(tmp_path: Path) -> 
     assert found.changes == ()
 
 
+@pytest.mark.parametrize(
+    ("files", "text"),
+    [
+        (ROS, log("catkin_make", NO_HEADER.format("robot_arm/arm.h"))),
+        (ROS, log("python3 main.py", NO_MODULE.replace("arm_driver", "robot_arm"))),
+        (PYTHON, log("python3 main.py", NO_MODULE.replace("arm_driver", "robot_arm"))),
+    ],
+)
+def test_a_folder_or_a_module_of_a_linked_repository_s_name_is_likely(
+    tmp_path: Path, files: dict[str, str], text: str
+) -> None:
+    found = repaired(tmp_path, text, {**files, "README.md": PAGE})
+    assert [change.certain for change in found.changes] == [False]
+    owned = {**files, "README.md": PAGE, ".git/config": '[remote "origin"]\n\turl = https://github.com/example/a.git\n'}
+    assert [change.certain for change in repaired(tmp_path, text, owned).changes] == [True]
+
+
+def test_a_header_of_the_tree_s_own_package_is_looked_for_nowhere_else(tmp_path: Path) -> None:
+    page = PAGE.replace("robot_arm", "robot")
+    found = repaired(tmp_path, log("catkin_make", NO_HEADER.format("robot/move.h")), {**ROS, "README.md": page})
+    assert found.changes == ()
+
+
 def test_what_ros_released_is_not_cloned(tmp_path: Path) -> None:
     page = PAGE.replace("example/robot_arm", "example/pluginlib")
     package = PACKAGE.replace("</buildtool_depend>", "</buildtool_depend><depend>pluginlib</depend>")
