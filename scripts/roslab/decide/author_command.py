@@ -11,6 +11,7 @@ from roslab.decide.candidate import Candidate, is_python, program_of, there
 from roslab.evidence.entry_script import Taken
 from roslab.evidence.facts import AuthorDockerfile
 from roslab.knowledge.distros import codename_of
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 EntryPoint = Literal["none", "wrapper", "shell", "program"]
@@ -82,7 +83,7 @@ def there_in(candidate: Candidate, authored: AuthorDockerfile) -> bool:
     """
     script = program_of(candidate.argv)[-1]
     of_tree = candidate.argv[0] in _SHELLS or is_python(candidate)
-    if authored.kept is None or not (of_tree and script.endswith((".py", ".sh", ".bash"))):
+    if authored.kept is None or not (of_tree and script.endswith((".py", *SHELL_SCRIPTS))):
         return True
     mounted = [host for host, _, _ in authored.service.volumes] if authored.service else []
     return any(f"{script}/".startswith(f"{part}/") for part in (*authored.kept, *mounted))

@@ -10,6 +10,7 @@ from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import framework_on_cuda
 from roslab.knowledge.guesses import tooling
+from roslab.values.endings import SHELL_SCRIPTS
 
 MEX = "mex.h"
 """The header of C++ that MATLAB compiles and loads: https://www.mathworks.com/help/matlab/ref/mex.html, 2026-11-28"""
@@ -54,7 +55,7 @@ def with_helpers(evidence: Evidence) -> bool:
     frameworks = any(each.namespace == "import" and framework_on_cuda(each.name) for each in evidence.code)
     said = (mention.value.split() for mention in evidence.mentions if mention.topic == "command")
     scripts = any(
-        words[0].startswith(("python", "bash", "sh")) or words[0].endswith((".sh", ".bash")) for words in said if words
+        words[0].startswith(("python", "bash", "sh")) or words[0].endswith(SHELL_SCRIPTS) for words in said if words
     )
     return bool(compiled(evidence)) and not (started or frameworks or scripts)
 

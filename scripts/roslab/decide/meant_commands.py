@@ -16,6 +16,7 @@ from roslab.decide.scripts import RUNS
 from roslab.decide.sections import about_running
 from roslab.decide.startable_launches import known
 from roslab.evidence.facts import Evidence, Mention
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
@@ -101,7 +102,7 @@ def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
 def _runs(said: Mention) -> bool:
     """Tell whether a script is named like one that starts something, or its sentence says that it has the commands."""
     name = said.value.rpartition("/")[2]
-    return name.endswith((".sh", ".bash")) and bool(RUNS.match(name) or _COMMANDS.search(said.text))
+    return name.endswith(SHELL_SCRIPTS) and bool(RUNS.match(name) or _COMMANDS.search(said.text))
 
 
 def named_like_it(candidates: Iterable[Candidate], evidence: Evidence, brings: Brings) -> Candidate | None:

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.prose.octave import file_of
 from roslab.knowledge.octave import OCTAVE
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 NOTEBOOK = ("jupyter", "notebook", "--ip=0.0.0.0", "--no-browser")
@@ -44,7 +45,7 @@ def script_of(argv: tuple[str, ...], mention: Mention, ros: bool, compiled: bool
     if argv[0] in OCTAVE:
         return None if ros or compiled or not file_of(mention) else argv
     script = argv[1:] if argv[0] in {"bash", "sh"} else argv
-    known = bool(script) and script[0] in mention.files and (script[0].endswith((".sh", ".bash")) or bare(script[0]))
+    known = bool(script) and script[0] in mention.files and (script[0].endswith(SHELL_SCRIPTS) or bare(script[0]))
     known = known and _VARIABLE not in mention.value  # without what that holds, it is another call
     known = known and (not compiled or bool(RUNS.match(posixpath.basename(script[0]))))
     return ("bash", *script) if known else None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from roslab.decide.candidate import Candidate, program_of
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 _UPKEEP = pattern(
@@ -22,4 +23,4 @@ def upkeep(candidate: Candidate) -> bool:
     """Tell whether a script is for those who work on the project: who only uses it never runs it."""
     words = program_of(candidate.argv)
     script = words[1] if words[0] in {"python3", "bash", "sh"} and len(words) > 1 else words[0]
-    return bool(_UPKEEP.search(script)) and script.endswith((".py", ".sh", ".bash"))
+    return bool(_UPKEEP.search(script)) and script.endswith((".py", *SHELL_SCRIPTS))

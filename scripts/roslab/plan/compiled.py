@@ -5,6 +5,7 @@ from __future__ import annotations
 from roslab.decide.decision import Decision
 from roslab.plan.proof import Proof
 from roslab.plan.workspace import Workspace
+from roslab.values.endings import SHELL_SCRIPTS
 
 COMPILED_SCRIPT = """\
 import io, os, re, sys
@@ -33,7 +34,7 @@ def compiled(decision: Decision, place: Workspace) -> list[Proof]:
 
     The step of the image tolerates such a script, which may end well although one of its commands failed.
     """
-    called = (each for each in decision.scripts if each.path.endswith((".sh", ".bash", ".py")) and not each.copies)
+    called = (each for each in decision.scripts if each.path.endswith((*SHELL_SCRIPTS, ".py")) and not each.copies)
     python = decision.python
     installs = python.pip or python.pip_guessed or python.requirements or python.conda_file or python.conda_specs
     if decision.dockerfile is not None or not any(called) or not installs:

@@ -13,6 +13,7 @@ from roslab.plan.packages import own_files
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.output import MARKER, Beside
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 from roslab.values.words import line_of
 
@@ -35,7 +36,7 @@ https://packaging.python.org/en/latest/guides/writing-pyproject-toml/#readme, 20
 """
 _FILE = pattern(r"(?![-./])[\w./-]{1,200}\.\w{1,10}")
 """A word of a command that may be a path from the root."""
-_CODE = (".py", ".sh", ".bash", "CMakeLists.txt")
+_CODE = (".py", *SHELL_SCRIPTS, "CMakeLists.txt")
 """How the names of files end that are compiled or started, and are no data."""
 Parts = tuple[str, ...]
 """A line's shell patterns, one for each part of a path; ``**`` stands for any number of folders."""
