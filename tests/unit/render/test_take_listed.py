@@ -155,3 +155,21 @@ def test_of_gitman_it_is_the_default_group_at_what_is_locked(
     (tmp_path / "ws/src").mkdir(parents=True)
     _, found = _run(tmp_path, "--branch", at)
     assert found == {f"lab_ws/{name}": "first\n" for name in names}
+
+
+def test_of_the_submodules_of_what_is_listed_those_that_can_be_had_are_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for key, value in {"COUNT": "1", "KEY_0": "protocol.file.allow", "VALUE_0": "always"}.items():
+        monkeypatch.setenv(f"GIT_CONFIG_{key}", value)
+    for name in ("json", "private", "maps"):
+        _commit(tmp_path / name, "a", f"{name}\n")
+    for name in ("private", "json"):
+        _git(tmp_path / "maps", "submodule", "--quiet", "add", (tmp_path / name).as_uri(), name)
+    _commit(tmp_path / "maps", "b", "more\n")
+    _commit(tmp_path / "lab_ws", "a.repos", f"repositories: {{maps: {{url: {(tmp_path / 'maps').as_uri()}}}}}\n")
+    (tmp_path / "private").rename(tmp_path / "gone")
+    (tmp_path / "ws/src").mkdir(parents=True)
+    said, found = _run(tmp_path)
+    assert found == {"lab_ws/maps": "maps\n", "lab_ws/maps/json": "json\n"}
+    assert "roslab: left out: maps/private cannot be cloned" in said

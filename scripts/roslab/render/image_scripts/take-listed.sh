@@ -64,7 +64,7 @@ while read -r name from ref; do
     continue
   fi
   if [ -z "${ref}" ] || git -C "${place}" rev-parse --quiet --verify "refs/remotes/origin/${ref}" >/dev/null; then of_day "${place}"; fi
-  git -C "${place}" submodule update --init --recursive || echo "roslab: left out: submodules of ${from} cannot be cloned"
+  fetch-submodules "${place}"
   if [ -e "${there}/.git" ] && [ "${there}" != "${folder}" ]; then
     echo "roslab: ${name} is taken as ${url} lists it"
     # install-plain-clones, and who leaves out what fails, know it by that folder

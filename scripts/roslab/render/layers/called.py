@@ -19,7 +19,7 @@ CALLED = {
     "leave-out-failed": (PACKAGES, MANIFEST),
     "leave-out-lacking": (PACKAGES,),
     "plain-apart": (PACKAGES,),
-    "take-listed": ("checkout-branch", "listed-repositories"),
+    "take-listed": ("checkout-branch", "fetch-submodules", "listed-repositories"),
     "raise-standard": ("required-by-cmake", MANIFEST),
     "required-components": ("required-by-cmake", MANIFEST),
 }
