@@ -50,7 +50,7 @@ def _dockerfile(root: Path, install: str, **more: str) -> str:
     ],
 )
 def test_they_get_it_once_they_are_installed(tmp_path: Path, install: str, names: str) -> None:
-    step = f"find ../built/install -path '*/lib/*' -type f \\( {names} \\) -exec chmod +x {{}} +"
+    step = f"find ../built/install -path '*/lib/*' -xtype f \\( {names} \\) -exec chmod +x {{}} +"
     text = _dockerfile(tmp_path, install)
     assert (step in text) is bool(names)
     assert ("chmod +x {} +" in text) is bool(names)
@@ -79,10 +79,14 @@ def test_the_step_does_so(tmp_path: Path, *, apart: bool) -> None:
         (installed / name).parent.mkdir(parents=True)
         (installed / name).write_text(SCRIPT)
         (installed / name).chmod(0o644)
+    (tmp_path / "ear").write_text(SCRIPT)
+    (tmp_path / "ear").chmod(0o644)
+    (installed / "demo/lib/demo/ear").symlink_to(tmp_path / "ear")
     shell = shutil.which("bash") or pytest.skip("bash is not here")
     subprocess.run([shell, "-ec", step], cwd=tmp_path / "ws", check=True)
     made = [path.relative_to(installed).as_posix() for path in installed.rglob("eye.py") if path.stat().st_mode & 0o100]
     assert made == ["demo/lib/demo/eye.py"]
+    assert (tmp_path / "ear").stat().st_mode & 0o100
 
 
 def test_a_file_that_is_one_long_call_ends(tmp_path: Path) -> None:

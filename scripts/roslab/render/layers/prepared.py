@@ -65,12 +65,13 @@ def ignoring(source: str, build: RosBuild) -> Iterator[str]:
 def executable(build: RosBuild, *, moved: bool) -> Iterator[str]:
     """Yield the command that gives scripts the right to be executed where CMake installed them without it.
 
-    ``moved``: what was compiled in a stage of its own is in the folder ``built`` of the home by then.
+    Where colcon installs links, the source's file gets it. ``moved``: what was compiled in a stage of its own is in the
+    folder ``built`` of the home by then.
     """
     if build.executable:
         names = " -o ".join(f"-name {quote.shell(name)}" for name in build.executable)
         folder = "../built/install" if moved else "install"
-        yield rf"find {folder} -path '*/lib/*' -type f \( {names} \) -exec chmod +x {{}} +"
+        yield rf"find {folder} -path '*/lib/*' -xtype f \( {names} \) -exec chmod +x {{}} +"
 
 
 def _within(source: str, path: str) -> str:
