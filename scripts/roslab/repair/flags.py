@@ -25,10 +25,22 @@ def flags(found: Explanation, given: Given) -> Worked:
         return Worked(why=found.fix)
     if not key.startswith("env."):
         return Worked(key=key, values=(flag,))
+    if (library := _library_of(flag)) and not _includes(library, given):
+        return Worked(why=f"no code of the repository includes {library}, which may not be installed: {found.fix}")
     before = compiler_flags(key.partition(".")[2], given)
     if flag in before:
         return Worked(why=f"it is compiled with {flag} already, and that did not help")
     return Worked(key=key, values=(f"{before} {flag}".strip(),))
+
+
+def _library_of(flag: str) -> str:
+    """Return the folder of a library's header that each file would include: where it is not there, all would stop."""
+    header = flag.removeprefix("-include ")
+    return header.partition("/")[0] if header != flag and "/" in header else ""
+
+
+def _includes(library: str, given: Given) -> bool:
+    return any(each.namespace == "include" and each.name.startswith(f"{library}/") for each in given.evidence.code)
 
 
 def linked(found: Explanation, given: Given) -> Worked:

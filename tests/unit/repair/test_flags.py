@@ -65,6 +65,17 @@ def test_an_error_that_a_flag_answers_gets_the_flag(tmp_path: Path, said: str, w
     assert [change.told for change in found.certain.changes] == ([wanted] if wanted else [])
 
 
+@pytest.mark.parametrize(
+    ("code", "flag"), [("#include <boost/function.hpp>\n", True), ("#include <functional>\n", False)]
+)
+def test_a_librarys_header_is_included_where_the_code_uses_the_library(
+    tmp_path: Path, code: str, *, flag: bool
+) -> None:
+    said = "main.cpp:1:3: error: '_1' was not declared in this scope"
+    found = repaired(tmp_path, log("make", said), {**CPP, "main.cpp": f"{code}int main() {{}}\n"})
+    assert [change.value for change in found.certain.changes] == (["-include boost/bind.hpp"] if flag else [])
+
+
 def test_a_flag_comes_behind_those_of_the_plan_and_of_roslab_yaml(tmp_path: Path) -> None:
     files = {**CPP, "main.cpp": "double most = DBL_MAX;\nint main() {}\n"}
     planned = repaired(tmp_path, log("make", CSTDINT), files)
