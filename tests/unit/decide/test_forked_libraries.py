@@ -12,7 +12,7 @@ Tree = Callable[[dict[str, str]], Decision]
 FORK = "https://github.com/lab/gtsam.git"
 OURS = "https://github.com/borglab/gtsam.git"
 CLONE = "git clone -b 4.2-lab https://github.com/lab/gtsam.git\ncd gtsam && mkdir build && cd build\ncmake ..\n"
-FOUND = "make\ncd ~/work/demo && mkdir build && cd build\ncmake .. -DGTSAM_DIR=WORK/gtsam/build\nmake\n"
+FOUND = "make\ncd ~/src/demo && mkdir build && cd build\ncmake .. -DGTSAM_DIR=WORK/gtsam/build\nmake\n"
 
 
 def cpp(page: str, asked: str = "GTSAM") -> dict[str, str]:
