@@ -109,6 +109,10 @@ DSO = "/usr/bin/ld: {}: error adding symbols: DSO missing from command line"
             ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-llapacke", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-llapacke"],
         ),
         (
+            "main.c:(.text+0x1): undefined reference to `cbrt'",
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-lm", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-lm"],
+        ),
+        (
             "main.cpp:(.text+0x1): undefined reference to `pthread_create'",
             ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-lpthread", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-lpthread"],
         ),
