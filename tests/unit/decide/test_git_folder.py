@@ -113,3 +113,19 @@ def test_so_it_is_where_the_compilation_has_a_stage_of_its_own(tmp_path: Path, *
     assert plan.compiled_apart is apart
     stages = dockerfile(plan).split("\nFROM ")
     assert [("&& cmake " in stage, "RUN git init --quiet" in stage) for stage in stages].count((True, True)) == 1
+
+
+def test_cmake_finds_the_commit_from_the_build_folder_beside_the_source(tmp_path: Path) -> None:
+    """CMake calls git in the folder where it was started."""
+    code = f"project(demo CXX)\n{ASKED}add_definitions(-DCOMMIT=${{ID}})\nadd_executable(demo demo.cpp)\n"
+    root = tmp_path / "demo"
+    root.mkdir()
+    for path, text in {"CMakeLists.txt": code, "demo.cpp": "int main() {}\n"}.items():
+        (root / path).write_text(text, encoding="utf-8")
+    step = dockerfile(plan_repository(root).plan).partition("RUN git init")[2].partition("\n#")[0]
+    script = f"git init{step}".replace("/home/${NB_USER}/", f"{tmp_path}/image/")
+    environment = {"PATH": os.environ["PATH"], "HOME": str(tmp_path)}
+    subprocess.run(["bash", "-ec", script], check=True, env=environment)
+    build = tmp_path / "image/demo-build"
+    head = subprocess.run(["git", "rev-parse", "HEAD"], cwd=build, check=True, capture_output=True, env=environment)
+    assert len(head.stdout.strip()) == 40
