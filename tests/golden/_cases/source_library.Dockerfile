@@ -31,6 +31,10 @@ COPY --chmod=755 <<'EOF' /compile-jobs
 @@ _constant/compile-jobs @@
 EOF
 
+COPY --chmod=755 <<'EOF' /fetch-submodules
+@@ _constant/fetch-submodules @@
+EOF
+
 COPY --chmod=755 <<'EOF' /install-optional-apt
 @@ _constant/install-optional-apt @@
 EOF
@@ -82,10 +86,11 @@ RUN --mount=type=cache,id=apt-lists-source_library-${TARGETARCH},target=/var/lib
 COPY --from=scripts /configure-library /usr/local/bin/
 COPY --from=scripts /warnings-pass /usr/local/bin/
 COPY --from=scripts /compile-jobs /usr/local/bin/
+COPY --from=scripts /fetch-submodules /usr/local/bin/
 RUN mkdir --parents /tmp/sources \
  && git clone https://github.com/stevenlovegrove/Pangolin.git /tmp/sources/pangolin \
  && git -C /tmp/sources/pangolin -c advice.detachedHead=false checkout v0.6 \
- && git -C /tmp/sources/pangolin submodule update --init --recursive \
+ && fetch-submodules /tmp/sources/pangolin \
  && mkdir --parents /tmp/sources/pangolin/build \
  && cd /tmp/sources/pangolin/build \
  && configure-library -DCMAKE_BUILD_TYPE=Release -DBUILD_EXAMPLES=OFF -DBUILD_TESTS=OFF -DBUILD_PANGOLIN_PYTHON=OFF ../ \

@@ -48,6 +48,7 @@ def test_what_is_called_is_copied_once() -> None:
         "read-manifest",
         "required-by-cmake",
         "checkout-branch",
+        "fetch-submodules",
         "take-ros-branch",
         "serve-rosbuild",
     )

@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Source
 from roslab.render import image_scripts
+from roslab.render.layers.system import clone
 
 SCRIPT = Path(image_scripts.__path__[0]) / "fetch-submodules.sh"
 
@@ -74,3 +76,21 @@ def _has(clone: Path, name: str) -> bool:
 def test_a_clone_without_submodules_stays_as_it_is(tmp_path: Path) -> None:
     ran = subprocess.run(["bash", SCRIPT, _made(tmp_path, "plain")], capture_output=True, text=True, check=True)
     assert (ran.stdout, ran.stderr) == ("", "")
+
+
+@pytest.mark.parametrize(
+    ("source", "whole"),
+    [
+        (Source(name="ceres", repo="https://example.org/ceres.git"), True),
+        (Source(name="ceres", repo="https://example.org/ceres.git", unread=True), False),
+        (Source(name="ceres", repo="https://example.org/ceres.git", tabled=True), False),
+        (Source(name="ceres", repo="https://example.org/ceres.git", unasked=True), False),
+    ],
+)
+def test_an_authors_own_source_needs_all_of_them(source: Source, whole: bool) -> None:
+    last = clone(source, "/tmp/sources/ceres")[-1]
+    assert last == (
+        "git -C /tmp/sources/ceres submodule update --init --recursive"
+        if whole
+        else "fetch-submodules /tmp/sources/ceres"
+    )

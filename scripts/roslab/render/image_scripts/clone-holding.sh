@@ -131,7 +131,7 @@ look
 mapfile -t old < <(if [ "${ros}" = 1 ]; then of_rosbuild; fi)
 if [ "${#kept[@]}" -eq 0 ] && [ "${#old[@]}" -gt 0 ]; then
   if [ -n "${rosmake}" ]; then
-    git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
+    fetch-submodules "${folder}"
     echo "roslab: ${url} brings ${old[*]}"
     exit 0
   fi
@@ -140,13 +140,13 @@ if [ "${#kept[@]}" -eq 0 ] && [ "${#old[@]}" -gt 0 ]; then
 fi
 mapfile -t plain < <(plain)
 if [ "${#kept[@]}" -eq 0 ] && [ "${#plain[@]}" -gt 0 ]; then
-  git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
+  fetch-submodules "${folder}"
   printf '%s\n' "${plain[@]}" >"${folder}/.git/roslab-plain"
   echo "roslab: ${url} is ${plain[*]}, a library without a package.xml"
   exit 0
 fi
 if [ "${#kept[@]}" -gt 0 ] || beneath; then
-  git -C "${folder}" submodule update --init --recursive || leave_out "its submodules cannot be cloned"
+  fetch-submodules "${folder}"
   look
 fi
 if [ "${#kept[@]}" -eq 0 ]; then leave_out "it holds no package called ${lacking[*]}"; fi

@@ -1,8 +1,8 @@
 #!/bin/bash
 # usage: clone-listed [--ros1|--ros2] [--rosmake] [--plain] [--ref REF] [--branch BRANCH] [--before DAY] URL FOLDER
 # Clones to a folder of the workspace, as its owner's, a repository that a list or a page names. Where its host asks for a
-# password or has no such repository, or no longer speaks to a git as old as that of Ubuntu 14.04, it is named and left out,
-# as are such submodules; what else fails stops the build.
+# password or has no such repository, or no longer speaks to a git as old as that of Ubuntu 14.04, it is named and left out;
+# what else fails stops the build. Submodules that cannot be fetched are left out, one by one.
 # Of one in which the workspace finds nothing to build, that is told.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
 #   --rosmake        for a workspace of rosbuild; else catkin is told the names of what has a manifest.xml alone
@@ -79,7 +79,7 @@ if [ -n "${day}" ]; then
   git -C "${folder}" -c advice.detachedHead=false checkout --quiet "${commit:-HEAD}" --
 fi
 if [ -n "${ros}" ]; then take-ros-branch "${ros}" "${url}" "${folder}" "${day}"; fi
-if ! try -C "${folder}" submodule update --init --recursive; then leave_out "submodules of ${url}"; fi
+fetch-submodules "${folder}"
 lacks() { [ -z "$(find "${folder}" -name .git -prune -o \( "$@" \) -print -quit)" ]; }
 if [ "${ros}" = 1 ] && [ -z "${rosmake}" ] && lacks -name package.xml && ! lacks -name manifest.xml; then
   serve-rosbuild "${folder}"

@@ -4,6 +4,7 @@
 # all: then each is fetched by itself, and those that cannot be had are named and left out.
 set -euo pipefail
 
+share=/usr/local/share/roslab
 export GIT_TERMINAL_PROMPT=0 # a host without such a repository asks for a password, which nobody is there to give
 fetch() {
   local path
@@ -13,6 +14,7 @@ fetch() {
       fetch "$1/${path}"
     else
       echo "roslab: left out: ${1##*/}/${path} cannot be cloned"
+      if [ -w "${share}" ]; then echo "source ${1##*/}/${path}" >>"${share}/left-out.txt"; fi
     fi
   done < <(git -C "$1" ls-files --stage -z | sed --null-data --quiet 's/^160000 [^\t]*\t//p')
 }

@@ -93,7 +93,7 @@ build() {
     if [ -d "${source}" ]; then continue; fi # another one of these names needed it, too
     echo "roslab: ${name} requires $(basename "${source}"): ${ref} of ${url} is built before it"
     { git clone --quiet "${url}" "${source}" && git -C "${source}" -c advice.detachedHead=false checkout --quiet "${ref}" &&
-      git -C "${source}" submodule update --init --recursive && with_packages "${depends[@]}" &&
+      fetch-submodules "${source}" && with_packages "${depends[@]}" &&
       mkdir --parents "${source}/build" && (cd "${source}/build" && cmake -DCMAKE_BUILD_TYPE=Release "${options[@]}" .. &&
       make --jobs="$(compile-jobs 2>/dev/null || echo 2)" && make install && make install DESTDIR=/installed) && ldconfig; } </dev/null || {
       rm -rf "${source}"

@@ -11,8 +11,8 @@ MANIFEST = "read-manifest"
 CALLED = {
     PACKAGES: (MANIFEST,),
     "build-needed": (PACKAGES,),
-    "clone-holding": (PACKAGES, "checkout-branch", "take-ros-branch", "serve-rosbuild"),
-    "clone-listed": ("checkout-branch", "take-ros-branch", "serve-rosbuild"),
+    "clone-holding": (PACKAGES, "checkout-branch", "fetch-submodules", "take-ros-branch", "serve-rosbuild"),
+    "clone-listed": ("checkout-branch", "fetch-submodules", "take-ros-branch", "serve-rosbuild"),
     "clone-unknown": ("clone-holding", "leave-out-doubles", "listed-repositories", PACKAGES, MANIFEST),
     "declare-needs": ("required-by-cmake", MANIFEST),
     "leave-out-doubles": (MANIFEST,),

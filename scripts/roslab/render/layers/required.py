@@ -45,7 +45,7 @@ def _tools(plan: Plan) -> str:
     """Return the instructions that bring the scripts that read a CMakeLists.txt, and what they know of its names."""
     ubuntu = plan.ubuntu or "other"
     tables = shell.copy_data((f"cmake-{ubuntu}.txt", f"libraries-{ubuntu}.txt"))
-    return f"{tables}{shell.copy_script('required-by-cmake')}{_SCRIPTS}"
+    return f"{tables}{shell.copy_script('required-by-cmake')}{shell.copy_script(shell.SUBMODULES)}{_SCRIPTS}"
 
 
 def in_image(plan: Plan) -> str:

@@ -257,7 +257,7 @@ def fetch(plan: Plan, source: Source, folder: str) -> list[str]:
 
 
 def clone(source: Source, folder: str) -> list[str]:
-    """Return the commands that clone a source at its ref, submodules included, into an already quoted folder."""
+    """Return the commands that clone a source at its ref, with an author's all its submodules, else those there are."""
     commands = [f"git clone {quote.shell(source.repo or '')} {folder}"]
     if source.ref and BRANCH.fullmatch(source.ref):
         commands.append(f"{shell.CHECKOUT} {folder} {quote.shell(source.ref)}")
@@ -267,7 +267,9 @@ def clone(source: Source, folder: str) -> list[str]:
         until = quote.shell(f"{source.before}T23:59:59Z")
         found = f'commit="$(git -C {folder} rev-list --max-count=1 --first-parent --before={until} HEAD)"'
         commands += [found, f'git -C {folder} -c advice.detachedHead=false checkout "${{commit:-HEAD}}"']
-    return [*commands, f"git -C {folder} submodule update --init --recursive"]
+    by_author = not (source.unread or source.tabled or source.unasked)
+    whole = f"git -C {folder} submodule update --init --recursive"
+    return [*commands, whole if by_author else f"{shell.SUBMODULES} {folder}"]
 
 
 def _by_script(plan: Plan, library: Source) -> bool:
