@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from roslab.decide.absent import variant
+from roslab.decide.bare_options import ROS_ARGUMENTS
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import without_chores
 from roslab.decide.equally_meant import of_whole, without_robot
@@ -191,8 +192,11 @@ def _by_another_device(first: Candidate, written: Iterable[Candidate]) -> Candid
 def _explains(candidate: Candidate) -> bool:
     """Tell whether a program only prints its arguments: no page means that where it runs the program otherwise too.
 
-    An option with a value does something else: ``-h 480`` is a height.
+    An option with a value does something else: ``-h 480`` is a height. At the end of a call of roslaunch, or of ros2
+    launch, ``--ros-args`` lists arguments.
     """
+    if candidate.argv[0] in LAUNCHERS and candidate.argv[-1] == ROS_ARGUMENTS:
+        return True
     words = zip(candidate.argv, (*candidate.argv[1:], "-"), strict=True)
     return candidate.argv[0] not in SIMULATORS and any(_HELP.match(word) and then[:1] == "-" for word, then in words)
 

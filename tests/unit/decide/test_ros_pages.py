@@ -173,6 +173,12 @@ def test_a_call_that_only_asks_is_no_default(tmp_path: Path, asks: str) -> None:
     assert decided(tmp_path, {**ament(), "README.md": page}).command == ("bash",)
 
 
+def test_a_call_that_lists_arguments_comes_after_others_of_its_page(tmp_path: Path) -> None:
+    page = "Run `roslaunch demo a.launch --ros-args` for its arguments.\n\nRun `roslaunch demo a.launch` to see it.\n"
+    files = {**catkin(), "launch/a.launch": "<launch/>", "README.md": page}
+    assert decided(tmp_path, files).command == ("roslaunch", "demo", "a.launch")
+
+
 @pytest.mark.parametrize(
     ("page", "command"),
     [

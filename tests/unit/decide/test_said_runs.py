@@ -111,6 +111,14 @@ COMPILED = {"CMakeLists.txt": TWO, "a.cpp": "int main() {}\n"}
         ("Run `./bin/go` to begin.", ("go",)),
         ("The map is in `./bin/go`", ("bash",)),
         ("```\n./bin/go --all\n```\n\nThen run `./bin/go`", ("go", "--all")),
+        ("You can begin by running `./bin/go`. A window opens.", ("go",)),
+        ("Call `./bin/go --all` for it", ("go", "--all")),
+        ("Then type: `./bin/go`", ("go",)),
+        ("After this it can be started with `./bin/go`.", ("go",)),
+        ("It is executed by calling `./bin/go`.", ("go",)),
+        ("`./bin/go` starts the viewer.", ("go",)),
+        ("`./bin/go` lists the files.", ("bash",)),
+        ("The map is opened while running `./bin/other`, see `./bin/go`.", ("bash",)),
     ],
 )
 def test_a_sentence_runs_what_is_compiled_by_its_path(tree: Tree, text: str, command: tuple[str, ...]) -> None:

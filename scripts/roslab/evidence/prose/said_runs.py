@@ -31,12 +31,19 @@ _SAID = tuple(
     )
 )
 """A sentence that runs a script by its path."""
-_COMPILED = pattern(
-    r"\b(?:run|start|launch|execute)\b(?:\s+(?:the|a|program|executable|binary|our|file)){0,3}\s+(?<!`)`"
-    r"(?P<path>(?:\./)?(?:[\w.-]+/)*(?:bin|build|Release)/(?:[\w.-]+/)*[\w+-]+)(?P<rest>(?: [^`<\n]{1,200})?)`(?!`)",
-    re.IGNORECASE,
+_IN_FOLDER = r"(?:\./)?(?:[\w.-]+/)*(?:bin|build|Release)/(?:[\w.-]+/)*[\w+-]+"
+_BUILT = rf"(?<!`)`(?P<path>{_IN_FOLDER})(?P<rest>(?: [^`<\n]{{1,200}})?)`(?!`)"
+_BY = r"(?:by|with|using|via|through)"
+_VERB = r"(?:run(?:n?ing)?|start(?:ing)?|launch(?:ing)?|execut(?:e|ing)|call(?:ing)?|invok(?:e|ing)|typ(?:e|ing)|enter)"
+_COMPILED = tuple(
+    pattern(form, re.IGNORECASE)
+    for form in (
+        rf"\b{_VERB}\b(?:\s+(?:it|the|a|program|executable|binary|our|file)){{0,3}}(?:\s+{_BY})?:?\s+{_BUILT}",
+        rf"\b(?:run|executed|started|launched|called|invoked)\s+{_BY}(?:\s+\w+ing)?\s+{_BUILT}",
+        rf"{_BUILT}\s+(?:runs|starts|launches|opens)\b",
+    )
 )
-"""A sentence that runs by its path what is compiled: ``Run `./bin/navigation` ``."""
+"""A sentence that runs by its path what is compiled: ``Run `./bin/navigation` ``, `` `./build/demo` starts it``."""
 _TESTS = pattern(r"\b(?:unit)?tests?\b|\bCI\b", re.IGNORECASE)
 """What such a sentence runs for those who work on the code."""
 _NO_MORE = pattern(r"\b(?:not|never|no longer|used to|old|deprecated|obsolete)\b|n't\b", re.IGNORECASE)
@@ -64,7 +71,7 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
     It starts in its folder where it, or a module beside it, names a path that is in the tree from there alone.
     ``mentions``: what the page runs by commands. What is compiled starts by the path that the sentence has.
     """
-    if "`" not in text or not (any(ending in text for ending in _ENDINGS) or _COMPILED.search(text)):
+    if "`" not in text or not (any(ending in text for ending in _ENDINGS) or _built(text)):
         return
     commands = [m for m in mentions if m.topic == "command"]
     known = {word for m in commands for word in m.value.split()}
@@ -102,9 +109,14 @@ def _named(text: str) -> Iterator[tuple[str, str]]:
                 yield match["path"], match["rest"]
 
 
+def _built(text: str) -> bool:
+    """Tell whether a page has the path of what is compiled in code."""
+    return any(f"{folder}/" in text for folder in ("bin", "build", "Release"))
+
+
 def _compiled(line: Line, page: File) -> Iterator[tuple[str, Mention]]:
     """Yield path and command of each compiled program that a line says is to be run."""
-    for match in _COMPILED.finditer(line.text):
+    for match in (match for form in _COMPILED for match in form.finditer(line.text)):
         around = line.text[max(0, match.start() - 30) : match.start()] + line.text[match.end() : match.end() + 40]
         if not (_TESTS.search(around) or _NO_MORE.search(around)):
             path = match["path"].removeprefix("./")
