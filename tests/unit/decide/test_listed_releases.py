@@ -42,3 +42,17 @@ def test_the_ubuntu_of_a_listed_release(tree: Tree, page: str, ubuntu: str) -> N
 def test_what_the_code_shows_is_stronger(tree: Tree, code: str, ubuntu: str) -> None:
     page = "# Demo\n## Dependencies\n* OpenCV 2.4\n" if ubuntu == "jammy" else "# Demo\n## Dependencies\n* OpenCV 4\n"
     assert tree({**CODE, "a.cpp": code, "README.md": page}).ubuntu == ubuntu
+
+
+@pytest.mark.parametrize(
+    ("find", "ubuntu"),
+    [
+        ("find_package(DART 6.6 REQUIRED COMPONENTS gui)\n", "jammy"),  # bionic has no package of it
+        ("find_package(DART REQUIRED)\n", "jammy"),
+        ("find_package(DART)\n", "bionic"),
+        ("find_package(Eigen3 REQUIRED)\n", "bionic"),
+    ],
+)
+def test_an_ubuntu_without_a_package_that_cmake_requires_is_not_taken(tree: Tree, find: str, ubuntu: str) -> None:
+    files = {**CODE, "CMakeLists.txt": CMAKE + find, "README.md": "# Demo\n## Dependencies\n- OpenCV 3.2.0\n"}
+    assert tree(files).ubuntu == ubuntu

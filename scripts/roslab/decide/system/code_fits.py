@@ -16,6 +16,7 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import OF_ROS2, bounds_of, fits, satisfies
 from roslab.knowledge.cuda_gpus import NAME as CUDA
 from roslab.knowledge.distros import cmake_of_ubuntu, distro, distros, ubuntus
+from roslab.knowledge.libraries import library
 from roslab.knowledge.recipes import has_release, stands_beside
 from roslab.knowledge.shared_objects import ubuntus_with
 from roslab.values.version import Version
@@ -49,6 +50,7 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
                 wanted = f"{limit.at_least} or newer" if limit.at_least else f"older than {limit.below}"
                 lacks[f"{limit.library} {wanted} ({limit.what}, {limit.file}:{limit.line})"] = None
         lacks.update(_unlinkable(linked, ubuntu))
+        lacks.update({} if ros else _unpackaged(evidence, ubuntu))
         cmake = cmake_of_ubuntu()[ubuntu]
         if needs_newer_cmake(evidence, ubuntu, cmake):
             lacks[f"CMake {needs_newer_cmake(evidence, ubuntu, cmake)}"] = None
@@ -65,6 +67,17 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
 def _built_beside(name: str, version: str) -> bool:
     """Tell whether the image can build a release that CMake asks for, whichever one its Ubuntu has."""
     return stands_beside(name.lower()) and has_release(name.lower(), *bounds_of(name, version))
+
+
+def _unpackaged(evidence: Evidence, ubuntu: str) -> dict[str, None]:
+    """Return what CMake requires, and packages of other Ubuntus alone bring; ROS may bring it as its own."""
+    found: dict[str, None] = {}
+    for d in (d for project in _built(evidence) for d in project.dependencies):
+        required = d.namespace == "cmake" and d.strength == "declared" and d.role != "test" and not d.target
+        one = library("cmake", d.name, ubuntu) if required else None
+        if one and one.elsewhere and not one.ros and not _brought(d.name.partition(" ")[0], evidence):
+            found[f"{d.name} ({d.file}:{d.line})"] = None
+    return found
 
 
 def _unlinkable(linked: Iterable[tuple[str, str]], ubuntu: str) -> dict[str, None]:
