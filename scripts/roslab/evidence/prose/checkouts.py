@@ -18,7 +18,9 @@ _TAKES = frozenset({"checkout", "switch"})
 _NEW = frozenset({"-b", "-B", "-c", "-C", "--orphan", "--create"})
 """Options that are followed by the name of a branch that is made here: the repository has none of that name."""
 COMMIT = pattern(r"[0-9a-f]{7,40}")
-_URL = pattern(r"^(?:https?://|git://|ssh://|git@)\S+$")
+_URL = pattern(r"^(?:https?://|git://|ssh://|git@)[^\s/]+[/:]\S+$")
+_OWN_TOKEN = pattern(rf"^(https?://)[^/\s@]*[{UNKNOWN}<][^/\s@]*@")
+"""The start of an address in which the reader writes a token: ``https://$TOKEN@github.com/a/b``."""
 _REF = pattern(r"(?:\w|\{distro\})(?:[\w./-]|\{distro\}){0,200}")
 
 
@@ -43,12 +45,13 @@ def checked_out(words: Sequence[str]) -> str | None:
 def cloned(command: Command, file: str, folder: str, heading: str, *, inside: bool) -> GitSource | None:
     """Return what a command of git clones, ``None`` for nothing; ``inside``: the text is in a folder of packages."""
     words = command.words
-    url = next((w for w in words if _URL.match(w) and UNKNOWN not in w and "<" not in w), None)
-    if url is None or "clone" not in words:
+    addresses = ((word, _OWN_TOKEN.sub(r"\1", word)) for word in words if _URL.match(word))
+    written, url = next((each for each in addresses if UNKNOWN not in each[1] and "<" not in each[1]), ("", ""))
+    if not url or "clone" not in words:
         return None
     apart = [part for word in words for part in (word.split("=", 1) if word.startswith("--branch=") else (word,))]
     branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
-    into, url = workspaces.folder_after(url, words, folder), served(url.rstrip(".,;)"))
+    into, url = workspaces.folder_after(written, words, folder), served(url.rstrip(".,;)"))
     name = url.rstrip("/").rpartition("/")[2].rpartition(":")[2].removesuffix(".git")
     return GitSource(
         name=name,
@@ -59,9 +62,9 @@ def cloned(command: Command, file: str, folder: str, heading: str, *, inside: bo
         line=command.line,
         kind="clone",
         into="" if into == name else into,
-        private=of_user(url),
+        private=of_user(written),
         heading=heading,
-        beside=workspaces.beside(words[-1] if words[-1] != url else "", inside=inside),
+        beside=workspaces.beside(words[-1] if words[-1] not in {written, url} else "", inside=inside),
     )
 
 
