@@ -48,9 +48,10 @@ LINKS = "\t$(CC) *.cpp $(LDFLAGS) -o $@\n"
         ({"Makefile": f"{OPENCV}BIN = other\n$(EXECUTABLE):\n{LINKS}"}, ("bash",), True),
         ({"Makefile": f"{OPENCV}\t$(CC) a.cpp -o tool\n"}, ("bash",), True),
         ({"Makefile": f"{OPENCV.replace('filter.bin', 'libfilter.so')}{LINKS}"}, ("bash",), True),
+        ({"Makefile": f"{OPENCV.replace('EXECUTABLE', 'MAIN')}$(MAIN): $(OBJS)\n{LINKS}"}, ("./filter.bin",), True),
         ({"a/Makefile": f"{OPENCV}{LINKS}", "b/Makefile": f"{OPENCV}{LINKS}"}, ("bash",), False),
     ],
-    ids=["one", "two", "named-in-a-line", "library", "folders"],
+    ids=["one", "two", "named-in-a-line", "library", "another-variable", "folders"],
 )
 def test_the_makefile_that_is_the_project(
     tree: Tree, files: dict[str, str], command: tuple[str, ...], *, required: bool
@@ -60,6 +61,20 @@ def test_the_makefile_that_is_the_project(
     assert {script.required for script in decision.scripts} == {required}
     assert ("libopencv-dev" in decision.apt) is required
     assert "libopencv-dev" in {*decision.apt, *decision.apt_guessed}
+
+
+@pytest.mark.parametrize(
+    ("rules", "call", "command"),
+    [
+        ("$(MAIN): main.o\n\t$(CXX) main.o -o $@\n", "./swing", ("./swing",)),
+        ("$(MAIN): main.o\n\t$(CXX) main.o -o $@\nrun: $(MAIN)\n\t./$(MAIN)\n", "make run", ("./swing",)),
+        ("all: main.o\n\t$(CXX) main.o -o $(OUT)/$(MAIN) -lm\n", "./bin/swing --fast", ("./bin/swing", "--fast")),
+        ("$(NONE): main.o\n\t$(CXX) main.o -o $@\n", "./swing", ("bash",)),
+    ],
+)
+def test_a_program_whose_name_is_a_variable(tree: Tree, rules: str, call: str, command: tuple[str, ...]) -> None:
+    page = {"README.md": f"# Swing\n\nTo start it:\n```\nmake\n{call}\n```\n"}
+    assert tree({**CODE, **page, "Makefile": f"MAIN := swing\nOUT = bin\n{rules}"}).command == command
 
 
 def test_makefiles_of_folders_are_run_where_the_root_has_none(tree: Tree) -> None:
@@ -124,7 +139,7 @@ def test_what_a_makefile_includes_is_its_own(tree: Tree) -> None:
 def test_an_included_file_that_calls_cmake_for_a_library_does_not_make_it_another_builder(tree: Tree) -> None:
     rules = {"Mk/rules.mk": RULES["Mk/rules.mk"] + "flann:\n\tcd lib/flann; cmake ..; make\n"}
     decision = tree({**CODE, **rules, "Makefile": INCLUDING})
-    assert [script.command for script in decision.scripts] == ["make"]
+    assert [script.command for script in decision.scripts] == ["make slam"]  # its first target is an object
 
 
 def test_a_program_that_reads_above_is_started_where_it_is_made(tree: Tree) -> None:

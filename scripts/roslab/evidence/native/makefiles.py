@@ -145,6 +145,7 @@ def _only_compiles(recipe: str) -> bool:
 
 def _makefile(file: File, repository: Repository) -> Makefile | None:
     from roslab.evidence.native import compile_scripts, make_goals, recursive_make  # noqa: PLC0415 - as above
+    from roslab.evidence.native.make_names import with_names  # noqa: PLC0415 - as above
 
     text = repository.read(file)
     if _OTHERS.search(text):
@@ -155,6 +156,7 @@ def _makefile(file: File, repository: Repository) -> Makefile | None:
         text = "\n".join((text, *(with_included(part, folder, repository) for folder, part in parts)))
     if not _COMPILES.search(text):
         return None
+    text = with_names(text)
     names = [*_OUTPUT.findall(text)]
     names += [posixpath.basename(word) for written in _TARGET.findall(text) for word in written.split()]
     names += [posixpath.basename(word) for written in _RULE.findall(text) for word in written.split()]
