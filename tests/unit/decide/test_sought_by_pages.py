@@ -55,3 +55,27 @@ def test_where_it_is_looked_for(tree: Tree, text: str, found: dict[str, tuple[st
     )
     not_cloned = [each.split(",")[0].rpartition("/")[2] for each in told if each.startswith("not cloned")]
     assert found.keys().isdisjoint(name.removesuffix(".git") for name in not_cloned)
+
+
+@pytest.mark.parametrize(
+    ("build", "libraries", "sought"),
+    [
+        ("cmake .\nmake\nsudo make install\n", ["libwheels"], ["pad_driver"]),
+        ("make\nsudo make install\n", ["libwheels"], ["pad_driver"]),
+        ("", [], ["pad_driver"]),  # it is cloned beside the others, and may hold anything
+    ],
+    ids=["cmake", "make", "not-installed"],
+)
+def test_what_a_page_installs_by_hand_holds_no_package(
+    tree: Tree, build: str, libraries: list[str], sought: list[str]
+) -> None:
+    files = {
+        **FILES,
+        "package.xml": FILES["package.xml"].replace("</package>", "<exec_depend>pad_driver</exec_depend></package>"),
+        "CMakeLists.txt": FILES["CMakeLists.txt"] + "target_link_libraries(plan libwheels)\n",
+        "README.md": "# Planner\n\nFor ROS Noetic.\n\n```\ncd ~/library\ngit clone https://github.com/lab/libwheels\n"
+        f"cd libwheels/\n{build}```\n",
+    }
+    decision = tree(files)
+    assert [source.name for source in decision.source if source.build == "cmake"] == libraries
+    assert [source.name for source in decision.source if source.holding] == sought

@@ -47,13 +47,18 @@ def listed_by_pages(evidence: Evidence, here: str, known: AbstractSet[str], name
 
 
 def _others(evidence: Evidence, here: str, known: AbstractSet[str]) -> dict[str, GitSource]:
-    """Return what pages at the root link to, by its address, without what is known or the repository itself."""
+    """Return what pages at the root link to, by its address, without what is known or the repository itself.
+
+    Nor what a page compiles with CMake or make and installs, outside of any workspace: that holds no package of ROS.
+    """
     itself = here.rpartition("/")[2]
+    clones = (git for git in evidence.sources if git.kind == "clone" and git.installed)
+    by_hand = {address(git.url) for git in clones if git.configured or git.by_make}
     links = (git for git in evidence.sources if git.kind == "link" and "/" not in git.file)
     return {
         address(git.url): git
         for git in links
-        if known.isdisjoint((git.name, plain(git.name))) and address(git.url) != here
+        if known.isdisjoint((git.name, plain(git.name))) and address(git.url) not in {here, *by_hand}
         if not itself or plain(git.name) != plain(itself)
     }
 
