@@ -78,7 +78,7 @@ _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya
 """An argument that names a file."""
 _PLANS = pattern(r"(?:^|/)(?:plans?|specs|superpowers|roadmaps?|backlog)/", re.IGNORECASE)
 """A folder with what is, or was, to be done."""
-_HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s)$")
+_HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s|--self-?(?:test|check))$")
 _TOPIC = pattern(r"(?!\w*(?:file|path|dir|folder|map|bag|conf|data|world|model|urdf|weight|vocab))\w+:=(?:/\w+)+")
 """An argument that names a topic or a namespace of ROS: ``image:=/camera/color/image_raw``."""
 _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
@@ -190,7 +190,7 @@ def _by_another_device(first: Candidate, written: Iterable[Candidate]) -> Candid
 
 
 def _explains(candidate: Candidate) -> bool:
-    """Tell whether a program only prints its arguments: no page means that where it runs the program otherwise too.
+    """Tell whether a program only prints its arguments or tests itself: a page that runs it otherwise, too, means that.
 
     An option with a value does something else: ``-h 480`` is a height. At the end of a call of roslaunch, or of ros2
     launch, ``--ros-args`` lists arguments.

@@ -256,6 +256,7 @@ APPS = {"apps/CMakeLists.txt": "add_executable(viewer v.cpp)\n", "a.cpp": "int m
         ("```\ncd build\n./align ../../kitti/00 --out=../results\n```\n", "align kitti/00 --out=results"),
         ("```\n./build/align ../kitti/00\n```\n", "align ../kitti/00"),
         ("```\n./align --version\n./align -n 3\n```\n", "align -n 3"),
+        ("```\n./align --self-test\n./align -n 3\n```\n", "align -n 3"),
         ("```\n./install.sh\n```\n", "bash"),
     ],
 )

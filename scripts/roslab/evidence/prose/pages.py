@@ -17,6 +17,7 @@ from roslab.evidence.prose.comments import without_comments
 from roslab.evidence.prose.diagrams import without_diagrams
 from roslab.evidence.prose.headings import lines_of, title_of
 from roslab.evidence.prose.listings import without_listings
+from roslab.evidence.prose.of_windows import as_in_a_shell
 from roslab.evidence.prose.other_branches import without
 from roslab.evidence.prose.preformatted import as_markdown
 from roslab.evidence.prose.translations import without_translations
@@ -73,11 +74,12 @@ def text_of(repository: Repository, file: File) -> str:
     """Return what a page says to those who read it, with all its blocks of code fenced.
 
     That is not what it comments out, nor what it says of another branch. Blanks in names of programs are filled in,
-    and in place of ``just run`` or ``make run`` stands what that runs.
+    and in place of ``just run`` or ``make run`` stands what that runs. Calls of Python are those of a shell.
     """
     texts = repository.once(_texts)
     if file.path not in texts:
         text = with_tasks(without(repository, _shown(repository.read(file))), repository, file)
+        text = as_in_a_shell(text, repository, file)
         texts[file.path] = with_programs(text, repository, file)
     return texts[file.path]
 
