@@ -20,7 +20,7 @@ _CXX_FLAGS = "-DCMAKE_CXX_FLAGS="
 def flags(found: Explanation, given: Given) -> Worked:
     """Compile with the flag that answers an error, behind those that the plan or somebody gives."""
     names = dict(found.names)
-    key, flag = names.get("setting", ""), names.get("flag", "")
+    key, flag = names.get("setting", "env.CXXFLAGS"), names.get("flag", "")
     if not flag:
         return Worked(why=found.fix)
     if not key.startswith("env."):

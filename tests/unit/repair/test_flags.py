@@ -16,6 +16,9 @@ LOADED = " ".join(
     f"-DCV_LOAD_IMAGE_{name}" for name in ("COLOR=1", "GRAYSCALE=0", "UNCHANGED=-1", "ANYDEPTH=2", "ANYCOLOR=4")
 )
 TWICE = "multiple definition of `{}'; {}: first defined here"
+STREAMSIZE = (
+    "main.cpp:1:3: error: invalid conversion from 'std::streamsize' to 'std::ios_base::fmtflags' [-fpermissive]"
+)
 CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
 
 
@@ -53,6 +56,11 @@ CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
         ),
         ("main.cpp:1:3: error: 'CvMat' was not declared in this scope", ""),
         (
+            f"{STREAMSIZE}\nmain.cpp:9:3: error: control reaches end of non-void function [-Werror=return-type]",
+            "env.CXXFLAGS: -fpermissive, for what is said of std::streamsize (main.cpp:1)",
+        ),
+        ("main.cpp:1:3: error: no 'a' [-fpermissive]\nmain.cpp:9:3: error: 'b' was not declared in this scope", ""),
+        (
             f"/usr/bin/ld: b.c.o:(.bss+0x0): {TWICE.format('arm', 'a.c.o:(.bss+0x0)')}",
             "env.CFLAGS: -fcommon, for what is said of arm",
         ),
@@ -61,7 +69,7 @@ CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
     ],
 )
 def test_an_error_that_a_flag_answers_gets_the_flag(tmp_path: Path, said: str, wanted: str) -> None:
-    found = repaired(tmp_path, log("make", said), CPP)
+    found = repaired(tmp_path, log("make", *said.split("\n")), CPP)
     assert [change.told for change in found.certain.changes] == ([wanted] if wanted else [])
 
 
@@ -131,7 +139,7 @@ DSO = "/usr/bin/ld: {}: error adding symbols: DSO missing from command line"
     ],
 )
 def test_a_library_of_the_system_or_of_ros_is_linked(tmp_path: Path, said: str, wanted: list[str]) -> None:
-    found = repaired(tmp_path, log("make", said), CPP)
+    found = repaired(tmp_path, log("make", *said.split("\n")), CPP)
     assert [change.value for change in found.certain.changes] == wanted
     there = repaired(
         tmp_path, log("make", said), {"roslab.yaml": "format: 3\ncmake_options: -DCMAKE_CXX_STANDARD_LIBRARIES=-lm\n"}
