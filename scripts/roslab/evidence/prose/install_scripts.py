@@ -18,6 +18,7 @@ from roslab.evidence.prose.release_branches import headed
 from roslab.knowledge.distros import distros
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
@@ -44,6 +45,11 @@ _INSTALLERS = frozenset({"dpkg", "apt", "apt-get", "gdebi"})
 _BESIDE = frozenset({"cd", "echo", "set", "rm", "wget", "curl", "exit"})
 """What a script that only installs packages calls besides."""
 MAX_INSTALLER = 4 * 1024
+_INSTALLS = pattern(
+    r"^[ \t]*(?:sudo[ \t]+)?(?:(?:apt|apt-get)[ \t]+(?:-\S+[ \t]+){0,3}install|pip[23]?[ \t]+install)[ \t]",
+    re.MULTILINE,
+)
+"""A line that installs packages."""
 _RUNNING = frozenset({"RUN", "ENTRYPOINT", "CMD"})
 _TOLD = ("install", "clone", "cmake", "docker", "catkin", "colcon", "dpkg")
 """What stands in every script that is read."""
@@ -66,7 +72,12 @@ def read(repository: Repository) -> Prose:
         file
         for file in repository.suffixed(".sh", ".bash", "")
         if (file.name.endswith(("sh",)) or "install" in file.name.lower())
-        and (file.name in by_images or _NAME.search(file.path.lower()) or _installs_packages(repository, file))
+        and (
+            file.name in by_images
+            or _NAME.search(file.path.lower())
+            or _installs_packages(repository, file)
+            or _installs_first(repository, file)
+        )
         and not _ROBOT.search(file.path.lower())
         and not places.vendored(file.path)
         and not of_tests(repository, file.path)
@@ -132,6 +143,17 @@ def _installs_packages(repository: Repository, file: File) -> bool:
 
     called = {each.words[0] for start, line in logical_lines(text) for each in commands(line, start)}
     return called <= _INSTALLERS | _BESIDE and not called.isdisjoint(_INSTALLERS)
+
+
+def _installs_first(repository: Repository, file: File) -> bool:
+    """Tell whether a page at the root runs a script of the root, whatever its name, that installs what it starts."""
+    if file.folder or not file.name.endswith(SHELL_SCRIPTS) or file.size >= MAX_INSTALLER:
+        return False
+    runs = re.compile(rf"(?:\./|\b(?:ba)?sh[ \t]+(?:\./)?){re.escape(file.name)}(?![\w.-])")
+    said = (page for page in pages(repository) if not page.folder)
+    return bool(_INSTALLS.search(repository.read(file))) and any(
+        runs.search(text_of(repository, page)) for page in said
+    )
 
 
 def _given(repository: Repository) -> list[File]:
