@@ -151,8 +151,8 @@ def _prove_once(  # noqa: PLR0917 - what one proof is made of
         with suppress(OSError):
             picture.unlink()  # from an earlier proof
         words = [*fences, "--platform", platform, *(camera.display.options() if camera else ())]
-        # Output that a program buffers would be lost when the proof ends it
-        words += ["--env", "PYTHONUNBUFFERED=1"] if proof.may_run_on else []
+        # What a program buffers would be lost when the proof ends it; one that clears the screen asks which it is
+        words += ["--env", "PYTHONUNBUFFERED=1", "--env", "TERM=xterm"] if proof.may_run_on else []
         start = time.monotonic()
         log = folder / "log"
         command: Sequence[str] = proof.command

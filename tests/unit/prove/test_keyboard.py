@@ -43,3 +43,22 @@ def test_a_program_that_asks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pr
         "a", "linux/amd64", (proof,), limits=ProofLimits(), goals=ProofGoals(seconds=2), screenshots=tmp_path
     )
     assert outcome.held is held
+
+
+ASKED = """\
+#!/bin/bash
+# Fails as a program that clears the screen does where nobody says which it is
+[ "$1" = run ] || exit 0
+[[ " $* " == *" --env TERM=xterm "* ]] || { echo 'TERM environment variable not set.'; exit 1; }
+"""
+
+
+def test_a_program_that_clears_the_screen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "docker").write_text(ASKED)
+    (tmp_path / "docker").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    proof = Proof(name="a", command=("python3", "menu.py"), rung=1, may_run_on=True)
+    (outcome,) = prove(
+        "a", "linux/amd64", (proof,), limits=ProofLimits(), goals=ProofGoals(seconds=2), screenshots=tmp_path
+    )
+    assert outcome.held
