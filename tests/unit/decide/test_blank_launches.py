@@ -108,3 +108,20 @@ def test_a_name_of_many_blanks_is_left_as_it_is(blanks: int, *, filled: bool) ->
     said = ("roslaunch", "demo", f"{'aXX' * blanks}.launch")
     whole, other = f"{'a' * 60}.launch", f"{'a' * 120}-.launch"
     assert with_a_launch_file(said, {"demo": frozenset({whole, other})})[2] == (whole if filled else said[2])
+
+
+@pytest.mark.parametrize(
+    ("said", "given"),
+    [
+        ("address := <ip>", ()),
+        ("address := 10.0.0.1", ("address:=10.0.0.1",)),
+        ("address:= 10.0.0.1 rviz := false", ("address:=10.0.0.1", "rviz:=false")),
+        ("address :=10.0.0.1 rviz:=false", ("address:=10.0.0.1", "rviz:=false")),
+        ("address:= rviz:=false", ("rviz:=false",)),
+    ],
+)
+def test_a_value_with_blanks_before_it_belongs_to_its_argument(tree: Tree, said: str, given: tuple[str, ...]) -> None:
+    launch = '<launch><arg name="address" default="127.0.0.1"/><arg name="rviz" default="true"/></launch>\n'
+    page = f"ROS Noetic\n```\nroslaunch demo show.launch {said}\n```\n"
+    command = tree({**FILES, "launch/show.launch": launch, "README.md": page}).command
+    assert command == ("roslaunch", "demo", "show.launch", *given)

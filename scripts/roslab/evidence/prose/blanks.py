@@ -17,6 +17,8 @@ _PACKAGE = pattern(
     r"(?:/(?:share|lib)/\1(?![\w-]))?([\w./-]*)[\"']?"
 )
 """A folder that is found by the name of a package: ``cd $(rospack find demo)/scripts``."""
+_SPACED = pattern(r"(?<=[ \t])([A-Za-z_]\w{0,60})[ \t]{0,4}:=[ \t]{0,4}(?=[^\s:=])(?!\w{1,60}[ \t]{0,4}:=)")
+"""A value that is given to a launch file with blanks before it: ``address := <ip>``."""
 _ARGUMENTS = pattern(r"(?<=\s)[<\[](?:args?|arguments)(?:\s?\.{3})?[>\]](?=\s|$)", re.IGNORECASE)
 _BRACED = pattern(r"(?<![$\w{=-])\{[A-Za-z][\w -]{0,40}\}(?=[/\s]|$)")
 _CHOICE = pattern(r"(?<==)\{\s*([\w.-]+)\s*(?:[,|/]\s*[\w.-]+\s*){1,12}\}")
@@ -150,6 +152,8 @@ def filled(text: str, *, of_page: bool) -> str:
         text = _BRACED.sub("$UNKNOWN", text)
     if of_page and not text.isascii():
         text = _DASH.sub(lambda match: "--" if len(match[1]) > 1 else "-", text)
+    if (":= " in text or " :=" in text) and _RUN.search(text):
+        text = _SPACED.sub(r"\1:=", text)  # to roslaunch the name alone is one more launch file
     if "={" in text:
         text = _CHOICE.sub(r"\1", text)
     return _OFFERED.sub(r"\1\2", text) if of_page and ("(" in text or "\uff08" in text) else text
