@@ -122,6 +122,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     hidden = decide_hidden(
         evidence, config, of.packages, of.build_tool.answer, command=of.command.answer.command, left_out=of.left_out
     )
+    compiler = decide_compiler(of, evidence, config)
     choices = (
         of.day,
         *(() if of.pip_day.answer and (of.own.answer or not of.python.answer.day) else (of.pip_day,)),
@@ -183,8 +184,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
             )
         ),
         *(() if of.own.answer else (decide_stops(evidence, config, of.base.answer.image),)),
-        files,
-        *(() if of.own.answer else (decide_compiler(evidence, config, of.base.answer.ubuntu, _by_apt(of)),)),
+        *(files, compiler),
     )
     return Decision(
         kind=of.kind.answer,
@@ -195,9 +195,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         rosdep=of.system.answer.rosdep,
         rosdep_pip=by_pip(of.system.answer.rosdep),
         skip_keys=of.system.answer.skip_keys,
-        repositories=() if of.own.answer else of.repositories.answer,
-        apt=of.system.answer.apt,
-        apt_guessed=of.system.answer.apt_guessed,
+        repositories=() if of.own.answer else (*of.repositories.answer, *compiler.answer.repositories),
+        apt=(*of.system.answer.apt, *compiler.answer.apt),
+        apt_guessed=tuple(name for name in of.system.answer.apt_guessed if name not in compiler.answer.apt),
         python=of.python.answer,
         pip=of.everything,
         compiling=of.compiling,
@@ -215,7 +215,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         inside=of.inside.answer,
         inside_installed=() if of.own.answer else installed_inside(evidence, of.inside.answer),
         python_path=python_path(evidence, config, of.kind.answer, of.python.answer, of.command.answer),
-        variables=() if of.own.answer else of.variables.answer,
+        variables=() if of.own.answer else (*of.variables.answer, *compiler.answer.variables),
         scripts=() if of.own.answer else of.scripts.answer,
         downloads=() if of.own.answer else of.downloads.answer,
         packages=manifests_of(of.packages, of.left_out) if ros else (),

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from roslab.pipeline import plan_repository
+from roslab.plan.plan import Plan
 
 PACKAGE = (
     "<package format='3'><name>demo</name><version>1.0.0</version><description>d</description>"
@@ -17,20 +18,58 @@ CMAKE = "project(demo)\nfind_package(rclcpp REQUIRED)\nadd_executable(demo main.
 FORMAT = "#include <format>\nint main() {}\n"
 
 
+KINETIC = PACKAGE.replace("ament_cmake", "catkin").replace("rclcpp", "roscpp").replace("format='3'", "format='2'")
+
+
+def plan(folder: Path, files: dict[str, str]) -> Plan:
+    for name, text in {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, **files}.items():
+        (folder / name).write_text(text)
+    return plan_repository(folder).plan
+
+
 @pytest.mark.parametrize(
-    ("lines", "code", "found"),
+    ("lines", "code", "version", "repository"),
     [
-        ("base: {ros: humble}\n", FORMAT, True),
-        ("base: {ros: jazzy}\n", FORMAT, False),
-        ("base: {ros: humble}\n", "#include <span>\nint main() {}\n", False),
-        ("base: {ros: humble}\nenv: {CXX: g++-13}\n", FORMAT, False),
-        ("base: {ros: humble}\napt: [g++-13]\n", FORMAT, False),
-        ("base: {ros: humble}\napt: [g++-12]\n", FORMAT, True),
+        ("base: {ros: humble}\n", FORMAT, "13", "ppa:ubuntu-toolchain-r/test"),
+        ("base: {ros: jazzy}\n", FORMAT, "", ""),
+        ("base: {ros: humble}\n", "#include <span>\nint main() {}\n", "", ""),
+        ("base: {ros: humble}\nenv: {CXX: g++-13}\n", FORMAT, "", ""),
+        ("base: {ros: humble}\napt: [g++-13]\n", FORMAT, "13", ""),
+        ("base: {ros: humble}\napt: [g++-12]\n", FORMAT, "13", "ppa:ubuntu-toolchain-r/test"),
+        ("base: {ros: foxy}\n", "#include <span>\nint main() {}\n", "10", ""),
     ],
 )
-def test_a_newer_compiler_is_asked_for(tmp_path: Path, lines: str, code: str, found: bool) -> None:
-    files = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, "main.cpp": code, "roslab.yaml": f"format: 3\n{lines}"}
-    for name, text in files.items():
-        (tmp_path / name).write_text(text)
-    warnings = plan_repository(tmp_path).plan.warnings
-    assert any("needs GCC 13" in each.message for each in warnings) == found
+def test_a_newer_compiler_is_installed_and_compiles(
+    tmp_path: Path, lines: str, code: str, version: str, repository: str
+) -> None:
+    found = plan(tmp_path, {"main.cpp": code, "roslab.yaml": f"format: 3\n{lines}"})
+    wanted = (("CC", f"gcc-{version}"), ("CXX", f"g++-{version}")) if version else ()
+    assert found.workspace is not None
+    assert found.workspace.variables == wanted
+    assert found.repositories == ((repository,) if repository else ())
+    assert (f"g++-{version}" in found.apt) == bool(version)
+    assert not any("needs GCC" in each.message for each in found.warnings)
+
+
+def test_the_compiler_that_a_page_installs_is_taken(tmp_path: Path) -> None:
+    page = (
+        "# Demo\nROS Kinetic\n```\nsudo add-apt-repository ppa:ubuntu-toolchain-r/test\nsudo apt-get update\n"
+        "sudo apt-get install gcc-snapshot gcc-8 g++-8\n```\n"
+    )
+    cmake = CMAKE.replace("ament_package", "catkin_package").replace("rclcpp", "catkin")
+    cmake = cmake.replace("(demo)\n", '(demo)\nset(CMAKE_CXX_FLAGS "-std=c++17")\n', 1)
+    files = {"package.xml": KINETIC, "CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", "README.md": page}
+    found = plan(tmp_path, {**files, "roslab.yaml": "format: 3\nbase: {ros: kinetic}\n"})
+    assert found.workspace is not None
+    assert found.workspace.variables == (("CC", "gcc-8"), ("CXX", "g++-8"))
+    assert found.repositories == ("ppa:ubuntu-toolchain-r/test",)
+    assert "g++-8" in found.apt
+    assert "g++-8" not in found.apt_guessed
+
+
+def test_where_none_is_known_it_is_told(tmp_path: Path) -> None:
+    lines = "format: 3\nbase: {ros: foxy}\n"
+    cmake = CMAKE.replace("(demo)\n", "(demo)\nset(CMAKE_CXX_STANDARD 23)\n", 1)
+    cuda = cmake.replace("(demo)\n", "(demo LANGUAGES CXX CUDA)\nfind_package(CUDA REQUIRED)\n", 1)
+    files = {"CMakeLists.txt": cuda, "main.cpp": "int main() {}\n", "roslab.yaml": f"{lines}kind: cuda\n"}
+    assert any("needs GCC 11" in each.message for each in plan(tmp_path, files).warnings)
