@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from roslab.config.model import Config
-from roslab.decide.decision import Choice
+from roslab.decide.decision import Choice, Reason
 from roslab.decide.reasons import because, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.code_limits import fits
-from roslab.knowledge.newer_compilers import newer_compiler
+from roslab.knowledge.newer_compilers import newer_compiler, repository_of
 from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
@@ -40,37 +41,47 @@ NONE = Compiler()
 def decide_compiler(of: Choices, evidence: Evidence, config: Config) -> Choice[Compiler]:
     """Return the compiler where the code needs a newer GCC than the Ubuntu has: one of the image, else of the table.
 
-    What is installed beside the Ubuntu's own compiles nothing by itself: CMake and make take ``g++``. Not where
-    roslab.yaml names a compiler. CUDA's compiler takes few releases of GCC: there it is told, as where none is known.
+    What is installed beside the Ubuntu's own compiles nothing by itself: CMake and make take ``g++``. So one that
+    roslab.yaml installs compiles too, and none where it names a compiler. CUDA's compiler takes few releases of GCC:
+    there it is told, as where none is known.
     """
-    asked = [each for each in evidence.limits if each.library == _GCC and each.at_least and not places.aside(each.file)]
     ubuntu = None if of.own.answer else of.base.answer.ubuntu
-    if not asked or ubuntu is None or config.compatible or {"CC", "CXX"} & {name for name, _ in config.env}:
+    if ubuntu is None or config.compatible or {"CC", "CXX"} & {name for name, _ in config.env}:
         return Choice(answer=NONE)
-    newest = max(asked, key=lambda each: Version(each.at_least or "0"))
+    asked = [each for each in evidence.limits if each.library == _GCC and each.at_least and not places.aside(each.file)]
+    newest = max(asked, key=lambda each: Version(each.at_least or "0"), default=None)
+    if newest is None or fits(_GCC, ubuntu, at_least=newest.at_least, below=None):
+        given = [each for each in _releases(config.apt) if not fits(_GCC, ubuntu, at_least=each, below=None)]
+        return Choice(answer=NONE) if of.on_cuda or not given else _taken(of, config, ubuntu, given[-1])
     needed = newest.at_least or "0"
-    if fits(_GCC, ubuntu, at_least=needed, below=None):
-        return Choice(answer=NONE)
-    apt = (*of.system.answer.apt, *of.system.answer.apt_guessed, *config.apt)
-    brought = sorted((match[1] for name in apt if (match := _COMPILER.fullmatch(name))), key=Version)
-    own = next((each for each in brought if Version(each) >= Version(needed)), "")
-    found = (own, "") if own else None if of.on_cuda else newer_compiler(ubuntu, needed)
-    if found is None:
+    brought = _releases((*of.system.answer.apt, *of.system.answer.apt_guessed, *config.apt))
+    own = next((each for each in brought if Version(each) >= Version(needed)), None)
+    version = own or (None if of.on_cuda else newer_compiler(ubuntu, needed))
+    if version is None:
         message = (
             f"the code needs GCC {needed} or newer ({newest.what}), and {ubuntu} has an older one: what includes "
             "it does not compile; install a newer compiler by `custom` in roslab.yaml and name it there under `env` "
             "(CC, CXX), or set base.ubuntu or base.ros to one that has it"
         )
         return Choice(answer=NONE, warnings=(warn(message, newest),))
-    version, repository = found
+    why = f"the code needs GCC {needed} or newer ({newest.what}), and {ubuntu} has an older one"
+    return _taken(of, config, ubuntu, version, because("dependencies", f"g++-{version}", why, newest, weight=WEIGHT))
+
+
+def _releases(apt: Iterable[str]) -> list[str]:
+    """Return the releases of GCC among packages, oldest first."""
+    return sorted({match[1] for name in apt if (match := _COMPILER.fullmatch(name))}, key=Version)
+
+
+def _taken(of: Choices, config: Config, ubuntu: str, version: str, *reasons: Reason) -> Choice[Compiler]:
+    """Return a compiler with the PPA that has it, if any, which may be added already."""
     name = f"g++-{version}"
-    whose = f"{repository.removeprefix('ppa:')} has it" if repository else "it is installed beside it"
-    why = f"the code needs GCC {needed} or newer ({newest.what}), {ubuntu} has an older one, and {whose}"
+    repository = repository_of(ubuntu, version)
     return Choice(
         answer=Compiler(
             apt=() if name in config.apt else (name,),
             repositories=(repository,) if repository and repository not in of.repositories.answer else (),
             variables=(("CC", f"gcc-{version}"), ("CXX", name)),
         ),
-        reasons=(because("dependencies", name, why, newest, weight=WEIGHT),),
+        reasons=reasons,
     )

@@ -15,6 +15,11 @@ def _newer() -> dict[str, tuple[tuple[str, str], ...]]:
     return grouped((row["ubuntu"], (row["gcc"], row["repository"])) for row in rows("newer_compilers"))
 
 
-def newer_compiler(ubuntu: str, at_least: str) -> tuple[str, str] | None:
-    """Return the oldest GCC of an Ubuntu that is new enough, and the PPA that has it, ``""`` for its own archive."""
-    return next((each for each in _newer().get(ubuntu, ()) if Version(each[0]) >= Version(at_least)), None)
+def newer_compiler(ubuntu: str, at_least: str) -> str | None:
+    """Return the oldest GCC that an Ubuntu can have and that is new enough."""
+    return next((gcc for gcc, _ in _newer().get(ubuntu, ()) if Version(gcc) >= Version(at_least)), None)
+
+
+def repository_of(ubuntu: str, version: str) -> str:
+    """Return the PPA that has a GCC for an Ubuntu, ``""`` where it is in the archive, or where that is not known."""
+    return next((ppa for gcc, ppa in _newer().get(ubuntu, ()) if gcc == version), "")

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from roslab.explain.answer import Explanation
+from roslab.knowledge.code_limits import limits
+from roslab.knowledge.newer_compilers import newer_compiler
 from roslab.repair.change import Given, Worked
 from roslab.values.pattern import pattern
 
@@ -31,6 +33,17 @@ def flags(found: Explanation, given: Given) -> Worked:
     if flag in before:
         return Worked(why=f"it is compiled with {flag} already, and that did not help")
     return Worked(key=key, values=(f"{before} {flag}".strip(),))
+
+
+def compiler(found: Explanation, given: Given) -> Worked:
+    """Install the oldest GCC that knows the standard which the one of the image does not know."""
+    said, ubuntu = dict(found.names).get("standard", ""), given.plan.ubuntu
+    known = (limit.at_least for limit in limits() if limit.where == "standard" and limit.pattern.search(said))
+    needed = next((each for each in known if each), None)
+    newer = newer_compiler(ubuntu, needed) if needed and ubuntu else None
+    if newer is None or given.plan.kind == "cuda":
+        return Worked(why=found.fix)
+    return Worked(values=(f"g++-{newer}",))
 
 
 def _library_of(flag: str) -> str:

@@ -244,6 +244,7 @@ def absent(given: Given) -> tuple[str, ...]:
 
 
 WAYS: Mapping[str, Way] = {
+    "compiler": flags.compiler,
     "cmake": cmake,
     "dropped": releases.dropped,
     "flags": flags.flags,

@@ -156,3 +156,21 @@ def test_a_second_library_is_linked_beside_the_first(tmp_path: Path) -> None:
     assert value in added(first, found.entries)
     again = log("make", DSO.format("/usr/lib/x86_64-linux-gnu/libboost_system.so.1.71.0"))
     assert repaired(tmp_path, again, {"roslab.yaml": first}).changes == ()
+
+
+@pytest.mark.parametrize(
+    ("ubuntu", "standard", "wanted"),
+    [
+        ("xenial", "17", "apt: [g++-7], for cxx option unknown"),
+        ("bionic", "2a", "apt: [g++-9], for cxx option unknown"),
+        ("bionic", "23", "apt: [g++-11], for cxx option unknown"),
+        ("noble", "29", ""),
+    ],
+)
+def test_an_option_that_the_compiler_does_not_know_wants_a_newer_one(
+    tmp_path: Path, ubuntu: str, standard: str, wanted: str
+) -> None:
+    files = {**CPP, "roslab.yaml": f"format: 3\nbase: {{ubuntu: {ubuntu}}}\n"}
+    said = f"cc1plus: error: unrecognized command line option '-std=c++{standard}'"
+    found = repaired(tmp_path, log("make", said), files)
+    assert [change.told for change in found.changes] == ([wanted] if wanted else [])
