@@ -260,3 +260,21 @@ def test_a_python_program_beside_compiled_code(
     files = {"README.md": page, "CMakeLists.txt": "project(demo)\nadd_library(demo a.cpp)\n", "a.cpp": ""}
     files |= {"scripts/cage.py": MAIN, "scripts/to_json.py": MAIN, **({"Dockerfile": dockerfile} if dockerfile else {})}
     assert tree(files).command == command
+
+
+@pytest.mark.parametrize(
+    ("page", "started"),
+    [
+        ("doc/simulation.md", True),
+        ("doc/gazebo_simulation.md", True),
+        ("doc/simulations/notes.md", False),
+        ("doc/about_simulation_results.md", False),
+    ],
+)
+def test_a_page_of_the_documentation_on_the_simulation_starts_something(tree: Tree, page: str, started: bool) -> None:
+    files = {
+        **ROS,
+        page: "# Simulation\n```\nroslaunch demo replay.launch\n```\n",
+        "README.md": "# Demo of ROS Noetic\n",
+    }
+    assert (tree(files).command == ("roslaunch", "demo", "replay.launch")) is started

@@ -44,6 +44,23 @@ def test_what_a_page_exports_and_the_tree_reads(tree: Tree, page: str, found: tu
     assert tree({**BUILT, "README.md": f"```\n{page}```\n"}).variables == found
 
 
+@pytest.mark.parametrize(
+    ("folder", "written", "found"),
+    [
+        ("src/demo/doc/", "$(env ARM)", (("ARM", "one"),)),
+        ("src/demo/doc/", "$(optenv ARM two)", ()),
+        ("src/demo/arm/", "$(env ARM)", ()),
+    ],
+)
+def test_a_page_of_a_documentation_folder_sets_what_a_launch_file_stops_without(
+    tree: Tree, folder: str, written: str, found: tuple[tuple[str, str], ...]
+) -> None:
+    launch = f'<launch><arg name="arm" value="{written}"/></launch>\n'
+    files = {"README.md": "# Demo\n", f"{folder}installation.md": "```\nexport ARM=one\nexport LEG=two\n```\n"}
+    package = BUILT["package.xml"].replace("ament_cmake", "catkin")
+    assert tree({"src/demo/package.xml": package, "src/demo/launch/a.launch": launch, **files}).variables == found
+
+
 def test_the_build_has_the_variable(tree: Tree) -> None:
     decision = tree({**BUILT, "README.md": "```\nexport DEVICE=imu-1\ncolcon build\n```\n"})
     text = dockerfile(make_plan(decision, Config(), folder_name="demo"))

@@ -15,7 +15,7 @@ from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
 DEEPEST = 1
-"""A page below is about a part."""
+"""A page below is about a part. Of one in a documentation folder counts what a launch file stops without."""
 MAX_READERS = 400
 """Most files that are searched for a variable, those nearest to the root first."""
 _EXPORT = pattern(
@@ -42,10 +42,12 @@ def read(repository: Repository, file: File, text: str) -> Iterator[Mention]:
     """Yield ``NAME=VALUE`` for each variable whose value is written out and which the tree or a simulator reads."""
     yield from search_paths.read(repository, file, text)
     yield from own_places.read(repository, file, text)
-    if "export " not in text or file.path.count("/") > DEEPEST:
+    below = file.path.count("/") > DEEPEST
+    if "export " not in text or (below and not places.documentation(file.path)):
         return
     for match in _EXPORT.finditer(text):
-        if not _OF_OTHERS.fullmatch(match[1]) and _is_read(match[1], repository):
+        read_there = _stops_without if below else _is_read
+        if not _OF_OTHERS.fullmatch(match[1]) and read_there(match[1], repository):
             line = text.count("\n", 0, match.start(1)) + 1
             value = f"{match[1]}={match[3]}"
             yield Mention(topic="variable", value=value, source="readme", file=file.path, line=line, text=value)
@@ -114,6 +116,13 @@ def _is_read(name: str, repository: Repository) -> bool:
     if name in build_variables():
         return True
     return _reading(name, repository.once(_readers), repository)
+
+
+def _stops_without(name: str, repository: Repository) -> bool:
+    """Tell whether a launch file of the author's stops without a variable: ``$(env NAME)`` has no default."""
+    said = re.compile(rf"\$\(env\s+{re.escape(name)}\s*\)")
+    launches = (each for each in repository.once(_readers) if each.name.endswith((".launch", ".xacro", ".xml")))
+    return any(said.search(text) for each in launches if "$(env" in (text := repository.read(each)))
 
 
 def _readers(repository: Repository) -> list[File]:

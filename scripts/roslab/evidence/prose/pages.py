@@ -36,7 +36,7 @@ _PAGE = pattern(
 _TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
 _DOCS_PAGE = pattern(
     r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite|usage|running|"
-    r"launching"
+    r"launching|^(?:gazebo[-_ ]?)?simulations?\b"
 )
 _VARIANT = pattern(r"readme[-_.](?!md$|rst$|txt$|markdown$)\w", re.IGNORECASE)
 """A page that says what another one does, in a language or for a system: it comes after that."""
