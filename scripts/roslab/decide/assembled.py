@@ -205,7 +205,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         vcs=of.sources.answer.vcs,
         submodules=() if of.own.answer else of.sources.answer.submodules,
         apart=() if of.own.answer or config.compatible else apart(evidence, of.packages),
-        may_fail=() if of.own.answer or config.compatible else may_fail_in(evidence, of.packages, without.failing),
+        may_fail=() if without.whole else (*may_fail_in(evidence, of.packages, without.failing), *without.plain),
         spare=without.alone,
         most_spare=most(without.alone),
         interfaces=() if without.whole else included_interfaces(evidence, of.packages, distro),

@@ -16,6 +16,7 @@ from roslab.decide.system.must_build import must_build
 from roslab.decide.system.of_vendors import what_stops
 from roslab.decide.system.packages import SystemPackages
 from roslab.decide.system.spare import spare
+from roslab.decide.system.strays import spare_projects
 from roslab.evidence.facts import Evidence
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
@@ -37,6 +38,8 @@ class GoesWithout:
     needed: tuple[str, ...]
     alone: tuple[str, ...]
     """The folders of those that nothing needs, where a shell is started."""
+    plain: tuple[str, ...]
+    """The folders of projects without a package.xml that the tool builds too, and that nothing needs."""
     system: Choice[SystemPackages]
     missing: Choice[Missing]
 
@@ -65,6 +68,11 @@ def goes_without(of: Choices, evidence: Evidence, config: Config) -> GoesWithout
         failing=failing,
         needed=needed,
         alone=alone,
+        plain=()
+        if whole
+        else spare_projects(
+            evidence, of.packages, of.build_tool.answer, of.command.answer.command, of.missing.answer.strays
+        ),
         system=of.system if of.own.answer else replace(of.system, warnings=tuple(told)),
         missing=missing,
     )

@@ -74,3 +74,25 @@ def test_catkin_looks_at_no_such_project(tree: Tree) -> None:
     decision = tree(files)
     assert decision.ignored == ()
     assert not any("AcmeVendorSdk" in each.message for each in decision.warnings)
+
+
+PCL = STRAY | {"docker/demo/CMakeLists.txt": DEMO.replace("AcmeVendorSdk", "PCL")}
+
+
+@pytest.mark.parametrize(
+    ("files", "found"),
+    [
+        (PCL, ("docker/demo",)),
+        (STRAY, ()),  # it is left out before
+        (PCL | {"src/node/CMakeLists.txt": NODE["src/node/CMakeLists.txt"] + "find_package(sdk_demo REQUIRED)\n"}, ()),
+        (PCL | {"roslab.yaml": "format: 3\ncommand: build/sdk_demo/sdk_demo\n"}, ()),
+        (PCL | {"docker/demo/COLCON_IGNORE": ""}, ()),
+    ],
+)
+def test_one_that_nothing_needs_may_fail(tmp_path: Path, files: dict[str, str], found: tuple[str, ...]) -> None:
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    workspace = plan_repository(tmp_path).plan.workspace
+    assert workspace is not None
+    assert workspace.may_fail == found

@@ -75,6 +75,20 @@ def test_what_failed_of_a_clone_is_left_out_and_told(workspace: Path, log: str) 
     assert said.index("roslab: left out: camera\n") < said.index("built")
 
 
+@pytest.mark.parametrize(("named", "left"), [("camera", ["tool"]), ("camera_tool", None)])
+def test_a_project_without_a_package_xml_is_left_out_by_its_name(
+    workspace: Path, named: str, left: list[str] | None
+) -> None:
+    (workspace / "src/clone/tool").mkdir()
+    (workspace / "src/clone/tool/CMakeLists.txt").write_text(
+        f"cmake_minimum_required(VERSION 3.5)\nProject( {named} VERSION 1)\n"
+    )
+    (workspace / "src/clone/camera/package.xml").write_text("<package><name>other</name></package>\n")
+    code, hidden, said = _run(workspace, COLCON, "src/clone/tool", failing="clone/tool")
+    assert (code, hidden) == ((0, left) if left else (1, []))
+    assert ("roslab: left out: tool\n" in said) is bool(left)
+
+
 @pytest.mark.parametrize("log", [COLCON, CATKIN, MADE])
 def test_what_the_command_starts_is_kept(workspace: Path, log: str) -> None:
     code, hidden, said = _run(workspace, log, "--keep", "camera")

@@ -15,6 +15,7 @@ from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.required import Outside, provided_as
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
+from roslab.values.words import line_of
 
 _TOLD = (
     "nothing is known that brings {1}, which CMake requires in {0}, a project without a package.xml that colcon would "
@@ -40,6 +41,31 @@ def strays(
             if not (resolve(asked, target).known or provided_as(asked.name, names)):
                 yield folder, warn(_TOLD.format(folder, asked.name, SOURCE), asked)
                 break
+
+
+def spare_projects(
+    evidence: Evidence,
+    packages: Packages,
+    build_tool: BuildTool,
+    command: tuple[str, ...] | str,
+    left_out: Collection[str],
+) -> tuple[str, ...]:
+    """Return the folders of such projects that are built as far as they can be: nothing of the tree needs them.
+
+    Not that whose program the command starts, nor what is left out anyway.
+    """
+    if build_tool != "colcon" or not packages.built:
+        return ()
+    built = Built(packages)
+    started = {word.rpartition("/")[2] for word in line_of(command).split()}
+    found = set()
+    for project in evidence.cmake:
+        folder = project.file.rpartition("/")[0]
+        if folder in left_out or not _taken(project, folder) or not built.outside(folder):
+            continue
+        if not (_needed(project, evidence) or started & {name.rpartition("/")[2] for name, _ in project.executables}):
+            found.add(folder)
+    return tuple(sorted(found))
 
 
 def _taken(project: CMakeProject, folder: str) -> bool:

@@ -26,11 +26,17 @@ shift
 
 # Prints the folders of the packages that a build tool says it failed in; catkin_make names only files below src
 failed_in() {
-  local name
+  local name each
   sed --quiet --regexp-extended \
     -e "s:^(Failed +<<< |<== Failed to process package ')([A-Za-z0-9_-]+).*:\2:p" \
     -e 's:^.*\b(Errors|Failed) +<< ([A-Za-z0-9_-]+)\:.*:\2:p' "$1" | sort --unique | while read -r name; do
     workspace-packages needed src "${name}" | sed --quiet "s:^${name}\t\(.*\)/package[.]xml$:\1:p"
+    for each in "${cloned[@]}"; do # what has no package.xml, colcon calls by the name of its project
+      if [ -e "${each}package.xml" ] || [ ! -e "${each}CMakeLists.txt" ]; then continue; fi
+      if grep --quiet --ignore-case --extended-regexp "^[[:space:]]*project[[:space:]]*\([[:space:]]*\"?${name}([[:space:])\"]|$)" "${each}CMakeLists.txt"; then
+        echo "${each%/}"
+      fi
+    done
   done
   awk '/^CMake Error/ { error = 1 } /^CMake .*Warning/ { error = 0 }
     error && match($0, /[^ ]+[/]CMakeLists[.]txt:[0-9]+ [(]/) { print substr($0, RSTART, RLENGTH) }
@@ -76,7 +82,8 @@ log="$(mktemp)"
 until "$@" 2>&1 | tee "${log}"; do
   hidden=()
   while read -r folder; do
-    name="$(read-manifest name "${folder}/package.xml")"
+    name="${folder##*/}"
+    if [ -e "${folder}/package.xml" ]; then name="$(read-manifest name "${folder}/package.xml")"; fi
     if [ -e "${folder}/CATKIN_IGNORE" ] || [[ " ${kept[*]} " = *" ${name} "* ]] || ! may_go "${folder}"; then continue; fi
     touch "${folder}/CATKIN_IGNORE" "${folder}/COLCON_IGNORE"
     hidden+=("${name}")
