@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable, Sequence
 
 from roslab.decide.absent import variant
-from roslab.decide.bare_options import ROS_ARGUMENTS
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import without_chores
 from roslab.decide.equally_meant import of_whole, without_robot
@@ -79,6 +78,8 @@ _DATA = pattern(r"(?:^|=)(?:\.{0,2}/|[\w.-]+/)|\.(?:bag|db3|mcap|pcap|zip|txt|ya
 _PLANS = pattern(r"(?:^|/)(?:plans?|specs|superpowers|roadmaps?|backlog)/", re.IGNORECASE)
 """A folder with what is, or was, to be done."""
 _HELP = pattern(r"^(?:--?help|-h|--?usage|--?version|--show-args|-s|--self-?(?:test|check))$")
+_OF_ROSLAUNCH = frozenset({"--ros-args", "--nodes", "--files", "--dump-params"})
+"""Options with which roslaunch prints something and starts nothing: https://wiki.ros.org/roslaunch/Commandline%20Tools"""
 _TOPIC = pattern(r"(?!\w*(?:file|path|dir|folder|map|bag|conf|data|world|model|urdf|weight|vocab))\w+:=(?:/\w+)+")
 """An argument that names a topic or a namespace of ROS: ``image:=/camera/color/image_raw``."""
 _VALUE = pattern(r"^-{0,2}[\w-]+:?=[-.]*$|^-{3,}$")
@@ -192,10 +193,9 @@ def _by_another_device(first: Candidate, written: Iterable[Candidate]) -> Candid
 def _explains(candidate: Candidate) -> bool:
     """Tell whether a program only prints its arguments or tests itself: a page that runs it otherwise, too, means that.
 
-    An option with a value does something else: ``-h 480`` is a height. At the end of a call of roslaunch, or of ros2
-    launch, ``--ros-args`` lists arguments.
+    An option with a value does something else: ``-h 480`` is a height.
     """
-    if candidate.argv[0] in LAUNCHERS and candidate.argv[-1] == ROS_ARGUMENTS:
+    if candidate.argv[0] == "roslaunch" and not _OF_ROSLAUNCH.isdisjoint(candidate.argv):
         return True
     words = zip(candidate.argv, (*candidate.argv[1:], "-"), strict=True)
     return candidate.argv[0] not in SIMULATORS and any(_HELP.match(word) and then[:1] == "-" for word, then in words)

@@ -173,9 +173,10 @@ def test_a_call_that_only_asks_is_no_default(tmp_path: Path, asks: str) -> None:
     assert decided(tmp_path, {**ament(), "README.md": page}).command == ("bash",)
 
 
-def test_a_call_that_lists_arguments_comes_after_others_of_its_page(tmp_path: Path) -> None:
-    page = "Run `roslaunch demo a.launch --ros-args` for its arguments.\n\nRun `roslaunch demo a.launch` to see it.\n"
-    files = {**catkin(), "launch/a.launch": "<launch/>", "README.md": page}
+@pytest.mark.parametrize("asks", ["--ros-args", "--nodes"])
+def test_a_call_of_roslaunch_that_only_asks_comes_after_what_starts(tmp_path: Path, asks: str) -> None:
+    page = f"Run `roslaunch demo a.launch {asks}` to see more.\n\nRun `roslaunch demo a.launch` to start it.\n"
+    files = {**catkin(), "launch/a.launch": "<launch/>", "launch/b.launch": "<launch/>", "README.md": page}
     assert decided(tmp_path, files).command == ("roslaunch", "demo", "a.launch")
 
 
