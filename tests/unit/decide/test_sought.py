@@ -280,7 +280,8 @@ def test_a_clone_of_one_package_hides_no_other_of_the_owner(tree: Tree, needed: 
     [
         (f"{LAB}/quad2_stuff", True),  # the owner's
         ("https://github.com/other/best_widgets", True),  # a word of the name
-        ("https://github.com/other/stuff", False),
+        ("https://github.com/other/stuff", True),  # the page at the root clones few others
+        ("https://github.com/other/opencv", False),
         ("https://github.com/other/acme_node", False),  # it has the name of another package
     ],
 )
@@ -291,7 +292,40 @@ def test_what_a_page_clones_may_hold_a_package_that_it_is_not_called_like(tree: 
     decision = tree(files | {"README.md": page})
     assert {"drivers"} <= {source.name for source in decision.source if not source.holding}
     assert any("acme_widgets" in names for url, names in _sought(decision).items() if url == clone) == looked
-    assert any(f"not cloned: {clone}" in each.message for each in decision.warnings) == (clone.endswith("other/stuff"))
+
+
+def test_what_no_clone_is_called_like_is_tried_in_what_the_page_at_the_root_clones_unless_that_is_much(
+    tree: Tree,
+) -> None:
+    named = [f"https://github.com/third/{name}-ros-pkg" for name in ("px", "tool", "cam", "gps")]
+    files = _git(f"{LAB}/mpc") | _package("mpc", "px_comm", "roscpp")
+    for count, tried in ((3, True), (4, False)):
+        page = "ROS Noetic.\n\n" + "".join(f"    git clone {url}\n" for url in (f"{LAB}/mpc", *named[:count]))
+        decision = tree(files | {"README.md": page})
+        assert any(_sought(decision).get(url) == ("px_comm",) for url in named) is tried
+        assert any("not cloned" in each.message for each in decision.warnings) is not tried
+
+
+@pytest.mark.parametrize(
+    ("clones", "looked"),
+    [
+        (("https://github.com/maker/mpc",), ["https://github.com/maker/quad_x"]),
+        (
+            ("https://bitbucket.org/maker/mpc", "https://github.com/maker/roscpp"),
+            ["https://bitbucket.org/maker/quad_x", "https://github.com/maker/quad_x"],
+        ),
+        ((f"{LAB}/mpc",), []),
+        (("https://github.com/maker/other",), []),
+        (("https://git.maker.org/maker/mpc",), []),
+        (("git:mpc",), []),
+    ],
+)
+def test_what_belongs_to_a_copy_is_looked_for_with_its_author(
+    tree: Tree, clones: tuple[str, ...], looked: list[str]
+) -> None:
+    page = "ROS Noetic.\n\n" + "".join(f"    git clone {each}.git\n" for each in clones)
+    decision = tree(_git(f"{LAB}/mpc") | _package("mpc", "quad_x", "roscpp") | {"README.md": page})
+    assert sorted(url for url in _sought(decision) if url.endswith("/quad_x")) == sorted([*looked, f"{LAB}/quad_x"])
 
 
 def test_a_link_with_a_slash_at_its_end_is_one_to_a_repository(tree: Tree) -> None:

@@ -45,6 +45,7 @@ _PIPS_NAME = "the name of a package of pip, not a key of rosdep"
 _NOWHERE = "nothing here says where it comes from"
 _MOST_MEANT = 3
 """Most names that a warning proposes for one."""
+_ONE = pattern(r"(?<= )(hold|looks for|without) it(?= |;)")
 _NOT_INSTALLED = frozenset({"doc"})
 """rosdep leaves documentation alone."""
 _OF_PIP = "-pip"
@@ -211,7 +212,9 @@ def together(warnings: Iterable[Warning_]) -> Iterator[Warning_]:
         plural = (
             _HARMLESS_ALL
             if hint == _HARMLESS
-            else hint.replace(" hold it", " hold them").replace("correct the name", "correct the names")
+            else _ONE.sub(lambda one: f"{one[1]} them", hint)
+            .replace("where it is not", "where they are not")
+            .replace("correct the name", "correct the names")
         )
         keys = f"{', '.join(names[:-1])} and {names[-1]}"
         yield replace(first, message=f"rosdep has no keys {keys} for ROS {named}: {plural}")

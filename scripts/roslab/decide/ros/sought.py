@@ -17,7 +17,7 @@ from roslab.decide.ros.clones import taken_apart
 from roslab.decide.ros.credited import credited
 from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
-from roslab.decide.ros.sought_addresses import addresses_of, called_by
+from roslab.decide.ros.sought_addresses import addresses_of, by_authors, called_by
 from roslab.decide.ros.sought_links import listed_by_pages, of_ubuntu
 from roslab.decide.ros.source_names import address, akin, day_of_clone, fixed, plain, stands_already
 from roslab.decide.ros.weights import Weight
@@ -27,6 +27,7 @@ from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.holders import holders
+from roslab.knowledge.recipes import recipe_at
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.pattern import pattern
@@ -38,6 +39,8 @@ _OF_SYSTEM = pattern(r"[^a-z0-9-]|^(?:lib|python|ros-)|-(?:dev|pip)$")
 """In a name with a dash that is none of a package of ROS."""
 MOST = 12
 """Most repositories that a build tries."""
+MOST_UNLIKE = 3
+"""Most clones of a page that are looked through for a package that none of them is called like."""
 
 
 def with_sought(
@@ -79,7 +82,7 @@ def with_sought(
     taken |= {address(git.url) for git in evidence.sources if stands_already(git, known, sources.names)}
     found: list[Source] = []
     reasons = []
-    clones = _cloned(cloned, lacking, evidence)
+    clones = _cloned(cloned, lacking, evidence, taken, known)
     tabled = holders(lacking) if build.startswith("catkin") else {}
     guessed = {name: asked for name, asked in nowhere.items() if not any(name in held for held in tabled.values())}
     likely = {**tabled, **dict(addresses_of(guessed, evidence, known))}
@@ -93,6 +96,8 @@ def with_sought(
     unsure = tuple(name for name in perhaps if not any(akin(name, other) for other in names_of_clones))
     for git in listed_by_pages(evidence, address(evidence.origin or ""), known, unsure) if unsure else ():
         addresses.setdefault(https(git.url).removesuffix(".git"), unsure)
+    for url, names in by_authors((*unsure, *guessed), evidence):
+        addresses.setdefault(url, names)
     for url, names in [each for each in addresses.items() if address(each[0]) not in taken][:MOST]:
         name, asked = folder_for(url, [*sources.sources, *found]), lacking[names[0]]
         place = Place(file=asked.file, line=asked.line)
@@ -191,13 +196,17 @@ def _lacking(
 
 
 def _cloned(
-    cloned: Iterable[GitSource], lacking: Mapping[str, Dependency], evidence: Evidence
+    cloned: Iterable[GitSource],
+    lacking: Mapping[str, Dependency],
+    evidence: Evidence,
+    taken: AbstractSet[str],
+    known: AbstractSet[str],
 ) -> dict[str, tuple[str, ...]]:
     """Return the addresses of what pages clone, each with the packages that it may hold though it is not called so.
 
     Those are all where it is of the repository's owner, else those that share a word with it, or begin with the same
-    one; then those that no clone is called like, where the package that asks for them has the page. Not what Ubuntu
-    has.
+    one; then those that no clone is called like, where the package that asks for them has the page, or where a page at
+    the root clones few others: ``px_comm`` is in ``px-ros-pkg``. Not what Ubuntu has.
     """
     cloned = [git for git in cloned if not of_ubuntu(git)]
     names = tuple(lacking)
@@ -211,7 +220,19 @@ def _cloned(
     for git in cloned:
         if held := tuple(asked.name for asked in left if _of_page(asked, git)):
             found.setdefault(https(git.url).removesuffix(".git"), held)
-    return found
+    others = [git for git in cloned if known.isdisjoint((git.name, plain(git.name))) and address(git.url) not in taken]
+    root = _of_root(others, tuple(asked.name for asked in left))
+    return found | {url: names for url, names in root.items() if url not in found}
+
+
+def _of_root(cloned: Iterable[GitSource], names: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
+    """Return the addresses of what pages at the root clone, each with ``names``, where these are few.
+
+    Not what a recipe compiles.
+    """
+    root = (git for git in cloned if git.file.endswith(PAGES) and not git.file.count("/"))
+    found = {https(git.url).removesuffix(".git"): names for git in root if names and not recipe_at(address(git.url))}
+    return found if len(found) <= MOST_UNLIKE else {}
 
 
 def _of_page(asked: Dependency, git: GitSource) -> bool:

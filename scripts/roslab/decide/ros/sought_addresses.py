@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 
 from roslab.decide.ros.controllers import controllers
 from roslab.decide.ros.sought_links import linked_by_pages
 from roslab.decide.ros.source_names import OF_MESSAGES, address, plain
-from roslab.evidence.dependency import Dependency
+from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.compiled import public_hosts
@@ -60,9 +60,34 @@ def addresses_of(
     return list(found.items())
 
 
+def by_authors(names: Iterable[str], evidence: Evidence) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yield the addresses that packages have with those from whom pages clone the repository, each with its package.
+
+    Where that is not its owner, it is a copy, and what belongs to it is still where it was. Of an author's accounts on
+    several hosts those count from which pages clone. Not what others published.
+    """
+    pages = [git for git in evidence.sources if git.kind == "clone" and git.strength == "prose" and not git.aside]
+    here = plain(address(evidence.origin or ""))
+    owner = public_owner(evidence)
+    authors = {_account(git) for git in pages if here and plain(git.name) == here} - {owner.rpartition("/")[2].lower()}
+    accounts = dict.fromkeys(owner_of(git.url) for git in pages if _account(git) in authors)
+    for name in (each for each in names if not (ever_released(each) or vendor_of(each)[0])):
+        for account in filter(None, accounts):
+            yield f"{account}/{name}", (name,)
+
+
+def _account(git: GitSource) -> str:
+    return address(git.url).rpartition("/")[0].rpartition("/")[2]
+
+
 def public_owner(evidence: Evidence) -> str:
     """Return the address of the repository's owner where it lies on a host that anybody reads, else ``""``."""
-    match = _OWNER.match(https(evidence.origin)) if evidence.origin else None
+    return owner_of(evidence.origin or "")
+
+
+def owner_of(url: str) -> str:
+    """Return the address of the owner of a repository on a host that anybody reads, ``""`` for another."""
+    match = _OWNER.match(https(url))
     return match[1] if match and match[2] in public_hosts() else ""
 
 
