@@ -12,6 +12,7 @@ from roslab.decide.decision import Choice, Warning_
 from roslab.decide.matlab_code import matlab_code
 from roslab.decide.reasons import warn
 from roslab.decide.ros.by_page import by_own_source
+from roslab.decide.ros.lists_elsewhere import repository_of
 from roslab.decide.ros.patched import told_by
 from roslab.decide.ros.source_names import address, akin, itself_in, plain
 from roslab.decide.ros.vcs_files import spelling
@@ -63,7 +64,7 @@ def decide_steps(
     addresses = tuple(addresses)
     there = {address(each) for each in addresses}
     done = told_by(evidence, addresses)
-    lists = _lists(evidence) if config.vcs is None else ()
+    lists = _lists(evidence, there) if config.vcs is None else ()
     cloned = _cloned(evidence, kind, names, there, itself, system=system)
     data = _data(evidence, names, {*fetched})
     there_anyway = libraries(evidence, system.installed)
@@ -138,8 +139,11 @@ def _near(page: str) -> bool:
     return page.count("/") <= 1 and not places.aside(page)
 
 
-def _lists(evidence: Evidence) -> Iterator[Warning_]:
-    """Yield a warning for each list of repositories that a page or a script fetches and that the tree does not have."""
+def _lists(evidence: Evidence, addresses: Collection[str]) -> Iterator[Warning_]:
+    """Yield a warning for each list of repositories that a page or a script fetches and that the tree does not have.
+
+    Not for one that the build reads in its repository: ``addresses`` are those of what it clones.
+    """
     there = {spelling(source.file.rpartition("/")[2]) for source in evidence.sources if source.kind == "vcs"}
     told: dict[str, Warning_] = {}
     for mention in evidence.mentions:
@@ -148,6 +152,8 @@ def _lists(evidence: Evidence) -> Iterator[Warning_]:
         if not said or not _FETCHES.search(mention.text):
             continue
         for url in re.findall(rf"https?://[^\s\"'`<>()]+/{re.escape(mention.value)}\b", mention.text, re.IGNORECASE):
+            if address(repository_of(url)) in addresses:
+                continue
             message = f"not imported: {url}, a list of repositories that the tree does not have"
             advice = "add the file, and name it under `vcs` in roslab.yaml"
             told.setdefault(url, warn(f"{message}; {advice}", mention))

@@ -12,6 +12,8 @@ Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = "<package format='3'><name>demo</name><export><build_type>ament_cmake</build_type></export>{}</package>"
 LISTS = "https://github.com/lab/lists.git"
 CLONE = "RUN git clone --branch lab/tool https://github.com/lab/lists.git $HOME/lists\n"
+OLD = "https://raw.github.com/lab/lists"
+RAW_LAB = "https://gitlab.com/lab/lists/-/raw"
 IMAGE = "FROM ros:humble\nARG FILE=tool.https.rosinstall\n{}RUN wstool merge {}\nRUN wstool up\n"
 
 
@@ -45,6 +47,58 @@ def _lists(tree: Tree, image: str, needs: str = "<depend>tool_msgs_x</depend>") 
 )
 def test_the_list_of_another_repository(tree: Tree, image: str, found: list[tuple[str, str]]) -> None:
     assert _lists(tree, image) == found
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "found"),
+    [
+        (
+            ".travis.yml",
+            f"install:\n  - export ROS_DISTRO=humble\n  - wstool merge {OLD}/$ROS_DISTRO-devel/ci/a.rosinstall\n",
+            [(LISTS, "humble-devel")],
+        ),
+        (
+            ".github/workflows/a.yml",
+            f"env:\n  ROS_DISTRO: humble\njobs:\n  a:\n  - run: vcs import src < {RAW_LAB}/$ROS_DISTRO/a.repos\n",
+            [("https://gitlab.com/lab/lists.git", "humble")],
+        ),
+        (".github/more/a.yml", "run: wstool merge https://raw.github.com/lab/lists/v1/tool.rosinstall\n", []),
+        (
+            "README.md",
+            "    wget https://raw.githubusercontent.com/lab/lists/v1/tool.repos\n    vcs import src < tool.repos\n",
+            [(LISTS, "v1")],
+        ),
+        (
+            "README.md",
+            "    curl -sSL https://bitbucket.org/lab/lists/raw/v1/tool.repos | vcs import src\n",
+            [("https://bitbucket.org/lab/lists.git", "v1")],
+        ),
+        ("README.md", "    wget https://raw.github.com/ros2/ros2/humble/ros2.repos\n    vcs import < ros2.repos\n", []),
+        ("README.md", "    wget https://raw.github.com/lab/lists/v1/a.repos\n    vcs import src < tool.repos\n", []),
+    ],
+)
+def test_a_list_that_ci_takes_or_a_page_fetches(tree: Tree, path: str, text: str, found: list[tuple[str, str]]) -> None:
+    files = {
+        "package.xml": PACKAGE.format("<depend>tool_msgs_x</depend>"),
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+        path: f"# ROS 2 Humble\n{text}",
+    }
+    decision = tree(files)
+    assert [(each.repo, each.ref) for each in decision.source if each.prepare] == found
+    assert any("not imported" in each.message for each in decision.warnings) is (not found and path == "README.md")
+
+
+def test_a_list_brings_nothing_that_is_only_linked(tree: Tree) -> None:
+    files = {
+        "package.xml": PACKAGE.format("<depend>tool_msgs_x</depend>"),
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\nadd_executable(a a.cpp)\n"
+        "target_link_libraries(a EposCmd)\n",
+        "a.cpp": "int main() {}\n",
+        "Dockerfile.tool": IMAGE.format(CLONE, "$HOME/lists/$FILE"),
+    }
+    told = [each.message for each in tree(files).warnings]
+    assert any("demo links EposCmd, which nothing" in each for each in told)
+    assert any("has no key tool_msgs_x" in each and "cloned repositories may hold it" in each for each in told)
 
 
 def test_none_is_read_where_nothing_is_missing(tree: Tree) -> None:

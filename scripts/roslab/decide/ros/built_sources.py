@@ -28,6 +28,10 @@ class Sources:
 
     asked: frozenset[str] = frozenset()
     """The names, in one spelling, that the tree asks for: a clone of such a name is most likely that package alone."""
+    of_lists: frozenset[str] = frozenset()
+    """The names of those that only hold lists: the build clones what these name that holds one of ``sought_there``."""
+    sought_there: frozenset[str] = frozenset()
+    """What manifests and CMake name, in one spelling, where there are such lists."""
     started: tuple[str, ...] = ()
     """Packages that the launch file of the default command needs and the repository does not have."""
     within: frozenset[str] = frozenset()
@@ -49,11 +53,13 @@ class Sources:
     def may_hold(self, wanted: str) -> bool:
         """Tell whether a clone may hold a package.
 
-        One that the tree asks for by its name, or that only a table of this program names, holds what is named alike.
+        One that the tree asks for by its name, or that only a table of this program names, holds what is named alike;
+        what lists name is cloned for what manifests and CMake name.
         """
         words = telling_words(wanted) | {plain(wanted)}
         others = self._called_otherwise()
-        return any(name not in others or words & (telling_words(name) | {name}) for name in self._unknown())
+        unknown = any(name not in others or words & (telling_words(name) | {name}) for name in self._unknown())
+        return unknown or plain(wanted) in self.sought_there
 
     def hardly_holds(self, wanted: str) -> bool:
         """Tell whether a package can only be in clones that are most likely another package alone, called alike."""
@@ -78,7 +84,8 @@ class Sources:
         """Yield the names of the clones whose packages are not known."""
         single = {address(url) for url in alone()}
         for source in (*self.sources, *self.submodules):
-            if source.build != "cmake" and source.name not in self.within and address(source.repo or "") not in single:
+            aside = source.name in self.within or source.name in self.of_lists
+            if source.build != "cmake" and not aside and address(source.repo or "") not in single:
                 yield plain(source.name)
 
 

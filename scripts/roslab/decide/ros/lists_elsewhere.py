@@ -10,7 +10,7 @@ from roslab.decide.decision import Choice
 from roslab.decide.reasons import because
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.sought import folder_for
-from roslab.decide.ros.source_names import address, day_of_clone, fixed, itself_in
+from roslab.decide.ros.source_names import address, day_of_clone, fixed, itself_in, plain
 from roslab.decide.ros.weights import Weight
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence, Mention
@@ -20,9 +20,13 @@ from roslab.values.origin import Place
 from roslab.values.pattern import pattern
 
 _RAW = pattern(
-    r"https://(?:raw\.githubusercontent\.com/([\w.-]+/[\w.-]+)|github\.com/([\w.-]+/[\w.-]+)/(?:raw|blob))/([\w.-]+)/([\w./-]+)"
+    r"https://(?:raw\.github(?:usercontent)?\.com/(?P<raw>[\w.-]+/[\w.-]+)|"
+    r"(?P<owned>(?:github\.com|gitlab\.com|bitbucket\.org)/[\w.-]+/[\w.-]+)/(?:-/)?(?:raw|blob))"
+    r"/(?:refs/heads/)?(?P<ref>[\w.-]+)/(?P<path>[\w./-]+)"
 )
 """A file of a repository by its address: owner and name, branch, path."""
+_OF_ROS = frozenset({"https://github.com/ros2/ros2", "https://github.com/ros/rosdistro"})
+"""Their lists name what a distribution released."""
 _PATH = pattern(r"[\w.+/-]+")
 _NAME = pattern(r"[A-Za-z0-9_][\w.-]*")
 """A name that a folder may have: none of ``..``, ``.git`` and ``-x``, as odd addresses end."""
@@ -40,8 +44,14 @@ def with_lists(
     found = list(_lists(evidence, there, before, itself)) if missing else []
     why = "takes a list of repositories from it, and nothing known brings a package"
     reasons = (because("source", s.name, f"{said.file} {why}", said, weight=Weight.LISTED) for s, said in found)
+    names = frozenset(source.name for source, _ in found)
     sources = (*choice.answer.sources, *(source for source, _ in found))
-    return replace(choice, answer=replace(choice.answer, sources=sources), reasons=(*choice.reasons, *reasons))
+    named = [each for manifest in evidence.manifests for each in manifest.dependencies]
+    named += [each for project in evidence.cmake for each in project.dependencies]
+    asked = {plain(each.name) for each in named if each.namespace in {"rosdep", "ros"}}
+    sought = frozenset(asked) if found else frozenset[str]()
+    answer = replace(choice.answer, sources=sources, of_lists=names, sought_there=sought)
+    return replace(choice, answer=answer, reasons=(*choice.reasons, *reasons))
 
 
 def _lists(
@@ -83,14 +93,19 @@ def _lists(
         yield source, said
 
 
+def repository_of(url: str) -> str:
+    """Return the address of the repository in which a file lies by its own address, ``""`` where that tells none."""
+    match = _RAW.fullmatch(url)
+    return f"https://{match['owned'] or 'github.com/' + match['raw']}.git" if match else ""
+
+
 def _by_address(said: Mention) -> tuple[GitSource, str] | None:
-    match = _RAW.fullmatch(said.value)
-    if match is None:
+    match, url = _RAW.fullmatch(said.value), repository_of(said.value)
+    if match is None or address(url) in _OF_ROS:
         return None
-    owned = match[1] or match[2]
-    url, name = f"https://github.com/{owned}.git", owned.rpartition("/")[2]
-    git = GitSource(name=name, url=url, ref=match[3], strength="prose", file=said.file, line=said.line, kind="link")
-    return git, match[4]
+    name = url.rpartition("/")[2].removesuffix(".git")
+    git = GitSource(name=name, url=url, ref=match["ref"], strength="prose", file=said.file, line=said.line, kind="link")
+    return git, match["path"]
 
 
 def _in_clone(said: Mention, evidence: Evidence) -> tuple[GitSource, str] | None:

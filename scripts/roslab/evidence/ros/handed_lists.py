@@ -19,7 +19,7 @@ from roslab.values.pattern import pattern
 MAX_SIZE = 128 * 1024
 MAX_READ = 200
 """Most pages and scripts that are opened, those nearest to the root first."""
-_Source = Literal["readme", "dockerfile", "script"]
+_Source = Literal["readme", "dockerfile", "script", "ci"]
 _SOURCES: dict[str, _Source] = {
     ".md": "readme",
     ".markdown": "readme",
@@ -41,6 +41,12 @@ _EITHER = pattern(r"([^\s\[\]]*)\[([\w.-]{1,40})\]([^\s\[\]]*)")
 _VARIABLE = pattern(r"\$\{?([A-Za-z_]\w*)(?:\}|(?![\w}]))")
 _USUAL = (".repos", ".rosinstall")
 """Lists of these names are known without a command."""
+_CI = pattern(
+    r"\.(?:travis|jenkins|gitlab-ci|drone|appveyor)\.ya?ml|Jenkinsfile|"
+    r"(?:\.github/workflows|\.circleci|\.jenkins|\.ci)/[^/]+\.ya?ml"
+)
+_SET_IN_CI = pattern(r"^[ \t-]*([A-Z_]\w*):[ \t]*[\"']?([\w./-]+)[\"']?[ \t]*$", re.MULTILINE)
+_FETCHED = pattern(r"https?://[^\s\"'`<>()|;&]{1,200}")
 
 
 def files(repository: Repository) -> tuple[File, ...]:
@@ -57,29 +63,47 @@ def read(repository: Repository) -> tuple[Mention, ...]:
 def _elsewhere(repository: Repository) -> tuple[Mention, ...]:
     """Return a mention for each path or address that such a command names and the tree does not have, filled in.
 
-    What a script or a Dockerfile sets itself is filled in: ``$HOME/lists/$FILE`` with ``ARG FILE=a.rosinstall``.
+    What a script, a Dockerfile or a file of CI sets itself is filled in: ``$HOME/lists/$FILE`` with ``ARG
+    FILE=a.rosinstall``. A name alone is that of what the same text fetches: ``wget https://…/a.repos``.
     """
     dockerfiles = (name for name in repository.by_name if name.startswith("dockerfile"))
-    found = (*repository.suffixed(*_SOURCES), *repository.named(*dockerfiles))
+    ci = (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile"))
+    found = (*repository.suffixed(*_SOURCES), *repository.named(*dockerfiles), *filter(_is_ci, ci))
     kept = (file for file in found if file.size <= MAX_SIZE and not places.vendored(file.path))
     return tuple(each for file in nearest(kept)[:MAX_READ] for each in _named_elsewhere(repository, file))
 
 
 def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
     text = repository.read(file)
-    source = _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile")
+    source: _Source = "ci" if _is_ci(file) else _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile")
     values: dict[str, str] | None = None
     for match in matching_lines(_HANDED, text, "wstool", "rosws", "rosinstall", "vcs"):
         if "#" in match["before"] and source != "readme":
             continue
-        values = dict(reversed(_SET.findall(text))) if values is None else values
-        words = _EITHER.sub(r"\1\3 \1\2\3", _filled(match["rest"], values)).split()
-        for word in (each.strip("\"'") for each in words):
-            if word.endswith(_USUAL) and "/" in word and not repository.named(posixpath.basename(word)):
+        if values is None:
+            values = dict(reversed((*_SET.findall(text), *(_SET_IN_CI.findall(text) if source == "ci" else ()))))
+        for word in _lists_of(_filled(match["before"], values), _filled(match["rest"], values), text):
+            if not repository.named(posixpath.basename(word)):
                 line = text.count("\n", 0, match.start("rest")) + 1
                 yield Mention(
                     topic="handed", value=word, source=source, file=file.path, line=line, text=match[0].strip()
                 )
+
+
+def _lists_of(before: str, after: str, text: str) -> Iterator[str]:
+    """Yield the lists that a command names, or has from what is fetched and piped to it."""
+    words = [word.strip("\"'") for word in _EITHER.sub(r"\1\3 \1\2\3", after).split()]
+    if before.rstrip().endswith("|"):
+        words += _FETCHED.findall(before)
+    for word in (each for each in words if each.endswith(_USUAL)):
+        if "/" in word:
+            yield word
+        else:
+            yield from (url for url in _FETCHED.findall(text) if url.endswith(f"/{word}"))
+
+
+def _is_ci(file: File) -> bool:
+    return _CI.fullmatch(file.path) is not None
 
 
 def _filled(command: str, values: Mapping[str, str]) -> str:
