@@ -11,7 +11,7 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
-from roslab.evidence.author_path import AuthorPath
+from roslab.evidence.author_path import SHELL, AuthorPath
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.launch_file import LaunchFile
 from roslab.values.dataclass import replace
@@ -47,7 +47,8 @@ def _of_author(
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return the author's folders, each with what a link there leads to: ``source/...`` or ``workspace/install``.
 
-    Only those that files of packages name which are built: the rest of a tree may be of another machine altogether.
+    Only those that files of packages name which are built, or scripts that start programs: the rest of a tree may be of
+    another machine altogether.
     Of a tree without packages those of which it has all that a path names. ``~/NAME`` is a folder of the home: beside
     the repository's, for code that imports it by that name, or where files look for the author's workspace.
     """
@@ -72,7 +73,7 @@ def _of_paths(
         return Choice(answer=())
     built = tuple(each.file.rpartition("/")[0] for each in packages.built)
     inside = tuple(f"{folder}/" if folder else "" for folder in built)
-    named = (p for p in evidence.author_paths if any(_holds(folder, p.file) for folder in inside))
+    named = (p for p in evidence.author_paths if _by_script(p) or any(_holds(folder, p.file) for folder in inside))
     if not evidence.manifests:
         named = (p for p in evidence.author_paths if p.there and not places.aside(p.file))
     named = (p for p in named if not (mounted and f"{p.path}/".startswith(f"{layout.mounted}/")))
@@ -136,6 +137,11 @@ def _mounted(above: str, made: str) -> Iterator[tuple[str, str]]:
     if above:
         yield f"{above}/src", "source"
         yield f"{above}/{made}", f"workspace/{made}"
+
+
+def _by_script(path: AuthorPath) -> bool:
+    """Tell whether a script that starts programs goes to what the tree has: it lies in a package or beside them."""
+    return path.there and path.file.endswith(SHELL) and not places.aside(path.file)
 
 
 def _holds(folder: str, file: str) -> bool:

@@ -112,6 +112,25 @@ def test_below_the_home_of_whoever_runs_it_the_author_s_workspace_is_linked(
 @pytest.mark.parametrize(
     ("name", "text", "found"),
     [
+        ("boot.sh", "cd ~/robot_ws/src/server/launch\nros2 launch a.py\n", True),
+        ("setup/boot.bash", 'cd "$HOME/robot_ws/src/server/launch" && ros2 launch a.py\n', True),
+        ("boot.sh", "# cd ~/robot_ws/src/server/launch\nros2 launch server a.py\n", False),
+        ("boot.sh", "cd ~/robot_ws/src/server/launch\n./a.py\n", False),
+        ("boot.sh", "cd ~/robot_ws/src/server/maps\nros2 launch server a.py\n", False),
+        ("setup.sh", "cd ~/robot_ws/src/server/launch\nsudo apt-get install -y figlet\nros2 launch a.py\n", False),
+        ("tests/boot.sh", "cd ~/robot_ws/src/server/launch\nros2 launch a.py\n", False),
+    ],
+)
+def test_a_script_that_starts_programs_finds_the_author_s_workspace(
+    tree: Tree, name: str, text: str, *, found: bool
+) -> None:
+    files = {**package("server"), "server/launch/a.py": "def generate_launch_description():\n    1\n", name: text}
+    assert linked(tree, files) == ([("~/robot_ws/src", "source")] if found else [])
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "found"),
+    [
         ("scripts/a.py", 'open("{}")\n', True),
         ("scripts/a.py", '# open("{}")\n', False),
         ("src/a.cpp", 'std::string a = "{}";\n', True),

@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterable
 
 from roslab.evidence import places
-from roslab.evidence.author_path import AuthorPath
+from roslab.evidence.author_path import SHELL, AuthorPath
 from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.home import HOME
@@ -19,7 +19,7 @@ MOST = 20
 """Most paths of one file."""
 _XML = (".launch", ".xml", ".xacro", ".urdf", ".world", ".sdf")
 _CODE = (".cpp", ".cc", ".cxx", ".h", ".hpp")
-_SUFFIXES = (*_XML, *_CODE, ".py", ".yaml", ".yml", ".rviz")
+_SUFFIXES = (*_XML, *_CODE, *SHELL, ".py", ".yaml", ".yml", ".rviz")
 _HINTS = (pattern(r"/(?:(?:home|Users|root|src)/|(?<=_ws/))"), pattern(r":\\\\?Users"))
 """What a file with such a path has. Each begins with a sign of its own, which is looked for once for all words."""
 _PATH = pattern(
@@ -31,6 +31,13 @@ _AT_HOME = pattern(
     r"((?:[\w.+@-]+/){2,30}[\w.+@-]*)"
 )
 """A path below the home of whoever runs it, as a shell, a launch file or code writes it."""
+_STARTS = pattern(r"^[^\n#]{0,200}\b(?:ros2[ \t]{1,9}(?:launch|run)|roslaunch|rosrun)[ \t]", re.MULTILINE)
+_SETS_UP = pattern(
+    r"^[^\n#]{0,200}\b(?:(?:apt|apt-get|git|catkin|colcon|rosdep)[ \t]{1,9}(?:-\S{1,20}[ \t]{1,9}){0,3}"
+    r"(?:install|clone|pull|build|update)|catkin_make)\b",
+    re.MULTILINE,
+)
+"""A script that also installs, fetches or builds is for the author's machine: the image has done that."""
 _HOMES = ("~/", "HOME", "Path.home()")
 """What each of these has."""
 _ANYBODY = "/home/~/"
@@ -69,6 +76,8 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
     for file in nearest(f for f in files if not _MADE.search(f.path))[:MAX_FILES]:
         text = repository.read(file)
         if not any(hint.search(text) for hint in _HINTS):
+            continue
+        if file.path.endswith(SHELL) and (not _STARTS.search(text) or _SETS_UP.search(text)):
             continue
         if file.path.endswith(_XML):
             text = without_xml_comments(text)
