@@ -11,10 +11,11 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.layout import Layout
 from roslab.decide.ros.workspace import Packages
 from roslab.evidence import places
-from roslab.evidence.author_path import SHELL, AuthorPath
+from roslab.evidence.author_path import AuthorPath
 from roslab.evidence.facts import Evidence, Mention
 from roslab.evidence.launch_file import LaunchFile
 from roslab.values.dataclass import replace
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.origin import Place
 
 LINKED = 40
@@ -141,7 +142,7 @@ def _mounted(above: str, made: str) -> Iterator[tuple[str, str]]:
 
 def _by_script(path: AuthorPath) -> bool:
     """Tell whether a script that starts programs goes to what the tree has: it lies in a package or beside them."""
-    return path.there and path.file.endswith(SHELL) and not places.aside(path.file)
+    return path.there and path.file.endswith(SHELL_SCRIPTS) and not places.aside(path.file)
 
 
 def _holds(folder: str, file: str) -> bool:

@@ -52,6 +52,7 @@ from roslab.decide.scripts import ports_in, ports_of
 from roslab.decide.sessions import of_sessions
 from roslab.decide.shown_folders import first_shown
 from roslab.decide.skipped_commands import without_skipped
+from roslab.decide.spoken_to import without_speaking
 from roslab.decide.unbuilt_packages import starts_one, unbuilt
 from roslab.decide.upkeep import upkeep
 from roslab.decide.wanted_arguments import without_wanting
@@ -212,7 +213,7 @@ def _obvious(
     if dockerfile:
         ours = [c for c in ours if authored and startable(c, authored)]
         ours = [c for c in ours if kind != "cpp" or not is_python(c)]  # that image was made for what is compiled
-    ours = without_wanting(ours, found)
+    ours = without_speaking(without_wanting(ours, found), found, evidence)
     first = first_of(ours)
     first = behind_helpers(first, ours, evidence) if first else None
     if first and "/" in first.file and not dockerfile:

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from roslab.values.dataclass import dataclass
 
-SHELL = (".sh", ".bash")
-"""How scripts end that start programs, and that look for them in the author's folders."""
-
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class AuthorPath:

@@ -31,6 +31,7 @@ from roslab.evidence.prose import (
     of_other_indexes,
     optional_ros,
     simulator_folders,
+    speakers,
     system_libraries,
     unbounded_jobs,
 )
@@ -64,7 +65,7 @@ MENTIONED = (
     *(system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
-BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, generators.read)
+BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, generators.read, speakers.read)
 """What code and files tell beside what pages say."""
 OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""

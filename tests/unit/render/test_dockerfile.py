@@ -556,6 +556,14 @@ def test_the_tests_of_sisters_are_not_compiled() -> None:
         assert "leave-out-tests" not in stated_by
 
 
+def test_the_tests_of_submodules_are_not_compiled() -> None:
+    changed = plan(ros_distro="jazzy", build_tool="colcon")
+    place = dataclasses.replace(changed.workspace, apart=("deps/part",))
+    text = dockerfile(dataclasses.replace(changed, workspace=place))
+    folder = place.folder.removeprefix("ws").lstrip("/")
+    assert f" && leave-out-tests {folder}/deps/part \\\n" in text
+
+
 def test_packages_that_a_sister_has_twice_are_hidden_before_the_build() -> None:
     text = dockerfile(plan(source=(SISTER,)))
     clone, hidden, build = positions(text, "git clone", " && leave-out-doubles src/sister \\\n", "catkin_make -j")

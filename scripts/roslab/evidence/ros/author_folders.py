@@ -6,9 +6,10 @@ import re
 from collections.abc import Collection, Iterable
 
 from roslab.evidence import places
-from roslab.evidence.author_path import SHELL, AuthorPath
+from roslab.evidence.author_path import AuthorPath
 from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.repository.checkout import Repository, nearest
+from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.home import HOME
 from roslab.values.pattern import pattern
 
@@ -19,7 +20,7 @@ MOST = 20
 """Most paths of one file."""
 _XML = (".launch", ".xml", ".xacro", ".urdf", ".world", ".sdf")
 _CODE = (".cpp", ".cc", ".cxx", ".h", ".hpp")
-_SUFFIXES = (*_XML, *_CODE, *SHELL, ".py", ".yaml", ".yml", ".rviz")
+_SUFFIXES = (*_XML, *_CODE, *SHELL_SCRIPTS, ".py", ".yaml", ".yml", ".rviz")
 _HINTS = (pattern(r"/(?:(?:home|Users|root|src)/|(?<=_ws/))"), pattern(r":\\\\?Users"))
 """What a file with such a path has. Each begins with a sign of its own, which is looked for once for all words."""
 _PATH = pattern(
@@ -77,7 +78,7 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
         text = repository.read(file)
         if not any(hint.search(text) for hint in _HINTS):
             continue
-        if file.path.endswith(SHELL) and (not _STARTS.search(text) or _SETS_UP.search(text)):
+        if file.path.endswith(SHELL_SCRIPTS) and (not _STARTS.search(text) or _SETS_UP.search(text)):
             continue
         if file.path.endswith(_XML):
             text = without_xml_comments(text)

@@ -276,8 +276,10 @@ def warnings_pass(plan: Plan, folder: str) -> str:
 
 
 def _without_tests(plan: Plan, build: RosBuild) -> list[str]:
-    """Return the command that leaves the tests of sisters out, unless somebody says whether tests are compiled."""
-    folders = [f"src/{source.name}" for source in plan.workspace.sources]
+    """Return the command that leaves the tests of others out, unless somebody says whether tests are compiled."""
+    place = plan.workspace
+    own = f"{place.folder.removeprefix(WORKSPACE)}/".removeprefix("/")
+    folders = [f"src/{source.name}" for source in place.sources] + [f"{own}{folder}" for folder in place.apart]
     said = any("BUILD_TESTING" in option for option in (*build.cmake_options, *build.arguments))
     return [f"{WITHOUT_TESTS}{words(folders)}"] if folders and not said else []
 
