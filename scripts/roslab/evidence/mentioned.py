@@ -46,7 +46,14 @@ from roslab.evidence.python import (
     typestores,
     usetex,
 )
-from roslab.evidence.ros import copied_scripts, handed_lists, on_machines, own_setup, started_by_scripts
+from roslab.evidence.ros import (
+    copied_scripts,
+    handed_lists,
+    on_machines,
+    own_setup,
+    program_endings,
+    started_by_scripts,
+)
 from roslab.repository.checkout import Repository
 
 MENTIONED = (
@@ -65,7 +72,9 @@ MENTIONED = (
     *(system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
-BESIDE_PROSE = (from_root.read, sibling_folders.read, from_above.read, generators.read, speakers.read)
+BESIDE_PROSE = (
+    *(from_root.read, sibling_folders.read, from_above.read, generators.read, speakers.read, program_endings.read),
+)
 """What code and files tell beside what pages say."""
 OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""
