@@ -38,6 +38,7 @@ from roslab.evidence.prose import (
 from roslab.evidence.python import (
     from_above,
     from_root,
+    given_as_data,
     opened,
     own_spelling,
     python3_modules,
@@ -80,7 +81,7 @@ OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""
 _OF_ROS = (
     *(on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read),
-    *(copied_scripts.read, python3_modules.read),
+    *(copied_scripts.read, given_as_data.read, python3_modules.read),
 )
 
 

@@ -85,3 +85,39 @@ def test_colcon_is_told(tmp_path: Path) -> None:
     planned = plan_repository(str(tmp_path))
     assert planned.plan.workspace.ros is not None
     assert planned.plan.workspace.ros.arguments == ("--symlink-install", "--merge-install")
+
+
+SETUP = """\
+from glob import glob
+from setuptools import setup
+package_name = 'demo'
+setup(
+    name=package_name,
+    packages=[{}],
+    data_files=[('share/' + package_name, ['package.xml']), ('share/demo/helping', glob('helping/*.py'))],
+    entry_points={{'console_scripts': ['eye = demo.eye:main']}},
+)
+"""
+
+
+@pytest.mark.parametrize(
+    ("packages", "code", "page", "found"),
+    [
+        ("package_name", "from helping import reader\n", BY_LINKS, True),
+        ("package_name", "from helping import reader\n", BY_LINKS.replace(" --symlink-install", ""), False),
+        ("package_name, 'helping'", "from helping import reader\n", BY_LINKS, False),
+        ("package_name", "def main():\n    from helping import reader\n", BY_LINKS, False),
+    ],
+)
+def test_so_are_modules_that_setup_py_installs_as_data(
+    tree: Tree, packages: str, code: str, page: str, *, found: bool
+) -> None:
+    files = {
+        "README.md": page,
+        "package.xml": PACKAGE.replace("ament_cmake", "ament_python"),
+        "setup.py": SETUP.format(packages),
+        "demo/__init__.py": "",
+        "demo/eye.py": f"import rclpy\n{code}",
+        "helping/reader.py": "def read(): ...\n",
+    }
+    assert tree(files).by_links is found

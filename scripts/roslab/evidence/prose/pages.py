@@ -33,7 +33,8 @@ _PAGE = pattern(
     r"^(?:readme|install|installation|building|build|compiling|compilation|"
     r"getting[-_ ]?started|setup|dependencies|requirements|quick[-_ ]?start|usage)(?:[-_. ].*)?$"
 )
-_TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org")
+_ASCIIDOC = (".adoc", ".asciidoc")
+_TEXTS = (".md", ".mdx", ".rst", ".txt", "", ".markdown", ".mkd", ".org", *_ASCIIDOC)
 _DOCS_PAGE = pattern(
     r"install|compil|getting[-_ ]?started|setup|build|depend|requirement|quick[-_ ]?start|prerequisite|usage|running|"
     r"launching|^(?:gazebo[-_ ]?)?simulations?\b"
@@ -42,7 +43,7 @@ _VARIANT = pattern(r"readme[-_.](?!md$|rst$|txt$|markdown$)\w", re.IGNORECASE)
 """A page that says what another one does, in a language or for a system: it comes after that."""
 LINK = pattern(
     r"\]\(\s*<?(?:https?://git(?:hub|lab)\.com/[\w.-]+/[\w.-]+/(?:-/)?(?:blob|tree)/[\w.-]+/|(/))?"
-    r"((?:\.{1,2}/){0,4}\w[\w./-]*(?:\.(?:md|rst)|/|(?<=/)[\w-]+))(?:#[^)\s]*)?>?\s*\)"
+    r"((?:\.{1,2}/){0,4}\w[\w./-]*(?:\.(?:md|rst|adoc|asciidoc)|/|(?<=/)[\w-]+))(?:#[^)\s]*)?>?\s*\)"
 )
 """A link of Markdown to a page or a folder of pages, by its path or by its whole address; one that begins with ``/``
 is meant from the root. What the tree lacks is no such."""
@@ -68,6 +69,10 @@ _NOTES = pattern(
 )
 """The name of a page that is for those who write the code, or that tells of it without starting it."""
 _ABOUT = pattern(r"readme|install")
+_MANUAL = pattern(r"guide|manual|tutorial|how[-_ ]?to|instructions", re.IGNORECASE)
+_STYLE = pattern(r"style|cod(?:e|ing)|contribut|release|migrat|conduct", re.IGNORECASE)
+_CODE = pattern(r"^(?:[ \t]{0,9}(?:```|~~~)|(?: {4}|\t)\S)", re.MULTILINE)
+"""The first line of a block of code."""
 
 
 def text_of(repository: Repository, file: File) -> str:
@@ -78,7 +83,7 @@ def text_of(repository: Repository, file: File) -> str:
     """
     texts = repository.once(_texts)
     if file.path not in texts:
-        text = with_tasks(without(repository, _shown(repository.read(file))), repository, file)
+        text = with_tasks(without(repository, _shown(_read(repository, file))), repository, file)
         text = as_in_a_shell(text, repository, file)
         texts[file.path] = with_programs(text, repository, file)
     return texts[file.path]
@@ -87,6 +92,15 @@ def text_of(repository: Repository, file: File) -> str:
 def _texts(_: Repository) -> dict[str, str]:
     """Return what keeps the text of each page, by its path, for the many readers of them."""
     return {}
+
+
+def _read(repository: Repository, file: File) -> str:
+    text = repository.read(file)
+    if not file.path.endswith(_ASCIIDOC):
+        return text
+    from roslab.evidence.prose import asciidoc  # noqa: PLC0415 - few pages are in it
+
+    return asciidoc.as_markdown(text)
 
 
 @cache
@@ -143,7 +157,7 @@ def _guides(repository: Repository) -> list[File]:
 
     Lists of commands are notes, for several machines.
     """
-    files = [f for f in repository.suffixed(".md", ".rst") if not f.folder and f.size <= MAX_SIZE]
+    files = [f for f in repository.suffixed(".md", ".rst", *_ASCIIDOC) if not f.folder and f.size <= MAX_SIZE]
     files = [f for f in files if not _ASIDE.search(f.name)]
     guides = [f for f in files if _GUIDE.search(f.name.rpartition(".")[0].lower())]
     return guides or [f for f in files if not _NOTES.search(f.name)]
@@ -174,11 +188,22 @@ def _linked(repository: Repository, found: list[File]) -> list[File]:
     for page in found:
         if "/" not in page.path and page.name.lower().startswith("readme"):
             linked |= {path: files[path] for path in _install_links(repository, page) if path in files}
-    return [
-        file
-        for path, file in linked.items()
-        if path not in taken and not (places.vendored(path) or places.test(path) or _ASIDE.search(file.name))
-    ]
+            linked = {path: file for path, file in linked.items() if not _ASIDE.search(file.name)}
+            linked |= {path: files[path] for path in _manual_links(repository, page) if path in files}
+    there = ((path, file) for path, file in linked.items() if path not in taken)
+    return [file for path, file in there if not (places.vendored(path) or places.test(path))]
+
+
+def _manual_links(repository: Repository, page: File) -> Iterator[str]:
+    """Yield where the links to manuals lead of a page that shows no code: what there is to run stands there."""
+    text = text_of(repository, page)
+    if _CODE.search(text):
+        return
+    for link in LINK.finditer(text):
+        path, called = path_of(link, page), text[: link.start()].rpartition("[")[2][:200]
+        name = posixpath.basename(path)
+        if (_MANUAL.search(name) or _MANUAL.search(called)) and not (_STYLE.search(name) or _STYLE.search(called)):
+            yield path
 
 
 def _install_links(repository: Repository, page: File) -> Iterator[str]:
