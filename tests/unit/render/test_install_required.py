@@ -51,6 +51,18 @@ def required(folder: Path, files: dict[str, str], *options: str) -> list[str]:
         ("find_library(A usb)\nif(A)\ntarget_link_libraries(x ${A})\nendif()", []),
         ("find_library(A usb REQUIRED)", ["link:usb"]),
         ("find_path(A NAMES b/c.h PATHS /x)\ninclude_directories(${A})", ["header:b/c.h"]),
+        (
+            "find_package(Qt5 5.6 COMPONENTS Core\n  OpenGL REQUIRED OPTIONAL_COMPONENTS Svg)",
+            ["Qt5", "Qt5Core", "Qt5OpenGL"],
+        ),
+        ("find_package(Qt6 REQUIRED Widgets)", ["Qt6", "Qt6Widgets"]),
+        ("find_package(Qt5 COMPONENTS Svg)", []),
+        (
+            "add_library(x a.c)\nadd_library(usb b.c)\ntarget_link_libraries(x PUBLIC usb curl -lm)",
+            ["link:curl", "link:m"],
+        ),
+        ("if(A)\ntarget_link_libraries(x curl)\nendif()", []),
+        ("project(curl)\nlink_libraries(curl ${B} b::c /d/e.so -pthread)", []),
     ],
 )
 def test_what_is_required_and_what_is_only_tried(tmp_path: Path, cmake: str, names: list[str]) -> None:
@@ -182,6 +194,15 @@ def test_names_of_pkg_config_links_and_headers(tmp_path: Path) -> None:
     stage = Stage(tmp_path, "libeigen3-dev", "libgoogle-glog-dev", "libassimp-dev")
     assert stage.library(f"{cmake}find_library(D nowhere REQUIRED)") == (
         [["libassimp-dev", "libeigen3-dev", "libgoogle-glog-dev"]],
+        "",
+    )
+
+
+def test_components_of_qt_and_what_is_linked_by_its_name_alone(tmp_path: Path) -> None:
+    stage = Stage(tmp_path, "qtbase5-dev", "libqt5opengl5-dev", "libcurl4-openssl-dev")
+    cmake = "find_package(Qt5 COMPONENTS Gui OpenGL REQUIRED)\nadd_library(x a.cc)\n"
+    assert stage.library(f"{cmake}target_link_libraries(x Qt5::OpenGL curl m other)") == (
+        [["libcurl4-openssl-dev", "libqt5opengl5-dev", "qtbase5-dev"]],
         "",
     )
 

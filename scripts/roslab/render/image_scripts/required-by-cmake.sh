@@ -8,8 +8,9 @@
 # stops. Files that they include are read with them.
 #   --programs  run:NAME of each program that they call, also of a script that lies in what they fetch
 #   --library  of a library that CMake configures with these options: its CMakeLists.txt with the files that it adds, too,
-#              without what its own projects are called. Also pkg:MODULE for a module of pkg-config, and link:NAME and
-#              header:NAME for what find_library and find_path look for and every build uses
+#              without what its own projects are called. Also Qt5NAME for a component of Qt, pkg:MODULE for a module of
+#              pkg-config, and link:NAME and header:NAME for what find_library and find_path look for and every build
+#              uses, and for what it links by the name alone
 set -eu # a search that finds nothing is no failure
 
 # Each command on a line of its own, without comments and texts; with the words of texts if TEXTS is set: FILE TEXTS
@@ -62,6 +63,15 @@ required() {
     function take(names,    i, all, total) {
       total = split(names, all, " ")
       for (i = 1; i <= total; i++) if (library) taken[all[i]] = 1; else print all[i]
+    }
+    # The components of Qt, each of which has a package of its own name: " Qt5Core Qt5Svg"
+    function parts(words, count,    i, all) {
+      if (words[1] !~ /^Qt[0-9]$/) return ""
+      for (i = 2; i <= count; i++) {
+        if (words[i] == "OPTIONAL_COMPONENTS") break
+        if (words[i] ~ /^[A-Z][A-Za-z0-9]*[a-z][A-Za-z0-9]*$/) all = all " " words[1] words[i]
+      }
+      return all
     }
     # The variables and the targets by which a package is used that CMake may not find
     function note_found(name,    i, ends, total) {
@@ -129,12 +139,13 @@ required() {
         if (words[i] == "COMPONENTS") components = 1
         else if (components && words[1] == "catkin") take(words[i])
       }
-      if (required && words[1] != "catkin") if (library) take(words[1]); else packages[++total_packages] = words[1]
+      if (required && words[1] != "catkin") if (library) take(words[1] parts(words, count)); else packages[++total_packages] = words[1]
       looked[words[1] "_FOUND"] = looked[toupper(words[1]) "_FOUND"] = words[1]
       if (depth == 0 && !quiet && words[1] != "catkin") note_found(words[1])
     }
     !library { next }
     command == "project" { own[tolower(words[1])] = 1 }
+    command ~ /^(add_(library|executable)|externalproject_add|fetchcontent_declare)$/ { made[words[1]] = 1 }
     command ~ /^pkg_(check_modules|search_module)$/ {
       required = 0
       modules = ""
@@ -163,9 +174,17 @@ required() {
         }
       }
     }
+    depth == 0 && command ~ /^(target_)?link_libraries$/ {
+      for (i = command == "link_libraries" ? 1 : 2; i <= count; i++) {
+        word = words[i]
+        sub(/^-l/, "", word)
+        if (word ~ /^[A-Za-z0-9_.+-]+$/ && word !~ /^([A-Z_]+|debug|optimized|general|-.*)$/) linked[word] = 1
+      }
+    }
     command == "message" && words[1] == "FATAL_ERROR" && depth > 0 && without[depth] in looked { take(looked[without[depth]]) }
     END {
       for (name in taken) if (!(tolower(name) in own)) print name
+      for (name in linked) if (!(name in made) && !(tolower(name) in own)) print "link:" name
       for (i = 1; i <= total_packages; i++) print (tolower(packages[i]) in either ? "either:" : "") packages[i]
     }'
 }
