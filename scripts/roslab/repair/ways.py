@@ -21,6 +21,9 @@ from roslab.values.version import Version
 _ALIASES = ("float", "int", "bool", "object", "str", "complex", "long", "unicode")
 """Names that NumPy 1.24 removed: https://numpy.org/doc/stable/release/1.24.0-notes.html"""
 _PIN = pattern(r"==\s*([\w.!+]{1,60})$")
+_WORDS = pattern(r"[\w./-]+")
+_READ = pattern(r"([\w./-]{1,300}):\d{1,7}\b")
+"""A file with the line where a compiler or CMake stopped."""
 _SERIAL = {
     "catkin_make": ("-j1",),
     "catkin_make_isolated": ("-j1",),
@@ -230,9 +233,13 @@ def submodules(found: Explanation, given: Given) -> Worked:
     """Demand the submodules, if the failed step wants a file of one that is not checked out."""
     names = dict(found.names)
     said = [names[name] for name in ("path", "file", "header", "name", "module") if names.get(name)]
+    said += _WORDS.findall(found.error)
+    read = _READ.findall(found.error)
     for path in absent(given):
         folder = path.rpartition("/")[2]
-        if any(path in word or folder in word.split("/") for word in (*said, *re.findall(r"[\w./-]+", found.error))):
+        if any(f"{path}/" in word for word in read):
+            continue  # a file of it was read: it is there
+        if any(path in word or folder in word.split("/") for word in said):
             return Worked(values=("required",))
     return Worked(why="no submodule is missing")
 

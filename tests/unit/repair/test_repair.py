@@ -223,6 +223,9 @@ def test_a_submodule_that_is_not_checked_out(tmp_path: Path) -> None:
     ]
     found = repaired(tmp_path, log("cmake .", *said))
     assert [str(change) for change in found.changes] == ["submodules: required"]
+    stopped = "/home/jovyan/robot/third_party/maths/a.cpp:3:10: fatal error: {}: No such file or directory".format
+    found = repaired(tmp_path, log("make", stopped("curl/curl.h")))
+    assert [str(change) for change in found.changes] == ["apt: [libcurl4-openssl-dev]"], "a file of it was compiled"
     (tmp_path / "third_party" / "maths").mkdir(parents=True)
     (tmp_path / "third_party" / "maths" / "README").write_text("here")
     assert repaired(tmp_path, log("cmake .", *said)).changes == (), "it is there: something else is wrong"
