@@ -89,6 +89,8 @@ def test_a_library_that_newer_ubuntus_have_is_built_on_an_older_one(
         ("autodiff", "22.04", [("autodiff", "98a5565305ad4700d84f8272bb441f848ecae6b6")], {"libeigen3-dev"}),
         ("fbow", "20.04", [("fbow", "2dd957c8e2b4c7a4e007dd3cfb901a250e299daa")], {"libopencv-dev"}),
         ("magic_enum", "22.04", [("magic_enum", "v0.9.7")], set()),
+        ("cereal", "22.04", [("cereal", "v1.3.2")], set()),
+        ("cereal", "24.04", [], {"libcereal-dev"}),
         ("apriltag", "18.04", [("apriltag", "v3.3.0")], set()),
         ("apriltag", "22.04", [], {"libapriltag-dev"}),
         ("VISP", "22.04", [], {"libvisp-dev"}),
