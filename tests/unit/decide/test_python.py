@@ -92,6 +92,7 @@ def decide(
         ({"setup.py": "from setuptools import setup\nsetup(classifiers=['Python :: 2.7', 'Python :: 2'])\n"}, "2.7"),
         ({"README.md": "Needs Python 3.5+.\n\nI use Python 3.6.\n"}, "3.6"),
         ({"README.md": "Python 3.6, 3.7 or 3.8 (3.8 recommended)"}, "3.8"),
+        ({"README.md": "It is there for Python\n3.7 - 3.10."}, "3.10"),
         ({"environment.yml": "dependencies:\n  - python=3.9.1\n"}, "3.9"),
         ({"pyproject.toml": "[project]\nname='a'\nrequires-python='>=3.12'\n"}, "3.12"),
         ({"requirements.txt": "https://e.org/whl/torch-1.1.0-cp27-cp27mu-linux_x86_64.whl\n"}, "2.7"),

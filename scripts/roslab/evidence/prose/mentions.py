@@ -29,7 +29,7 @@ _PYTHON = (
 )
 _LOCAL = pattern(r"(?<=[+/])cu(\d{2,3})\b")
 """``+cu118`` and ``/cu118``."""
-_MORE = pattern(r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?![\d.])){1,6}", re.IGNORECASE)
+_MORE = pattern(r"(?:[\s,/|&-]{0,4}(?:or|and|to)?\s{0,3}(?:python)?\s{0,2}[23]\.\d{1,2}(?!\.?\d)){1,6}", re.IGNORECASE)
 """What may follow a Python version: ``3.6, 3.7 or 3.8``. Blanks are bounded, so that no line takes long."""
 _LETTERS = bytes(byte if chr(byte).isascii() and chr(byte).isalpha() else 32 for byte in range(256))
 """What stands for each byte of a text that is to be split into words of letters alone."""
