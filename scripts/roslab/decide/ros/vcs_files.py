@@ -10,14 +10,14 @@ from roslab.config.model import Config
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.compiled import public_hosts
-from roslab.knowledge.distros import distros
+from roslab.knowledge.distros import distros, ubuntus
 from roslab.values.pattern import pattern
 
 _BETWEEN = frozenset("-_.")
 """What may stand between the words of a name."""
 _EXTRA = pattern(
     r"(?<![a-z])(?:nightly|tools?|simulat\w*|extras?|optionals?|ci|test(?:s|ing)?|debug|doc(?:s|umentation)?|develop\w*|"
-    r"ssh|upstream|examples?|demos?)(?![a-z])",
+    r"ssh|upstream|examples?|demos?|windows|macos|osx)(?![a-z])",
     re.IGNORECASE,
 )
 _PARTS = pattern(r"[-_.]+")
@@ -34,7 +34,7 @@ def vcs_files(
     lacking: bool,
     itself: AbstractSet[str] = frozenset(),
 ) -> tuple[str, ...]:
-    """Return the vcs files to import: roslab.yaml's, else those for this distribution, else the plainest ones.
+    """Return the vcs files to import: roslab.yaml's, else those of this distribution or its Ubuntu, else the plainest.
 
     A path may name ROS 1 or ROS 2 (``ros2.repos``): the lists of the other are of another workspace.
     Where a page names some of them, or CI for its upstream workspace, those are meant: the page at the root's first,
@@ -52,8 +52,10 @@ def vcs_files(
     private = private_twins(evidence)
     files = [file for file in files if file not in private]
     files = _of_ros(files, ros_distro)
-    distinct = [(file, distros_in(_name(file))) for file in files]
-    named = [file for file, words in distinct if ros_distro in words]
+    distinct = [(file, distros_in(_name(file)) | _ubuntus_in(_name(file))) for file in files]
+    known = distros().get(ros_distro or "")
+    of_ubuntu = [file for file, words in distinct if known is not None and known.ubuntu in words]
+    named = [file for file, words in distinct if ros_distro in words] or of_ubuntu
     plainest = _plainest(named or [file for file, words in distinct if not words], itself)
     said = [mention for mention in evidence.mentions if mention.topic == "vcs_file"]
     pages = {mention.value for mention in said if mention.source == "readme"}
@@ -77,6 +79,10 @@ def vcs_files(
 def distros_in(text: str) -> set[str]:
     """Return the distributions that a file's name or an image's tag names."""
     return set(_WORDS.findall(text.lower())) & distros().keys()
+
+
+def _ubuntus_in(name: str) -> set[str]:
+    return set(_WORDS.findall(name.lower())) & {*ubuntus().values()}
 
 
 def _of_ros(files: list[str], ros_distro: str | None) -> list[str]:

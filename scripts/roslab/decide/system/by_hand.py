@@ -17,6 +17,7 @@ from roslab.decide.system.by_everybody import BARE, built_by_everybody, headers_
 from roslab.decide.system.compiled_libraries import looked_for
 from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.linked_releases import linked_releases, of_release
+from roslab.decide.system.list_names import for_ubuntu, rank
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.decide.system.newer_than_apt import newer_than_apt
@@ -117,8 +118,7 @@ def by_hand(
     """
     if config.compatible or kind == "python":
         return ()
-    day = date.value if (date := dated(evidence)) else ""
-    offered = _offered(evidence, kind)
+    day, offered = date.value if (date := dated(evidence)) else "", _offered(evidence, kind, target.ubuntu)
     taken |= {plain(git.name) for project in evidence.cmake for git in project.sources}  # CMake fetches it itself
     if kind in {"cpp", "cuda"}:
         taken |= {plain(name) for project, _ in linked_projects(evidence) for name in project.made}  # the tree's own
@@ -185,11 +185,11 @@ def _lacks(
     return next((replace(asked, role=BARE) for asked in found), None)
 
 
-def _offered(evidence: Evidence, kind: Kind) -> dict[str, GitSource]:
+def _offered(evidence: Evidence, kind: Kind, ubuntu: str | None) -> dict[str, GitSource]:
     """Return what pages, lists and Dockerfiles name, by its bare name, the best of each name."""
     offered: dict[str, GitSource] = {}
     written = (git for group in _written(evidence) for git in group)
-    for git in sorted(written, key=lambda g: (not g.installed, g.kind == "link", g.ref is None)):
+    for git in sorted(written, key=lambda g: (not g.installed, g.kind == "link", rank(g, ubuntu), g.ref is None)):
         listed = git.kind == "vcs" and kind not in {"ros1", "ros2"}  # of ROS, the workspace has what is listed
         built = git.installed and (git.configured or git.by_make)
         if (built or listed or git.kind == "link") and not places.vendored(git.file):
@@ -247,7 +247,7 @@ def _asked(
         git = offered[name]
         pinned = git.installed and bool(fixed(git.ref))
         by_file = git.installed and (asked.namespace, asked.strength) == ("link", "declared")
-        newer = pinned and newer_than_apt(asked, target, git)
+        newer = (pinned and newer_than_apt(asked, target, git)) or for_ubuntu(git, asked, target.ubuntu)
         tried = git.installed and included(asked, evidence)
         needed = replace(asked, strength="declared") if tried else asked  # CMake goes on, the compiler does not
         if by_file or newer or _unknown(needed, target, pinned=pinned):
