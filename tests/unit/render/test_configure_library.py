@@ -245,3 +245,55 @@ def test_what_its_page_has_cmake_bring(tmp_path: Path, file: str, text: str, cal
     assert (build / "updates").exists() == (calls == 2), (
         "apt has no lists in an image, and its packages are brought, too"
     )
+
+
+def otherwise(folder: Path, files: dict[str, str]) -> tuple[str, Path]:
+    """Call the script in the build folder of a library of these files, with a stand-in of CMake; return its words."""
+    for name, text in files.items():
+        (folder / "acme" / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / "acme" / name).write_text(text, encoding="utf-8")
+    build = folder / "acme" / "build"
+    build.mkdir()
+    (folder / "bin").mkdir()
+    (folder / "bin" / "cmake").write_text('#!/bin/bash\necho "cmake $*"\n', encoding="utf-8")
+    (folder / "bin" / "cmake").chmod(0o755)
+    path = {"PATH": f"{folder / 'bin'}:{os.environ['PATH']}"}
+    command = ["bash", str(SCRIPT), "-DA=1", "../"]
+    return subprocess.run(command, cwd=build, env=path, capture_output=True, text=True, check=True).stdout, build
+
+
+def test_a_library_whose_project_lies_in_a_folder(tmp_path: Path) -> None:
+    files = {
+        "cpp/CMakeLists.txt": " project (acme)\n",
+        "tests/CMakeLists.txt": "project(t)\n",
+        "Makefile": "install:\n",
+    }
+    said, _ = otherwise(tmp_path, files)
+    assert said == "roslab: acme has no CMakeLists.txt: that of its folder cpp is configured\ncmake -DA=1 ../cpp\n"
+
+
+def test_a_library_with_a_configure_of_its_own(tmp_path: Path) -> None:
+    said, _ = otherwise(tmp_path, {"configure": 'echo "configure $*"\n', "Makefile": "install:\n"})
+    words = "roslab: acme has no CMakeLists.txt: its own configure is called"
+    assert said == f"{words}\nconfigure --prefix=/usr/local\n"
+
+
+def test_a_library_with_a_makefile_alone(tmp_path: Path) -> None:
+    makefile = "all:\n\t@echo compiled\ninstall: all\n\t@echo installed [$(DESTDIR)]\n"
+    said, build = otherwise(tmp_path, {"Makefile": makefile})
+    assert said == "roslab: acme has no CMakeLists.txt: its own Makefile installs it\n"
+    made = subprocess.run(
+        ["make", "--jobs=2", "install"],
+        cwd=build,
+        env={"PATH": os.environ["PATH"], "DESTDIR": str(tmp_path / "installed")},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert "compiled\n" in made.stdout
+    assert "installed []\n" in made.stdout, "what it puts below /usr is copied"
+    assert (tmp_path / "installed").is_dir()
+
+
+def test_what_nothing_installs_is_left_to_cmake(tmp_path: Path) -> None:
+    assert otherwise(tmp_path, {"Makefile": "all:\n"})[0] == "cmake -DA=1 ../\n"

@@ -2,6 +2,8 @@
 # usage: configure-library [OPTION...] FOLDER
 # Configures a library of which nothing could be read when the image was planned, or that a table tells how to build on
 # any Ubuntu, in the current folder.
+# Where it has no CMakeLists.txt, the only folder of it that is a project is configured; else its own configure is called, or a
+# Makefile is written here that installs it by its own, which may not know DESTDIR.
 # Where CMake says that it is too old, pip brings a newer one for the library alone, and it is configured again.
 # Where CMake fails for programs that it names, those that are packages of apt under that name are installed and it is
 # configured again. Where the library's own page or CI gives CMake an option that brings its dependencies
@@ -13,6 +15,50 @@ set -euo pipefail
 
 part='(.*_)?(PYTHON[0-9]*|MATLAB|OCTAVE|JAVA|(PY)?BINDINGS?|TEST(S|ING)?|EXAMPLES?|DEMOS?|SAMPLES?|TUTORIALS?'
 part+='|BENCHMARKS?|DOCS?|DOCUMENTATION|DOXYGEN)(_.*)?'
+source="${!#}"
+otherwise() {
+  local name below
+  name="$(basename "$(realpath "${source}")")"
+  mapfile -t below < <(find "${source}" -mindepth 2 -maxdepth 2 -name CMakeLists.txt \
+    -exec grep --files-with-matches --ignore-case --extended-regexp '^[[:space:]]*project[[:space:]]*\(' {} + |
+    grep --invert-match --ignore-case --extended-regexp '/(tests?|examples?|demos?|samples?|docs?|python|benchmarks?)/[^/]*$')
+  if [ "${#below[@]}" -eq 1 ]; then
+    source="${below[0]%/*}"
+    echo "roslab: ${name} has no CMakeLists.txt: that of its folder ${source##*/} is configured"
+    return
+  fi
+  if [ ! -e "${source}/configure" ] && { [ -e "${source}/configure.ac" ] || [ -e "${source}/configure.in" ]; }; then
+    apt-get update --quiet=2 &&
+      apt-get install --yes --quiet=2 --no-install-recommends autoconf automake libtool pkg-config
+    rm -rf /var/lib/apt/lists/*
+    (cd "${source}" && autoreconf --force --install)
+  fi
+  if [ -e "${source}/configure" ]; then
+    echo "roslab: ${name} has no CMakeLists.txt: its own configure is called"
+    sh "${source}/configure" --prefix=/usr/local
+    exit
+  fi
+  if ! grep --quiet --no-messages --extended-regexp '^install[[:space:]]*:' "${source}"/{GNUm,M,m}akefile; then return; fi
+  echo "roslab: ${name} has no CMakeLists.txt: its own Makefile installs it"
+  cat >Makefile <<EOF
+.PHONY: install
+install:
+	touch before
+	env --unset=DESTDIR \$(MAKE) --directory="$(realpath "${source}")"
+	env --unset=DESTDIR \$(MAKE) --directory="$(realpath "${source}")" --jobs=1 install
+	if [ -n "\$(DESTDIR)" ]; then \\
+	  mkdir --parents "\$(DESTDIR)" && \\
+	  find /usr /opt -cnewer before '(' -type f -o -type l ')' -print0 | \\
+	    tar --create --null --no-recursion --files-from=- | tar --extract --directory="\$(DESTDIR)"; \\
+	fi
+EOF
+  exit
+}
+if [ -d "${source}" ] && [ ! -e "${source}/CMakeLists.txt" ]; then
+  otherwise
+  set -- "${@:1:$#-1}" "${source}"
+fi
+
 log="$(mktemp)"
 ended() {
   local code=$? lacking
@@ -104,7 +150,6 @@ fi
 
 given="$(printf '%s\n' "$@" | sed --quiet --regexp-extended 's/^-D([^:=]+).*/\1/p')"
 brings='[A-Z0-9_]*(INSTALL|BUILD|FETCH|DOWNLOAD|BOOTSTRAP|USE)_([A-Z0-9]+_)*(DEPS|DEPENDENC(Y|IES)|THIRD_?PARTY|EXTERNALS?|BUNDLED)'
-source="${!#}"
 bringing=()
 while read -r name; do
   if ! grep --quiet --line-regexp --fixed-strings --regexp="${name}" <<<"${given}"; then bringing+=("-D${name}=ON"); fi
