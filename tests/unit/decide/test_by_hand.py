@@ -215,6 +215,7 @@ def test_what_cmake_fetches_itself_is_not_built_beside_it(tree: Tree) -> None:
     asked = "find_package(PoseLib REQUIRED)\n"
     assert [source.name for source in tree(ros1(asked, page)).source] == ["PoseLib"]
     assert tree(ros1(fetch + asked, page)).source == ()
+    assert tree(ros1(f"need(NAME poselib {git})\n{asked}", page)).source == ()
 
 
 @pytest.mark.parametrize(("added", "built"), [("add_subdirectory(external/strange3)\n", []), ("", ["strange3"])])

@@ -106,6 +106,27 @@ def test_a_library_without_a_package_is_built(
     assert brought <= {*decision.apt, *decision.apt_guessed}
 
 
+@pytest.mark.parametrize(
+    ("call", "ref"),
+    [
+        ("ExternalProject_Add(magic_enum GIT_REPOSITORY {} GIT_TAG v0.9.6)", "v0.9.6"),
+        ('add_needed(\n  NAME magic_enum\n  VERSION ${{V}} GIT_REPOSITORY "{}"\n  GIT_TAG v${{V}})', "v0.9.6"),
+        ("add_needed(NAME magic_enum GIT_REPOSITORY {} GIT_TAG master)", "v0.9.7"),
+        ('message(STATUS "GIT_REPOSITORY {} GIT_TAG v1")', "v0.9.7"),
+    ],
+)
+def test_it_is_built_as_the_trees_own_cmake_fetches_it(tree: Tree, call: str, ref: str) -> None:
+    own = call.format("https://github.com/Neargye/magic_enum.git")
+    decision = tree(
+        {
+            "CMakeLists.txt": CMAKE.format("magic_enum REQUIRED"),
+            "externals/CMakeLists.txt": f"project(needed)\nset(V 0.9.6)\n{own}\n",
+            "README.md": ON.format("22.04"),
+        }
+    )
+    assert built(decision) == [("magic_enum", ref)]
+
+
 def test_a_ros_that_has_a_small_library_brings_it(tree: Tree) -> None:
     manifest = "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
     cmake = "project(demo)\nfind_package(ament_cmake REQUIRED)\nfind_package(ruckig REQUIRED)\n"

@@ -43,12 +43,12 @@ SHORTEST = 3
 def as_written(
     sources: Iterable[tuple[Source, Dependency]], evidence: Evidence
 ) -> tuple[tuple[Source, Dependency], ...]:
-    """Give the libraries of the table the ref of a list or a link, or ref and options with which a page builds them."""
+    """Give the libraries of the table the ref of CMake, a list or a link, or a page's and the options that it gives."""
     listed = (git for git in evidence.sources if git.kind == "vcs")
-    by_url = {address(git.url): git for group in (listed, built_by_hand(evidence)) for git in group}
+    fetched = (git for project in evidence.cmake for git in project.sources)
+    by_url = {address(git.url): git for group in (fetched, listed, built_by_hand(evidence)) for git in group}
     forks = {plain(git.name): git for git in built_by_hand(evidence) if _of_its_own(git)}
-    links, date = linked_releases(evidence), dated(evidence)
-    day = date.value if date else ""
+    links, day = linked_releases(evidence), date.value if (date := dated(evidence)) else ""
 
     def written_by_author(source: Source) -> GitSource | None:
         fork = forks.get(plain(source.name)) if source.repo else None

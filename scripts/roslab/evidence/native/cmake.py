@@ -11,6 +11,7 @@ from roslab.evidence.lex.cmake import PROJECT, WHOLE, Call, calls
 from roslab.evidence.native import (
     cmake_needs,
     cmake_since,
+    fetching_macros,
     imported_targets,
     included,
     installed_programs,
@@ -132,7 +133,7 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
     adds: list[str] = []
     options = dict(above.options)
     text = repository.read(file)
-    for call in calls(text, _NAMES | cmake_since.names(), options, _REPEATED, above.names):
+    for call in calls(text, fetching_macros.names(text, _NAMES | cmake_since.names()), options, _REPEATED, above.names):
         cmake_since.note(call, file.path, reading.newer)
         if folders := cmake_needs.folders(call):
             adds += (here := [_joined(file.folder, folder) for folder in folders])
@@ -276,9 +277,9 @@ def _note(call: Call, path: str, reading: Reading) -> None:
         reading.program(told)
     elif noting := _NOTING.get(name):
         noting(reading, told)
-    elif name in cmake_needs.BRINGING:
+    elif name in cmake_needs.BRINGING or fetching_macros.fetches(call):
         reading.brought |= dict.fromkeys(cmake_needs.brought(call))
-        reading.sources += cmake_needs.fetched(told, path) if name in cmake_needs.FETCHING else ()
+        reading.sources += cmake_needs.fetched(told, path) if name in cmake_needs.FETCHING or name not in _NAMES else ()
     elif name in cmake_needs.CALLS and (not call.in_function or name == "find_package"):
         reading.dependencies += cmake_needs.needs(told, path, reading.name)
         reading.dependencies += imported_targets.needs(told, path)

@@ -155,7 +155,7 @@ def fetched(call: Call, path: str) -> Iterator[GitSource]:
     if words and url and "${" not in url:
         ref = values.get("GIT_TAG")
         yield GitSource(
-            name=words[0],
+            name=values.get("NAME") or words[0],
             url=url,
             ref=ref if ref and "${" not in ref else None,
             strength="optional" if call.conditions else "declared",
