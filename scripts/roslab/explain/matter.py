@@ -19,6 +19,11 @@ _FOREIGN = pattern(
     r"Fehler|nicht gefunden|erreur|fichier|introuvable|No existe|denegado|referencia a"
     r"|kann nicht|Impossible de|No se ha podido"
 )
+_OTHER = pattern(
+    r"error: (?:use of undeclared |unknown type name|no (?:type|template|member|matching|viable|instance)\b|static_?)"
+    r"|\{aka |\d\): (?:fatal )?error: |\b(?:lld|mold): (?:error|fatal): "
+)
+"""What a compiler or linker says otherwise than gcc and GNU ld do."""
 _NEVER = pattern(
     r"\s{0,8}(?:"
     r"\+{1,3} (?!(?:curl|wget|git) )"  # commands printed by `set -x`; an address in one may be what is wrong
@@ -70,7 +75,7 @@ _LAST = pattern(
 def lines(step: Step) -> list[Line]:
     """Return a step's lines, including the builder's own message, without those that are never errors."""
     found = [
-        Line(line.number, _english(text).translate(_QUOTES))
+        Line(line.number, _in_words_of_gcc(_english(text).translate(_QUOTES)))
         for line in step.lines
         if (text := _alone(line.text)) and not _NEVER.match(text) and not _PROBE.search(text)
     ]
@@ -105,6 +110,14 @@ def _english(text: str) -> str:
     if not text.isascii() or _FOREIGN.search(text):
         for row in rows("localised"):
             text = compiled(row["pattern"]).sub(row["english"], text)
+    return text
+
+
+def _in_words_of_gcc(text: str) -> str:
+    """Return a line of clang, nvcc, lld or mold as gcc and GNU ld say it, and without what gcc adds of other names."""
+    if _OTHER.search(text):
+        for row in rows("other_wordings"):
+            text = compiled(row["pattern"]).sub(row["gcc"], text)
     return text
 
 

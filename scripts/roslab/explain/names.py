@@ -144,9 +144,17 @@ def _older_gem(names: Names, _: Image) -> Names:
     return {}
 
 
+_SPACE = pattern(r"(?<![\w:])(?!std::|__gnu_cxx::|internal::)([A-Za-z_]\w{0,60})::")
+
+
 def _namespace(names: Names, where: Image) -> Names:
-    space = names.get("space", "").split("::")[0]
-    return {"library": space} if space != "std" else _built_with(names, where)
+    """Name the library of a namespace or type: its own namespace, or, of one of std, that of what it is made with."""
+    space = names.get("space", "") or names.get("type", "")
+    if found := _SPACE.search(space):
+        return {"library": found[1], "space": space}
+    if space.partition("::")[0].rpartition(" ")[2].startswith("std"):
+        return {**_built_with(names, where), "space": space}
+    return {"library": space if names.get("space") else f"what declares {space}", "space": space}
 
 
 _OF_CLASS = pattern(r"^(?:typeinfo|vtable|VTT|non-virtual thunk) (?:for|to) ")
@@ -171,7 +179,8 @@ _INCLUDED = pattern(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60
 
 def _built_with(names: Names, where: Image) -> Names:
     """Name what a compiled file belongs to: the library of a header, else the folder that the step builds in."""
-    found = _INCLUDED.search(names.get("file", ""))
+    file, said = names.get("file", ""), _SPACE.search(names.get("symbol", "") or names.get("why", ""))
+    found = (said if "/src/" in file else None) or _INCLUDED.search(file) or said
     if found:
         return {"library": found[1]}
     folder = re.search(r"\bcd ([\w./$-]{2,200})", where.instruction)

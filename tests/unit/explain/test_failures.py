@@ -139,6 +139,7 @@ def test_a_line_of_three_megabytes_is_read_in_time() -> None:
         "package_advice",
         "symbols",
         "localised",
+        "other_wordings",
     ],
 )
 def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
@@ -150,7 +151,9 @@ def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "row", [*rows("symbols"), *rows("localised"), *rows("dropped_names")], ids=lambda row: row["pattern"][:30]
+    "row",
+    [row for name in ("symbols", "localised", "other_wordings", "dropped_names") for row in rows(name)],
+    ids=lambda row: row["pattern"][:30],
 )
 def test_a_pattern_of_a_table_is_bounded(row: dict[str, str]) -> None:
     test_a_pattern_is_bounded("", row["pattern"])
