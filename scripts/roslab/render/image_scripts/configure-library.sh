@@ -40,7 +40,7 @@ otherwise() {
   fi
   if ! grep --quiet --no-messages --extended-regexp '^install[[:space:]]*:' "${source}"/{GNUm,M,m}akefile; then return; fi
   echo "roslab: ${name} has no CMakeLists.txt: its own Makefile installs it"
-  cat >Makefile <<EOF
+  cat >Makefile <<MAKEFILE
 .PHONY: install
 install:
 	touch before
@@ -51,7 +51,7 @@ install:
 	  find /usr /opt -cnewer before '(' -type f -o -type l ')' -print0 | \\
 	    tar --create --null --no-recursion --files-from=- | tar --extract --directory="\$(DESTDIR)"; \\
 	fi
-EOF
+MAKEFILE
   exit
 }
 if [ -d "${source}" ] && [ ! -e "${source}/CMakeLists.txt" ]; then
