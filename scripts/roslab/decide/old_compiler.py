@@ -51,8 +51,7 @@ def decide_compiler(of: Choices, evidence: Evidence, config: Config) -> Choice[C
     asked = [each for each in evidence.limits if each.library == _GCC and each.at_least and not places.aside(each.file)]
     newest = max(asked, key=lambda each: Version(each.at_least or "0"), default=None)
     if newest is None or fits(_GCC, ubuntu, at_least=newest.at_least, below=None):
-        given = [each for each in _releases(config.apt) if not fits(_GCC, ubuntu, at_least=each, below=None)]
-        return Choice(answer=NONE) if of.on_cuda or not given else _taken(of, config, ubuntu, given[-1])
+        return Choice(answer=NONE) if of.on_cuda else _installed(of, evidence, config, ubuntu)
     needed = newest.at_least or "0"
     brought = _releases((*of.system.answer.apt, *of.system.answer.apt_guessed, *config.apt))
     own = next((each for each in brought if Version(each) >= Version(needed)), None)
@@ -66,6 +65,28 @@ def decide_compiler(of: Choices, evidence: Evidence, config: Config) -> Choice[C
         return Choice(answer=NONE, warnings=(warn(message, newest),))
     why = f"the code needs GCC {needed} or newer ({newest.what}), and {ubuntu} has an older one"
     return _taken(of, config, ubuntu, version, because("dependencies", f"g++-{version}", why, newest, weight=WEIGHT))
+
+
+def _installed(of: Choices, evidence: Evidence, config: Config, ubuntu: str) -> Choice[Compiler]:
+    """Return the newest compiler that roslab.yaml installs, else the only newer one that pages and CI do.
+
+    Of several, CI tries the code with each.
+    """
+    given, named = _newer(config.apt, ubuntu), _newer(of.system.answer.apt_guessed, ubuntu)
+    if given:
+        return _taken(of, config, ubuntu, given[-1])
+    if len(named) != 1:
+        return Choice(answer=NONE)
+    why = f"it is installed beside the older one of {ubuntu}, and no other newer one is"
+    said = next((each for each in evidence.prose if each.name == f"g++-{named[0]}"), None)
+    reason = because("dependencies", f"g++-{named[0]}", why, said, weight=WEIGHT)
+    return _taken(of, config, ubuntu, named[0], reason)
+
+
+def _newer(apt: Iterable[str], ubuntu: str) -> list[str]:
+    """Return the releases of compilers of C++ among packages that are newer than the Ubuntu's own."""
+    found = _releases(name for name in apt if name.startswith("g++-"))
+    return [each for each in found if not fits(_GCC, ubuntu, at_least=each, below=None)]
 
 
 def _releases(apt: Iterable[str]) -> list[str]:

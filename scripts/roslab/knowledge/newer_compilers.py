@@ -21,5 +21,9 @@ def newer_compiler(ubuntu: str, at_least: str) -> str | None:
 
 
 def repository_of(ubuntu: str, version: str) -> str:
-    """Return the PPA that has a GCC for an Ubuntu, ``""`` where it is in the archive, or where that is not known."""
-    return next((ppa for gcc, ppa in _newer().get(ubuntu, ()) if gcc == version), "")
+    """Return the PPA that has a GCC for an Ubuntu, ``""`` where it is in the archive, or where none is known.
+
+    What the table does not have can only be there.
+    """
+    known = dict(_newer().get(ubuntu, ()))
+    return known[version] if version in known else next((ppa for ppa in known.values() if ppa), "")

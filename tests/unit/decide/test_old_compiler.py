@@ -75,3 +75,29 @@ def test_where_none_is_known_it_is_told(tmp_path: Path) -> None:
     cuda = cmake.replace("(demo)\n", "(demo LANGUAGES CXX CUDA)\nfind_package(CUDA REQUIRED)\n", 1)
     files = {"CMakeLists.txt": cuda, "main.cpp": "int main() {}\n", "roslab.yaml": f"{lines}kind: cuda\n"}
     assert any("needs GCC 11" in each.message for each in plan(tmp_path, files).warnings)
+
+
+TRAVIS = """dist: trusty
+env: ROS_DISTRO=indigo {env}
+addons:
+  apt:
+    sources: [ubuntu-toolchain-r-test]
+    packages: [{packages}]
+install: sudo apt-get install -y ros-indigo-catkin
+"""
+
+
+@pytest.mark.parametrize(
+    ("packages", "version"),
+    [("g++-4.9", "4.9"), ("g++-6, gcc-6", "6"), ("g++-4.9, g++-6", ""), ("gcc-6", ""), ("g++-4.8", "")],
+)
+def test_the_only_newer_compiler_of_the_authors_ci_compiles(tmp_path: Path, packages: str, version: str) -> None:
+    cmake = CMAKE.replace("ament_package", "catkin_package").replace("rclcpp", "catkin")
+    travis = TRAVIS.format(env="CXX=g++-4.9", packages=packages)
+    files = {"package.xml": KINETIC, "CMakeLists.txt": cmake, "main.cpp": "int main() {}\n", ".travis.yml": travis}
+    found = plan(tmp_path, files)
+    assert found.ubuntu == "trusty"
+    assert found.workspace is not None
+    assert found.workspace.variables == ((("CC", f"gcc-{version}"), ("CXX", f"g++-{version}")) if version else ())
+    assert found.repositories == (("ppa:ubuntu-toolchain-r/test",) if version else ())
+    assert (f"g++-{version}" in found.apt) is bool(version)
