@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 WEIGHT = 90
 """Nothing competes with it."""
 _GCC = "GCC"
+_TOOLCHAIN = "ubuntu-toolchain-r/"
+"""The owner of the PPAs with compilers."""
 _COMPILER = pattern(r"(?:g\+\+|gcc)-(\d+(?:\.\d)?)")
 """Clang takes the headers of the GCC that is there."""
 
@@ -53,7 +55,8 @@ def decide_compiler(of: Choices, evidence: Evidence, config: Config) -> Choice[C
     if newest is None or fits(_GCC, ubuntu, at_least=newest.at_least, below=None):
         return Choice(answer=NONE) if of.on_cuda else _installed(of, evidence, config, ubuntu)
     needed = newest.at_least or "0"
-    brought = _releases((*of.system.answer.apt, *of.system.answer.apt_guessed, *config.apt))
+    there = (each for each in _releases(_by_apt(of)) if _is_there(of, ubuntu, each))
+    brought = sorted((*there, *_releases(config.apt)), key=Version)
     own = next((each for each in brought if Version(each) >= Version(needed)), None)
     version = own or (None if of.on_cuda else newer_compiler(ubuntu, needed))
     if version is None:
@@ -72,15 +75,24 @@ def _installed(of: Choices, evidence: Evidence, config: Config, ubuntu: str) -> 
 
     Of several, CI tries the code with each.
     """
-    given, named = _newer(config.apt, ubuntu), _newer(of.system.answer.apt_guessed, ubuntu)
+    given, named = _newer(config.apt, ubuntu), _newer(_by_apt(of), ubuntu)
     if given:
         return _taken(of, config, ubuntu, given[-1])
-    if len(named) != 1:
+    if len(named) != 1 or not _is_there(of, ubuntu, named[0]):
         return Choice(answer=NONE)
     why = f"it is installed beside the older one of {ubuntu}, and no other newer one is"
     said = next((each for each in evidence.prose if each.name == f"g++-{named[0]}"), None)
     reason = because("dependencies", f"g++-{named[0]}", why, said, weight=WEIGHT)
     return _taken(of, config, ubuntu, named[0], reason)
+
+
+def _by_apt(of: Choices) -> tuple[str, ...]:
+    return (*of.system.answer.apt, *of.system.answer.apt_guessed)
+
+
+def _is_there(of: Choices, ubuntu: str, version: str) -> bool:
+    """Tell whether a release can be had: what a page installs may be of another Ubuntu."""
+    return repository_of(ubuntu, version) is not None or any(_TOOLCHAIN in each for each in of.repositories.answer)
 
 
 def _newer(apt: Iterable[str], ubuntu: str) -> list[str]:

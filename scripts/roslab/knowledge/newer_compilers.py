@@ -20,10 +20,6 @@ def newer_compiler(ubuntu: str, at_least: str) -> str | None:
     return next((gcc for gcc, _ in _newer().get(ubuntu, ()) if Version(gcc) >= Version(at_least)), None)
 
 
-def repository_of(ubuntu: str, version: str) -> str:
-    """Return the PPA that has a GCC for an Ubuntu, ``""`` where it is in the archive, or where none is known.
-
-    What the table does not have can only be there.
-    """
-    known = dict(_newer().get(ubuntu, ()))
-    return known[version] if version in known else next((ppa for ppa in known.values() if ppa), "")
+def repository_of(ubuntu: str, version: str) -> str | None:
+    """Return the PPA that has a GCC for an Ubuntu, ``""`` where it is in the archive, ``None`` where none is known."""
+    return dict(_newer().get(ubuntu, ())).get(version)

@@ -101,3 +101,12 @@ def test_the_only_newer_compiler_of_the_authors_ci_compiles(tmp_path: Path, pack
     assert found.workspace.variables == ((("CC", f"gcc-{version}"), ("CXX", f"g++-{version}")) if version else ())
     assert found.repositories == (("ppa:ubuntu-toolchain-r/test",) if version else ())
     assert (f"g++-{version}" in found.apt) is bool(version)
+
+
+def test_one_that_the_ubuntu_cannot_have_is_not_taken(tmp_path: Path) -> None:
+    page = "ROS Jazzy\n```\nsudo apt-get install g++-15\n```\n"
+    found = plan(tmp_path, {"main.cpp": "int main() {}\n", "README.md": page})
+    assert found.ubuntu == "noble"
+    assert found.workspace is not None
+    assert found.workspace.variables == ()
+    assert "g++-15" in found.apt_guessed
