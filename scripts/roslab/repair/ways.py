@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from roslab.decide.python.pythons import PREFERRED
 from roslab.decide.python.requires import refusing
 from roslab.explain.answer import Explanation
-from roslab.knowledge.distros import default_distro, distro, distros_of, ubuntus
+from roslab.knowledge.distros import default_distro, distro, distros, distros_of, ubuntus
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
@@ -192,6 +192,18 @@ def other_ros(found: Explanation, given: Given) -> Worked:
     return Worked(values=(default_distro(1 if wanted == 1 else 2).name,), certain=False)
 
 
+def older_ros(found: Explanation, given: Given) -> Worked:
+    """Take the newest ROS for an older Ubuntu that has all keys which the packages name and the image's own has."""
+    now = distro(given.plan.ros_distro)
+    if now is None:
+        return Worked(why="the image has no ROS, which another one could take the place of")
+    asked = released(now.name).intersection(given.plan.rosdep_keys)
+    older = [d for d in distros().values() if d.ros == now.ros and d.ubuntu != now.ubuntu and not d.never_ends]
+    older = [d for d in older if d.released < now.released and asked <= released(d.name)]
+    why = "" if older else f"no ROS for an older Ubuntu has all that the packages ask for: {found.fix}"
+    return Worked(values=tuple(d.name for d in older[-1:]), certain=False, why=why)
+
+
 def newer_ubuntu(_: Explanation, given: Given) -> Worked:
     """Take the next release of Ubuntu that is still supported."""
     if given.plan.ros_distro:
@@ -264,6 +276,7 @@ WAYS: Mapping[str, Way] = {
     "newer-ubuntu": newer_ubuntu,
     "numpy": numpy,
     "older-python": older_python,
+    "older-ros": older_ros,
     "other-ros": other_ros,
     "program": missing.program,
     "python": python,

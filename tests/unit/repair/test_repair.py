@@ -135,6 +135,8 @@ def test_plan_and_log_give_the_value_and_who_asked(
 GLIBC = "./tool: /lib/libc.so.6: version `GLIBC_2.38' not found"
 GENERIC = "TypeError: 'type' object is not subscriptable"
 CATKIN = 'By not providing "Findcatkin.cmake" in CMAKE_MODULE_PATH'
+BOOST = 'Could not find a package configuration file provided by "boost_system"'
+ASIO = "a.cpp:2:16: error: 'io_service' is not a member of 'boost::asio'"
 
 
 @pytest.mark.parametrize(
@@ -148,6 +150,8 @@ CATKIN = 'By not providing "Findcatkin.cmake" in CMAKE_MODULE_PATH'
         ),
         ("base: {ubuntu: '22.04'}", log("./tool", GLIBC), "base.ubuntu: 22.04 becomes 24.04"),
         ("kind: python\nbase: {python: '3.8'}", log("./tool", GENERIC), "base.python: 3.8 becomes 3.9"),
+        ("base: {ros: lyrical}", log("colcon build", BOOST), "base.ros: lyrical becomes kilted"),
+        ("base: {ros: lyrical}", log("colcon build", ASIO), "base.ros: lyrical becomes kilted"),
     ],
 )
 def test_another_base_is_likely_and_never_certain(tmp_path: Path, yaml: str, text: str, wanted: str) -> None:
@@ -187,6 +191,7 @@ def test_another_base_is_likely_and_never_certain(tmp_path: Path, yaml: str, tex
         (CPP, log("make", "main.cpp:1:1: error: what is this"), "no known cause"),
         (ROS, log("catkin_make", CATKIN), "ROS noetic has it: source /opt/ros/noetic/setup.bash"),
         (ROS, log("make", GLIBC), "ROS noetic belongs to its Ubuntu"),
+        (CPP, log("make", ASIO), "the image has no ROS, which another one could take the place of"),
         (ROS, log("./tool", GENERIC), "the Python of ROS noetic cannot be exchanged"),
         (
             {"main.py": "import numpy\n", "roslab.yaml": "format: 3\nbase: {python: '3.11'}\n"},
