@@ -21,6 +21,7 @@ LAUNCH = "def generate_launch_description():\n    return LaunchDescription([Node
         ("panel", "add_executable(panels a.cpp)\ninstall(TARGETS panels DESTINATION lib/demo)", "(it has panels)"),
         ("panel", "add_executable(other a.cpp)", "no such program:"),
         ("panel.py", "install(PROGRAMS scripts/panel.py DESTINATION lib/demo)", ""),
+        ("panel", "install(PROGRAMS scripts/panel.py DESTINATION lib/demo)", "(it has panel.py)"),
         ("panel", "install(PROGRAMS scripts/panel.py DESTINATION lib/demo RENAME panel)", ""),
         ("panel.py", "install(DIRECTORY scripts/ DESTINATION lib/${PROJECT_NAME})", ""),
         ("panel.py", "file(GLOB ALL scripts/*.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/demo)", ""),

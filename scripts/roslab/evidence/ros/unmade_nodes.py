@@ -21,6 +21,7 @@ _ANY = pattern(
 )
 _COMMENT = pattern(r"(?:^|(?<=\s))#[^\n]*")
 """What installs programs that it does not name."""
+_RENAMES = pattern(r"\b(?:RENAME|configure_file|create_symlink)\b", re.IGNORECASE)
 _NAMED = pattern(r"[\w-]+\.py\b|(?<=add_executable\()\s*[\w-]+|[\w-]+(?=\s*=\s*[\w.]+:\w+)")
 
 
@@ -62,8 +63,12 @@ def _texts(folder: str, repository: Repository) -> Iterator[str]:
 
 
 def _unmade(program: str, package: str, text: str) -> bool:
-    """Tell whether nothing there names a program, nor may make it by another name than its own."""
+    """Tell whether nothing there names a program, nor may make it by another name than its own.
+
+    One without an ending is not named by ``install(PROGRAMS scripts/talker.py)``, which keeps the file's name.
+    """
     stem = program.rpartition(".")[0] or program
     by_package = stem.startswith(package) and ("PROJECT_NAME}" in text or "package_name" in text)
-    named = re.search(rf"(?<![\w-]){re.escape(stem)}(?![\w-])", text)
+    whole = r"(?!\.py\b)" if stem == program and not _RENAMES.search(text) else ""
+    named = re.search(rf"(?<![\w-]){re.escape(stem)}(?![\w-]){whole}", text)
     return bool(text) and not named and not by_package and not _ANY.search(text)
