@@ -53,6 +53,14 @@ def test_they_are_found_where_they_lie(tmp_path: Path, page: str, ubuntu: str, p
     assert f"PYTHONPATH=/opt/openrobots/lib/python{python}/site-packages" in said
 
 
+def test_a_package_for_another_ubuntus_python_is_the_images(tree: Tree) -> None:
+    asked = "robotpkg-py35-{pinocchio,example-robot-data} acme-py35-tool"
+    page = PAGE.format("20.04").replace("robotpkg-py3*-pinocchio", asked)
+    decision = tree({**CODE, "README.md": page})
+    named = {"robotpkg-py38-pinocchio", "robotpkg-py38-example-robot-data", "acme-py35-tool"}
+    assert {name for name in decision.apt_guessed if "-py3" in name} == named
+
+
 def test_the_repositorys_own_modules_come_before_theirs(tmp_path: Path) -> None:
     for name, text in {**CODE, "README.md": PAGE.format("20.04")}.items():
         (tmp_path / name).write_text(text)

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from roslab.evidence.gather import gather
+from roslab.evidence.lex.braces import expanded
 from roslab.evidence.lex.shell import commands, fill_placeholders, logical_lines
 from roslab.evidence.prose.installs import Collector
 from roslab.repository.checkout import Repository
@@ -37,6 +38,9 @@ def pip(text: str) -> list[str]:
         ("apt-get update && DEBIAN_FRONTEND=noninteractive apt install -y liba-dev=1.2-3 || true", ["liba-dev"]),
         ("apt-get install -y \\\n  # why\n  libone \\\n  libtwo", ["libone", "libtwo"]),
         ("#RUN apt-get install nothing", []),
+        ("apt install -y acme-py3-{core,viewer} libone", ["acme-py3-core", "acme-py3-viewer", "libone"]),
+        ("apt install lib{a,b}-dev \\\n  libc-dev", ["liba-dev", "libb-dev", "libc-dev"]),
+        ("apt install ros-{distro}-{tf,msgs}", []),  # two lists in a word
         ("apt-get install liba # libb", ["liba"]),
         ("{ apt-get install liba-{name}.1 libb; }", ["libb"]),
         ('apt-get install "$(cat packages)" liba `pick` $LIBS', ["liba"]),
@@ -171,3 +175,11 @@ def test_a_page_sets_what_stands_for_a_distribution(tmp_path: Path, page: str, n
 def test_a_mark_of_the_page_behind_a_command_is_no_word(end: str) -> None:
     (command,) = commands(f"python train.py --config configs/a.json{end}")
     assert command.words == ("python", "train.py", "--config", "configs/a.json")
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["python run.py --env {ant,hopper} seed={1,2}", "mkdir 'a{b,c}' \"a {b,c}\"", "cp ${A,b}x{a,b} ."],
+)
+def test_what_no_shell_writes_out_or_a_page_leaves_to_the_reader_stays(text: str) -> None:
+    assert expanded(text) == text

@@ -5,6 +5,7 @@ from __future__ import annotations
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.native.cmake_needs import COMPONENT
 from roslab.evidence.native.searched import SEARCHED
+from roslab.knowledge.apt_sources import folder_of_package
 from roslab.knowledge.code_limits import satisfies
 from roslab.knowledge.distros import distro, ever, python_of_ubuntu
 from roslab.knowledge.libraries import Library, header, library
@@ -18,6 +19,7 @@ MOST_OF_A_PATTERN = 30
 APT_NAME = pattern(r"^[a-z0-9][a-z0-9.+-]+$")
 ANY_PYTHON = "-py3*-"
 """In a name of apt, for the Python of whichever Ubuntu: ``robotpkg-py3*-pinocchio``."""
+_OF_PYTHON = pattern(r"-py3\d{1,2}-")
 _PLACEHOLDER = pattern(r"^ros-(\{distro\}|[a-z]+)-(.+)$")
 
 
@@ -152,9 +154,11 @@ def _apt(name: str, target: Target) -> tuple[str, ...]:
         if _of_the_other_ros(match[1], target) and not target.knows(match[2].replace("-", "_")):
             return ()
         name = f"ros-{target.ros_distro}-{match[2]}"
+    python = python_of_ubuntu().get(target.ubuntu or "", "")
     if ANY_PYTHON in name:
-        python = python_of_ubuntu().get(target.ubuntu or "", "*")
-        name = name.replace(ANY_PYTHON, f"-py{python.replace('.', '')}-")
+        name = name.replace(ANY_PYTHON, f"-py{python.replace('.', '') or '*'}-")
+    elif python and _OF_PYTHON.search(name) and folder_of_package(name):  # of the author's Ubuntu, which may be another
+        name = _OF_PYTHON.sub(f"-py{python.replace('.', '')}-", name, count=1)
     return (name,) if APT_NAME.match(name) else ()
 
 

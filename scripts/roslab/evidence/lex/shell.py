@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from roslab.evidence.lex.braces import expanded
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
 
@@ -151,7 +152,7 @@ def _with_values(text: str, known: Mapping[str, str]) -> str:
 
 def _filled(text: str) -> str:
     # The braces of the token would be read as a group of commands, so private characters replace them for now.
-    return text.replace("ros-{distro}-", f"ros-{DISTRO}-")
+    return expanded(text).replace("ros-{distro}-", f"ros-{DISTRO}-")
 
 
 @dataclass
