@@ -162,6 +162,7 @@ def test_there_a_newer_release_than_the_pinned_one_is_taken(
 PROJECT = '[project]\nname = "robot"\nversion = "1"\ndependencies = ["jinja2{}"]\n'
 ESCAPE = "ImportError: cannot import name 'escape' from 'jinja2' (/opt/venv/jinja2/__init__.py)"
 JOBLIB = "ModuleNotFoundError: No module named 'sklearn.externals.joblib'"
+BLUR = "ImportError: cannot import name 'gaussian_blur2d' from 'kornia' (/opt/venv/kornia/__init__.py)"
 APPEND = "AttributeError: 'DataFrame' object has no attribute 'append'"
 TRACE = 'Traceback (most recent call last):\n  File "/home/jovyan/robot/main.py", line 1, in <module>\n'
 
@@ -180,6 +181,7 @@ TRACE = 'Traceback (most recent call last):\n  File "/home/jovyan/robot/main.py"
         ("jinja2>=3.1", "3.10", ESCAPE, "not: requirements.txt:1 asks for jinja2>=3.1: take a release of jinja2<3.1"),
         ("jinja2==2.11.3", "3.10", ESCAPE, "jinja2<3.1"),
         ("scikit-learn", "3.8", JOBLIB, "scikit-learn<0.23, numpy<2"),
+        ("kornia", "3.10", BLUR, "kornia<0.6, numpy<2"),
         ("pandas", "3.11", APPEND, "pandas<2, numpy<2"),
         ("pandas\nnumpy>=2", "3.11", APPEND, "pandas<2"),
         (
