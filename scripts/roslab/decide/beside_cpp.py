@@ -60,6 +60,19 @@ def with_helpers(evidence: Evidence) -> bool:
     return bool(compiled(evidence)) and not (started or frameworks or scripts)
 
 
+def compiles_nothing(evidence: Evidence) -> bool:
+    """Tell whether the CMake of a tree of Python makes no target, fetches nothing and has no code to compile.
+
+    It may install modules, or stop for want of a library that nothing here is linked with.
+    """
+    makes = any(
+        each.executables or each.made or each.targets or each.adds or each.sources or each.macros
+        for each in evidence.cmake
+    )
+    imported = any(each.namespace == "import" for each in evidence.code)
+    return imported and not makes and not any(each.namespace == "include" for each in evidence.code)
+
+
 def built_otherwise(evidence: Evidence) -> tuple[Warning_, ...]:
     """Warn about each build tool that builds the repository and that no step of the image calls."""
     found = (each for each in evidence.mentions if each.topic == "other_builder")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import cast
 
 from roslab.config.model import WORKSPACE_TOOLS, Config, Kind
-from roslab.decide.beside_cpp import built_otherwise, mostly_cpp, to_compile, uncompiled, with_helpers
+from roslab.decide.beside_cpp import built_otherwise, compiles_nothing, mostly_cpp, to_compile, uncompiled, with_helpers
 from roslab.decide.built_by_pages import built_by_page, only_by_pip, without_ros
 from roslab.decide.cuda.for_libtorch import for_libtorch
 from roslab.decide.cuda.signs import includes_tensorrt, sign_of_cuda, warnings_of_cuda
@@ -283,7 +283,7 @@ def _cpp(evidence: Evidence) -> list[Reason]:
         ]
     most = (mostly_cpp(evidence) or with_helpers(evidence)) and not places.sample(top.file)
     below = Weight.CMAKE_BELOW if most else Weight.CMAKE_PART
-    weight = Weight.CMAKE if root and not left_to_python(evidence) else below
+    weight = Weight.CMAKE if root and not (left_to_python(evidence) or compiles_nothing(evidence)) else below
     return [because("kind", answer, "a CMake project", top, weight=weight)]
 
 

@@ -124,3 +124,21 @@ BUILD = "# Slam\n```\nmkdir build && cd build\ncmake ..\nmake -j\n```\n"
 )
 def test_examples_for_ros_beside_what_the_page_builds_with_cmake_alone(tree: Tree, page: str, kind: str) -> None:
     assert tree({**CPP, **EXAMPLE, "README.md": page}).kind == kind
+
+
+INSTALLS = "project(walk CXX)\ninclude(cmake/base.cmake)\nADD_REQUIRED_DEPENDENCY(acme)\n{}"
+
+
+@pytest.mark.parametrize(
+    ("more", "kind"),
+    [
+        ({}, "python"),
+        ({"walk/fast.cpp": "#include <Eigen/Core>\n"}, "cpp"),
+        ({"CMakeLists.txt": INSTALLS.format("add_library(fast fast.cpp)\n")}, "cpp"),
+        ({"CMakeLists.txt": INSTALLS.format("add_subdirectory(src)\n")}, "cpp"),
+    ],
+)
+def test_cmake_that_only_installs_modules_makes_no_cpp(tree: Tree, more: dict[str, str], kind: str) -> None:
+    cmake = INSTALLS.format("PYTHON_INSTALL_ON_SITE(walk __main__.py)\n")
+    files = {"CMakeLists.txt": cmake, "walk/__init__.py": "", "walk/__main__.py": "import numpy\nprint(numpy)\n"}
+    assert tree(files | more).kind == kind
