@@ -61,6 +61,16 @@ def test_a_package_for_another_ubuntus_python_is_the_images(tree: Tree) -> None:
     assert {name for name in decision.apt_guessed if "-py3" in name} == named
 
 
+@pytest.mark.parametrize(("code", "python"), [("time.clock()", "3.6"), ("assert (n := 1)", "3.10")])
+def test_a_python_program_is_on_an_ubuntu_for_whose_python_the_source_has_modules(
+    tree: Tree, code: str, python: str
+) -> None:
+    page = PAGE.partition("## Install")[2].replace("py3*", "py35")
+    decision = tree({"README.md": page, "walk.py": f"import time\nimport pinocchio\n{code}\n"})
+    assert (decision.python.version, decision.ubuntu) == (python, {"3.6": "bionic", "3.10": "jammy"}[python])
+    assert f"robotpkg-py{python.replace('.', '')}-pinocchio" in decision.apt_guessed
+
+
 def test_the_repositorys_own_modules_come_before_theirs(tmp_path: Path) -> None:
     for name, text in {**CODE, "README.md": PAGE.format("20.04")}.items():
         (tmp_path / name).write_text(text)

@@ -9,6 +9,7 @@ from itertools import groupby
 from roslab.config.model import Config
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.last_releases import ranges_of_lists
+from roslab.decide.python.of_sources import ranges_of_sources
 from roslab.decide.python.pins import Pin
 from roslab.decide.python.pythons import DEFAULT, PREFERRED
 from roslab.decide.python.ranges import (
@@ -70,7 +71,12 @@ def python_version(
     if config.base.python:
         own = configured(config, "python", config.base.python, "base.python")
         return Choice(answer=Wanted(version=config.base.python), reasons=(own,))
-    known = (*ranges(evidence, pins, _telling(evidence)), *ranges_at_least(evidence), *ranges_left(evidence))
+    known = (
+        *ranges(evidence, pins, _telling(evidence)),
+        *ranges_of_sources(evidence),
+        *ranges_at_least(evidence),
+        *ranges_left(evidence),
+    )
     said = sorted(_named(evidence, pins), key=_order)
     named = able(said, required(evidence, projects), made)
     if known or named:  # syntax alone tells nothing of the version that is meant
