@@ -98,6 +98,15 @@ def _library(naming: libraries.Naming, captured: str) -> Callable[[Names, Image]
     return look
 
 
+def _component(names: Names, where: Image) -> Names:
+    """Name the package of a part that is a package of CMake by itself, as those of Qt are: ``Qt5OpenGL``."""
+    name, part = names.get("name", ""), names.get("component", "")
+    of_qt = ("Qt6", "Qt5") if name == "Qt" else (name,)
+    found = (_library("cmake", "name")({"name": f"{each}{part}"}, where).get("package", "") for each in of_qt)
+    package = next((each for each in found if each), "")
+    return {"package": package} if package else {}
+
+
 def _of_any(look: Callable[[str | None], libraries.Library | None], ubuntu: str | None) -> libraries.Library | None:
     """Return where a library comes from; where the log does not show the Ubuntu, what all that have it agree on."""
     found = look(ubuntu)
@@ -222,42 +231,6 @@ def _advice(names: Names, _: Image) -> Names:
     return {"advice": next((row["advice"] for row in rows("package_advice") if row["package"] == name), "")}
 
 
-_CUDA = pattern(
-    r"^nvidia/cuda:(?P<cuda>\d{1,2}\.\d)(?:\.\d)?(?P<cudnn>-cudnn\d?)?-(?P<kind>base|runtime|devel)-ubuntu(?P<ubuntu>\d\d\.\d\d)$"
-)
-
-
-def _cuda_image(names: Names, _: Image) -> Names:
-    """Name the tag of NVIDIA that is there for the CUDA and the Ubuntu of one that is not."""
-    found = _CUDA.match(names.get("image", ""))
-    if found is None:
-        return {}
-    for row in rows("cuda_images"):
-        if row["cuda"] == found["cuda"] and ubuntus().get(found["ubuntu"]) in row["ubuntu"].split():
-            cudnn = f"-{row['cudnn']}" if found["cudnn"] else ""
-            now = f"nvidia/cuda:{row['tag']}{cudnn}-{found['kind']}-ubuntu{found['ubuntu']}"
-            return {"package": now} if now != names["image"] else {}
-    return {}
-
-
-def _moved_image(names: Names, _: Image) -> Names:
-    """Name the image that took the place of one which its maker moved; its tag stays only where the name changes."""
-    said = names.get("image", "").removeprefix("docker.io/").removeprefix("library/").removesuffix(":latest")
-    name, _colon, tag = said.partition(":")
-    for row in rows("moved_images"):
-        if name == row["image"] or (row["image"].endswith("/") and name.startswith(row["image"])):
-            now = name.replace(row["image"], row["now"], 1)
-            return {"image": said, "package": f"{now}:{tag}" if tag else now}
-    return {}
-
-
-def _apk(names: Names, _: Image) -> Names:
-    """Name what the packages of Alpine are called today, if the table has all of them."""
-    table = {row["name"]: row["now"] for row in rows("apk_names")}
-    wanted = [name for name in names.get("name", "").split(", ") if name]
-    return {"package": ", ".join(table[name] for name in wanted)} if wanted and table.keys() >= set(wanted) else {}
-
-
 LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "release": _release,
     "apt": _renamed,
@@ -267,10 +240,12 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "cmake-command": lambda names, _: worked.cmake_command(names),
     "cmake": _library("cmake", "name"),
     "conflict": lambda names, where: worked.conflict(names, where.instruction),
-    "apk": _apk,
+    "apk": lambda names, _: worked.apk(names),
+    "backend": lambda names, _: worked.backend(names),
+    "component": _component,
     "cuda-architecture": lambda names, _: worked.cuda_architecture(names),
-    "cuda-image": _cuda_image,
-    "image-moved": _moved_image,
+    "cuda-image": lambda names, _: worked.cuda_image(names),
+    "image-moved": lambda names, _: worked.moved_image(names),
     "dropped": lambda names, _: worked.dropped(names),
     "emptied": lambda names, where: worked.emptied(names, where.instruction),
     "header": _library("include", "header"),
@@ -281,6 +256,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "latex": lambda _names, _where: {"package": " ".join(latex())},
     "link": _library("link", "library"),
     "moved": lambda names, where: worked.moved(names, where.instruction),
+    "mistaken": lambda names, _: worked.mistaken(names),
     "module": _table("imports", "module", "pip", "module"),
     "namespace": _namespace,
     "older-gem": _older_gem,

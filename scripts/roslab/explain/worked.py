@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from functools import cache
 
+from roslab.knowledge.distros import ubuntus
 from roslab.knowledge.failures import compiled
 from roslab.knowledge.table import rows
 from roslab.values.pattern import pattern
@@ -75,6 +76,59 @@ def python_end(names: Mapping[str, str]) -> dict[str, str]:
         if last:
             return {"what": word, "last": last}
     return {}
+
+
+_BACKENDS = {"flit": "flit", "mesonpy": "meson-python", "poetry": "poetry", "setuptools": "setuptools"}
+
+
+def backend(names: Mapping[str, str]) -> dict[str, str]:
+    """Name the package of pip that has a build backend: most have the name of their module."""
+    module = names.get("module", "")
+    top = ".".join(module.split(".")[: 2 if module.startswith(("poetry.core", "pdm.")) else 1])
+    return {"package": _BACKENDS.get(top, top.replace(".", "-").replace("_", "-"))} if top else {}
+
+
+def mistaken(names: Mapping[str, str]) -> dict[str, str]:
+    """Name the package that a module is of, where pip has another by the module's name."""
+    found = (row for row in rows("mistaken_packages") if row["module"] == names.get("module"))
+    row = next(found, None)
+    return {"name": row["pip"], "package": row["beside"]} if row else {}
+
+
+_CUDA = pattern(
+    r"^nvidia/cuda:(?P<cuda>\d{1,2}\.\d)(?:\.\d)?(?P<cudnn>-cudnn\d?)?-(?P<kind>base|runtime|devel)-ubuntu(?P<ubuntu>\d\d\.\d\d)$"
+)
+
+
+def cuda_image(names: Mapping[str, str]) -> dict[str, str]:
+    """Name the tag of NVIDIA that is there for the CUDA and the Ubuntu of one that is not."""
+    found = _CUDA.match(names.get("image", ""))
+    if found is None:
+        return {}
+    for row in rows("cuda_images"):
+        if row["cuda"] == found["cuda"] and ubuntus().get(found["ubuntu"]) in row["ubuntu"].split():
+            cudnn = f"-{row['cudnn']}" if found["cudnn"] else ""
+            now = f"nvidia/cuda:{row['tag']}{cudnn}-{found['kind']}-ubuntu{found['ubuntu']}"
+            return {"package": now} if now != names["image"] else {}
+    return {}
+
+
+def moved_image(names: Mapping[str, str]) -> dict[str, str]:
+    """Name the image that took the place of one which its maker moved; its tag stays only where the name changes."""
+    said = names.get("image", "").removeprefix("docker.io/").removeprefix("library/").removesuffix(":latest")
+    name, _colon, tag = said.partition(":")
+    for row in rows("moved_images"):
+        if name == row["image"] or (row["image"].endswith("/") and name.startswith(row["image"])):
+            now = name.replace(row["image"], row["now"], 1)
+            return {"image": said, "package": f"{now}:{tag}" if tag else now}
+    return {}
+
+
+def apk(names: Mapping[str, str]) -> dict[str, str]:
+    """Name what the packages of Alpine are called today, if the table has all of them."""
+    table = {row["name"]: row["now"] for row in rows("apk_names")}
+    wanted = [name for name in names.get("name", "").split(", ") if name]
+    return {"package": ", ".join(table[name] for name in wanted)} if wanted and table.keys() >= set(wanted) else {}
 
 
 @cache

@@ -23,7 +23,7 @@ _MAY_BE_SUBMODULES = (
     "python-module-missing",
 )
 """Failures that a submodule that is not checked out causes too."""
-_HELD = ("header-missing", "cmake-package", "cmake-package-status")
+_HELD = ("header-missing", "cmake-package", "cmake-package-status", "colcon-package-unknown")
 """Failures that name what a package of ROS or a repository may hold by its name."""
 
 

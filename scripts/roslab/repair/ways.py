@@ -246,6 +246,8 @@ def submodules(found: Explanation, given: Given) -> Worked:
     names = dict(found.names)
     said = [names[name] for name in ("path", "file", "header", "name", "module") if names.get(name)]
     said += _WORDS.findall(found.error)
+    if headers := names.get("header", ""):  # the file that includes it is there, and so is the submodule it lies in
+        said = headers.split(", ")
     read = _READ.findall(found.error)
     for path in absent(given):
         folder = path.rpartition("/")[2]
