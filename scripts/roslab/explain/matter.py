@@ -67,6 +67,7 @@ _QUIET = pattern(
     r"|debconf: |no error|ignoring|\[ *\d{1,3}%\] (?:Building|Built)|deprecat|errors? occurred!|compilation terminated"
     r"|^\s*(?:note|hint): |See also \"|Waiting for unfinished jobs|recipe for target|make.{0,8}: Leaving"
 )
+_PARAGRAPH = pattern(r"  \S")
 _LAST = pattern(
     r"(?i)make(?:\[\d+\])?: \*\*\* |returned a non-zero|exit(?:ed with)? (?:code|status)|command .{0,60} failed"
 )
@@ -154,6 +155,21 @@ def _bounded(found: list[Line]) -> list[Line]:
         tail.append(line)
     kept = {id(line): line for line in (*head, *said, *reversed(tail))}
     return sorted(kept.values(), key=lambda line: line.number)
+
+
+def unwrapped(found: list[Line]) -> list[Line]:
+    """Return the lines with each paragraph of a message of CMake, which it wraps at blanks, on one."""
+    out: list[Line] = []
+    inside = False
+    for line in found:
+        text = line.text
+        if text[:1].strip():
+            inside = text.startswith("CMake ")
+        elif inside and _PARAGRAPH.match(text) and out and _PARAGRAPH.match(out[-1].text):
+            out[-1] = Line(out[-1].number, f"{out[-1].text} {text.strip()}")
+            continue
+        out.append(line)
+    return out
 
 
 def telling(found: list[Line], most: int = 20) -> list[Line]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from roslab.knowledge import libraries
-from roslab.knowledge.distros import distros
+from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.gazebo_plugins import gazebo_plugins
 from roslab.knowledge.released import released
@@ -39,6 +39,15 @@ def module(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
     """Name the package that has the name of a Python module; nothing for a module that pip has."""
     said = names.get("name", "")
     return {} if said in imports() else known(names, ros)
+
+
+def elsewhere(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
+    """Name the distributions of the same generation that have a package which this one has not."""
+    said, this = names.get("name", ""), distro(ros)
+    if this is None or ros is None or said in imports() or said in released(ros):
+        return {}
+    others = [each.name for each in distros().values() if each.ros == this.ros and said in released(each.name)]
+    return {"ros": ros, "releases": ", ".join(others)} if others else {}
 
 
 def _is_released(name: str, ros: str | None) -> bool:

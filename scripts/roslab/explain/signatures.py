@@ -13,7 +13,7 @@ from roslab.explain.names import LOOKUPS, Image, Names
 from roslab.explain.reading import Line
 from roslab.explain.steps import Log, Step
 from roslab.knowledge.failures import Failure, compiled, failures
-from roslab.values.dataclass import dataclass, field
+from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 
 _ERRORS = pattern(r"CMake Error|(?i:\berror\b)|\*\*\*|Configuring incomplete")
@@ -87,9 +87,20 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
     A failure that builds often survive, or after which this one went on, gives way to any other that is known after its
     line; of several such failures the last is taken.
     """
-    survived: tuple[int, Match] | None = None
+    lines = matter.lines(step)
     raw = "\n".join(line.text for line in step.lines[-4000:])
-    case = _Case(log=log, step=step, image=image, text=_Text.of(matter.lines(step)), raw=raw)
+    case = _Case(log=log, step=step, image=image, text=_Text.of(lines), raw=raw)
+    found = _best(case)
+    if (found is None or found.failure.rank >= _GUESSED) and len(whole := matter.unwrapped(lines)) < len(lines):
+        again = _best(replace(case, text=_Text.of(whole)))
+        if again is not None and again.failure.rank < _GUESSED:
+            return again
+    return found
+
+
+def _best(case: _Case) -> Match | None:
+    """Return the known failure of the best rank that a step's lines tell of."""
+    survived: tuple[int, Match] | None = None
     for number, rank in groupby(failures(), key=lambda failure: failure.rank):
         if survived is not None and number >= (_ENDED if _harmless(survived, case) else _GUESSED):
             break

@@ -37,6 +37,8 @@ LOOKED_UP = {
     "before_step",
     "how",
     "since",
+    "ros",
+    "releases",
 }
 
 

@@ -30,6 +30,17 @@ from roslab.explain.answer import explain
             "cmake-version",
             ("version", "99.0"),
         ),
+        (
+            [
+                "CMake Error at /app/install/share/ament_cmake_target_dependencies/cmake/targets.cmake:77 (message):",
+                "  ament_target_dependencies() the passed package name",
+                "  'arm_msg_wrapper' was not found before",
+                "Call Stack (most recent call first):",
+                "  CMakeLists.txt:20 (ament_target_dependencies)",
+            ],
+            "ament-not-found-before",
+            ("name", "arm_msg_wrapper"),
+        ),
     ],
 )
 def test_the_cause(lines: list[str], known: str, name: tuple[str, str]) -> None:
