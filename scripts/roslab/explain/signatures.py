@@ -91,10 +91,9 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
     raw = "\n".join(line.text for line in step.lines[-4000:])
     case = _Case(log=log, step=step, image=image, text=_Text.of(lines), raw=raw)
     found = _best(case)
-    if (found is None or found.failure.rank >= _GUESSED) and len(whole := matter.unwrapped(lines)) < len(lines):
-        again = _best(replace(case, text=_Text.of(whole)))
-        if again is not None and again.failure.rank < _GUESSED:
-            return again
+    again = _best(replace(case, text=_Text.of(whole))) if len(whole := matter.unwrapped(lines)) < len(lines) else None
+    if again is not None and (found is None or again.failure.rank < found.failure.rank):
+        return again
     return found
 
 

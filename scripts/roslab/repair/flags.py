@@ -15,6 +15,10 @@ _LINKED = "-Wl,"
 """It keeps several libraries one word; Ubuntu's linker leaves out what a program does not use."""
 _OF_SYSTEM = pattern(r"(?:/usr)?/{1,2}lib/(?:\w{1,20}-linux-gnu/)?lib[\w+-]{1,60}\.so")
 _OF_ROS = pattern(r"/opt/ros/[a-z]{4,9}/lib/(?:\w{1,20}-linux-gnu/)?lib[\w+-]{1,60}\.so$")
+_AS_ERROR = pattern(
+    r"(?m)^(?P<file>[^\s:]{1,300}):\d{1,6}:(?:\d{1,6}:)? error: [^\n]{1,1000} "
+    r"\[-W(?:error[=,](?:-W)?(?P<name>\w[\w+=-]{0,50})|(?P<other>\w[\w+-]{0,40}),-Werror)\]"
+)
 _CXX_FLAGS = "-DCMAKE_CXX_FLAGS="
 """The option that is planned for flags; it is none where they stand in the variable, so that it takes them over."""
 
@@ -44,6 +48,20 @@ def compiler(found: Explanation, given: Given) -> Worked:
     if newer is None or given.plan.kind == "cuda":
         return Worked(why=found.fix)
     return Worked(values=(f"g++-{newer}",))
+
+
+def not_errors(found: Explanation, given: Given) -> Worked:
+    """Let the warnings that stopped a compilation be warnings: what names one outweighs a bare -Werror behind it."""
+    said = list(_AS_ERROR.finditer(found.log))
+    in_c = bool(said) and said[0]["file"].endswith(".c")
+    same = (match for match in said if match["file"].endswith(".c") == in_c)
+    names = dict.fromkeys((match["name"] or match["other"]).removesuffix("=") for match in same)
+    variable = "CFLAGS" if in_c else "CXXFLAGS"
+    before = compiler_flags(variable, given)
+    new = [flag for name in names if (flag := f"-Wno-error={name}") not in before.split()]
+    if not new:
+        return Worked(why=f"it is compiled so already, and that did not help: {found.fix}" if said else found.fix)
+    return Worked(key=f"env.{variable}", values=(" ".join((before, *new)).strip(),))
 
 
 def _library_of(flag: str) -> str:

@@ -276,6 +276,7 @@ WAYS: Mapping[str, Way] = {
     "module": missing.module,
     "newer-python": newer_python,
     "newer-ubuntu": newer_ubuntu,
+    "not-errors": flags.not_errors,
     "numpy": numpy,
     "older-python": older_python,
     "older-ros": older_ros,

@@ -19,6 +19,12 @@ TWICE = "multiple definition of `{}'; {}: first defined here"
 STREAMSIZE = (
     "main.cpp:1:3: error: invalid conversion from 'std::streamsize' to 'std::ios_base::fmtflags' [-fpermissive]"
 )
+WARNINGS = """\
+main.cpp:1:3: error: \u2018arm()\u2019 is deprecated [-Werror=deprecated-declarations]
+b.c:1:3: error: unused variable \u2018b\u2019 [-Werror=unused-variable]
+main.cpp:4:3: error: writing 3 bytes [-Werror=stringop-overflow=]
+"""
+NO_ERRORS = "-Wno-error=deprecated-declarations -Wno-error=stringop-overflow"
 CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
 
 
@@ -60,6 +66,14 @@ CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
             "env.CXXFLAGS: -fpermissive, for what is said of std::streamsize (main.cpp:1)",
         ),
         ("main.cpp:1:3: error: no 'a' [-fpermissive]\nmain.cpp:9:3: error: 'b' was not declared in this scope", ""),
+            WARNINGS,
+            f"env.CXXFLAGS: {NO_ERRORS}, for warnings are errors (main.cpp:1)",
+        ),
+        (
+            "b.c:1:3: error: unused variable 'b' [-Werror,-Wunused-variable]",
+            "env.CFLAGS: -Wno-error=unused-variable, for warnings are errors",
+        ),
+        ("cc1plus: all warnings being treated as errors", ""),
         (
             f"/usr/bin/ld: b.c.o:(.bss+0x0): {TWICE.format('arm', 'a.c.o:(.bss+0x0)')}",
             "env.CFLAGS: -fcommon, for what is said of arm",
@@ -69,7 +83,7 @@ CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
     ],
 )
 def test_an_error_that_a_flag_answers_gets_the_flag(tmp_path: Path, said: str, wanted: str) -> None:
-    found = repaired(tmp_path, log("make", *said.split("\n")), CPP)
+    found = repaired(tmp_path, log("make", *said.splitlines()), CPP)
     assert [change.told for change in found.certain.changes] == ([wanted] if wanted else [])
 
 
