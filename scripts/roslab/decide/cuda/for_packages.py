@@ -18,6 +18,7 @@ from roslab.knowledge.cuda_toolkits import toolkits
 from roslab.knowledge.distros import Distro
 from roslab.knowledge.frameworks import CudaImage, cuda_images
 from roslab.values.dataclass import dataclass, replace
+from roslab.values.open_ended import OF_LANGUAGES
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
@@ -29,7 +30,7 @@ _RANGE = pattern(
 )
 _LEAST = pattern(
     rf"\bcuda\b\D{{0,20}}(?:(?:>=|≥|at least|minimum)\s*{_NUMBER}"
-    rf"|{_NUMBER}\s*(?:\+|(?:or|and)\s+(?:above|higher|newer|later|greater|up)))",
+    rf"|{_NUMBER}(?:\s*(?:\+|(?:or|and)\s+(?:above|higher|newer|later|greater|up))|{OF_LANGUAGES}))",
     re.IGNORECASE,
 )
 _OF_WHEELS = pattern(r"torch|tensorflow|\bpip\d?\b|conda|jax|cupy", re.IGNORECASE)

@@ -18,6 +18,7 @@ from roslab.knowledge.days import ended
 from roslab.knowledge.frameworks import Framework, framework, last_below, meant_framework
 from roslab.values.dataclass import dataclass
 from roslab.values.interpreter import Interpreter
+from roslab.values.open_ended import OF_LANGUAGES
 from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 from roslab.values.specifier import admits, specifiers
@@ -90,9 +91,9 @@ def only_oldest(evidence: Evidence, mention: Mention) -> bool:
 
 
 def only_lowest(mention: Mention) -> bool:
-    """Tell whether a version is only the oldest one that works: ``3.5+``, ``3.5 or newer``, ``>= 3.5``."""
+    """Tell whether a version is only the oldest one that works: ``3.5+``, ``3.5 or newer``, ``≥ 3.5``."""
     number = re.escape(mention.value)
-    after = rf"{number}(?:\.\d+)?\s?(?:\+|\(?(?:or|and) (?:newer|later|above|higher|greater|up))"
+    after = rf"{number}(?:\.\d+)?(?:\s?(?:\+|\(?(?:or|and) (?:newer|later|above|higher|greater|up))|{OF_LANGUAGES})"
     return mention.source == "readme" and bool(re.search(rf"{after}|(?:>=|≥)\s?{number}", mention.text))
 
 

@@ -11,12 +11,13 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.distro_dates import dated, of_its_time
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.distros import Distro, distro, distros, distros_of, ever, successor, ubuntus
+from roslab.values.open_ended import OF_LANGUAGES
 from roslab.values.pattern import pattern
 
 _ADORNED = r"(?:\]\([^)\n]{1,150}\))?[*_`\"')]{0,4}"
 _ON = (
     r"(?:\+(?![\w+])|[\s,]{0,3}[(\[]?(?:or|and|&)\s+(?:(?:any|all|every)\s+)?(?:newer|later(?!\s+(?:with|on|in|by|to|also)\b)|"
-    r"above|higher|greater|up|upwards?|onwards?|beyond|more\s+recent)\b|[\s,(]{1,3}onwards?\b)"
+    rf"above|higher|greater|up|upwards?|onwards?|beyond|more\s+recent)\b|[\s,(]{{1,3}}onwards?\b|{OF_LANGUAGES})"
 )
 """What says after a name that later ones are meant too."""
 _LEAST = r"(?:>=|≥|\bat\s+least|\bminimum(?:\s+version)?(?:\s+is)?:?)\s{0,3}(?:ros\s*[12]?\s+)?[*_`\"'\[]{0,3}"
@@ -50,7 +51,8 @@ def _said_of_ubuntu(name: str) -> re.Pattern[str]:
         r"(?:>=|≥|\bat\s+least)\s{0,3}(?:ubuntu\s+)?[*_`\"'\[]{0,3}|\bubuntu\s{0,3}(?:version\s{0,3})?(?:>=|≥)\s{0,3}"
     )
     return pattern(
-        rf"(?<![\w.]){re.escape(name)}\b{_ADORNED}{further}{second}{_ON}|(?:{least}){re.escape(name)}\b", re.IGNORECASE
+        rf"(?<![\w.]){re.escape(name)}(?![a-z0-9_]){_ADORNED}{further}{second}{_ON}|(?:{least}){re.escape(name)}(?![a-z0-9_])",
+        re.IGNORECASE,
     )
 
 
