@@ -21,6 +21,10 @@ _PLAIN = pattern(rf"({_IDENTIFIER})\s*(?:\[\s*({_IDENTIFIER}(?:\s*,\s*{_IDENTIFI
 _EDITABLE = pattern(r"^(?:-e|--editable)[ =]*(\S.*)$")
 _PER_LINE = pattern(r"\s+--(?:hash|global-option|install-option|config-settings)[ =]\S+")
 _URL = pattern(r"^(?:(?:git|hg|svn|bzr)\+\S+|https?://\S+|file:\S+|git://\S+|git@\S+)$")
+_CLONE = pattern(
+    r"https?://[\w.-]+(?:/[\w.-]+){2,6}\.git(?:[@#]\S*)?|https?://(?:www\.)?git(?:hub|lab)\.com(?:/[\w.-]+){2}/?"
+)
+"""The address of a repository, which pip takes for that of an archive and refuses: it was meant to be cloned."""
 _PATH = pattern(r"[\w./-]+(?:\[.*\])?")
 _NAME = pattern(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)\s*(\[[\w\s,.-]*\])?\s*(.*)")
 _VERSIONS = pattern(r"\(?\s*(?:(?:===?|!=|~=|<=?|>=?)\s*[\w.*+!-]+\s*,?\s*)+\)?")
@@ -83,6 +87,8 @@ def _read(text: str) -> Requirement | None:
     if parsed is not None and not (parsed.url or "").startswith("file:"):
         return _standard(parsed, text, role)
     requirement, marker, spelled = _marked(text)
+    if _CLONE.fullmatch(requirement):
+        requirement, role = f"git+{requirement}", role or "repaired"
     if _URL.match(requirement):
         return _NOWHERE(name=_named(requirement), written=requirement, url=requirement, marker=marker, role=role)
     if requirement.startswith((".", "/")) or (role == "editable" and _PATH.fullmatch(requirement)):
