@@ -117,10 +117,15 @@ def _python_is_another(base: Base) -> bool:
 
 
 def _between(change: Mapping[str, str], base: Base) -> bool:
-    """Tell whether a library changed between the plan's release of it and the stand-in's."""
+    """Tell whether a library changed between the plan's release of it and the stand-in's, the older of the two.
+
+    Where the row says so (``lacks``), the stand-in has the older one, without what came with the change.
+    """
     there = facts()["versions"].get(base.stand_in, {}).get(change["library"])
     named = _of_plan(change["library"], base)
     real, now, since = (parsed(text) if text else None for text in (named, there, change["since"]))
+    if change.get("lacks"):
+        real, now = now, real
     return bool(real and now and since and real < since <= now)
 
 

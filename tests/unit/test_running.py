@@ -20,6 +20,8 @@ FOCAL = blame.Base(
     lacking=frozenset({"nmea_msgs", "rviz", "velodyne_msgs"}),
 )
 NOBLE = replace(FOCAL, ubuntu="noble", python="3.12")
+OLDEST = replace(FOCAL, name="ubuntu:20.04", stand_in="Debian 11")
+EDITION = "error: this version of Cargo is older than the `2021` edition, and only supports `2015` and `2018` editions."
 REAL = replace(FOCAL, stand_in="", lacking=frozenset())
 BOOST = "/ws/src/a.cpp:8:30: error: '_1' was not declared in this scope"
 CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
@@ -54,6 +56,9 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory", FOCAL, "stand-in"),
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory",
          NOBLE, "ours or the code's"),
+        ("a.h:1:10: fatal error: pluginlib/class_loader.h: No such file or directory", FOCAL, "stand-in"),
+        (EDITION, OLDEST, "stand-in"),
+        (EDITION, replace(OLDEST, ubuntu="bionic"), "ours or the code's"),
         ("Package 'pluginlib', required by 'rosbag_storage', not found", replace(FOCAL, ubuntu="bionic"), "stand-in"),
         (CERES, replace(FOCAL, ubuntu="bionic"), "stand-in"),
         ("E: Package 'libav-tools' has no installation candidate", replace(FOCAL, ubuntu="xenial"), "stand-in"),
