@@ -207,6 +207,55 @@ def test_components_of_qt_and_what_is_linked_by_its_name_alone(tmp_path: Path) -
     )
 
 
+CODE = """\
+#include <nlohmann/json.hpp>
+ # include "yaml-cpp/yaml.h"
+#include <glog/logging.h>
+#include <opencv2/core.hpp>
+#include <own/part.h>
+#include <QWidget>
+#include <vector>
+// #include <assimp/scene.h>
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "cmake", "installed"),
+    [
+        (
+            "src/a.cpp",
+            "project(acme)\n",
+            ["libgoogle-glog-dev", "libopencv-dev", "libyaml-cpp-dev", "nlohmann-json3-dev"],
+        ),
+        ("src/a.cpp", "find_package(OpenCV)\nfind_package(Glog QUIET)\n# YAML-CPP\n", ["nlohmann-json3-dev"]),
+        ("tests/a.cpp", "project(acme)\n", []),
+        ("extern/json/a.h", "project(acme)\n", []),
+        ("a.txt", "project(acme)\n", []),
+    ],
+)
+def test_headers_that_only_the_code_names(tmp_path: Path, file: str, cmake: str, installed: list[str]) -> None:
+    known = (
+        "nlohmann-json3-dev",
+        "libyaml-cpp-dev",
+        "libgoogle-glog-dev",
+        "libopencv-dev",
+        "qtbase5-dev",
+        "libassimp-dev",
+    )
+    stage = Stage(tmp_path, *known)
+    (tmp_path / "acme" / file).parent.mkdir(parents=True)
+    (tmp_path / "acme" / file).write_text(CODE)
+    (tmp_path / "acme" / "CMakeLists.txt").write_text(cmake)
+    assert stage.run("acme", str(tmp_path / "acme")) == ([installed] if installed else [], "")
+
+
+def test_a_header_of_its_own_is_not_installed(tmp_path: Path) -> None:
+    (tmp_path / "acme/extern/nlohmann").mkdir(parents=True)
+    (tmp_path / "acme/a.h").write_text("#include <nlohmann/json.hpp>\n")
+    (tmp_path / "acme/CMakeLists.txt").write_text("project(acme)\n")
+    assert Stage(tmp_path, "nlohmann-json3-dev").run("acme", str(tmp_path / "acme")) == ([], "")
+
+
 def test_what_is_built_already_is_not_installed(tmp_path: Path) -> None:
     stage = Stage(tmp_path, "libceres-dev")
     (tmp_path / "local/lib/CeresConfig.cmake").touch()

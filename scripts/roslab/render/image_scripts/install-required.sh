@@ -4,6 +4,7 @@
 # the image's Ubuntu name, else those of ROS that are called so, else those that Debian's custom would call so: libNAME-dev
 # or NAME-dev. A list of them goes along with the library to where it is installed, for what is linked with it needs them
 # too: without arguments, all lists that came with libraries are installed, as they are before those of a further library.
+# So are packages of headers that its code includes and its files of CMake never name, which are on no path of its own.
 # What no package brings and CMake alone builds is built as the tables have it, here and for the image; the rest is told.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
@@ -40,9 +41,29 @@ told() {
 installed() {
   [ -n "$(find /usr/local/{lib,share} -iname "$1config.cmake" -o -iname "$1-config.cmake" -o -name "${1#pkg:}.pc" 2>/dev/null)" ]
 }
+# Prints header:PATH of what the code includes, is no file of the folder, and goes by no name in its files of CMake: what
+# these look for they may do without. Tests, examples and what is copied into it are not read.
+included() {
+  local path part aside=({.git,build,{third,3rd}{,-,_}party,extern,external,externals,vendor,doc,docs}) here cmake
+  aside+=(test tests testing example examples demo demos sample samples benchmark benchmarks win32 windows android)
+  here="$(find "${folder}" -name .git -prune -o -printf '%f\n' | LC_ALL=C sort --unique)"
+  cmake="$(find "${folder}" \( -name CMakeLists.txt -o -name '*.cmake' -o -name '*.cmake.in' \) -exec cat {} +)"
+  { grep --recursive --no-filename --only-matching --text --extended-regexp "${aside[@]/#/--exclude-dir=}" \
+    --include='*.'{h,hh,hpp,hxx,c,cc,cpp,cxx} '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"][A-Za-z0-9_./+-]+[>"]' \
+    "${folder}" || true; } | sed --expression 's/.*[<"]\(.*\)[>"]/\1/' | LC_ALL=C sort --unique |
+    awk 'NR == FNR { for (i = 1; $i != "="; i++) known[$i]; next } # those that the tables know
+      { first = path = "header:" tolower($0); sub(/\/.*/, "/", first) }
+      path in known || first in known' <(cat "${tables}"/libraries-*.txt) - | while read -r path; do
+    # Of Qt each has a component
+    if [[ "${path}" =~ ^Q([A-Z]|t) ]] || grep --quiet --line-regexp --fixed-strings -- "${path%%/*}" <<<"${here}"; then continue; fi
+    part="$(sed --regexp-extended --expression 's/\/[^/]*$//' --expression 's/\.[a-z]+$//' --expression 's/(^|\/)lib/\1/g' --expression 's/[0-9.-]+(\/|$)/\1/g' \
+      --expression 's/\//|/g' --expression 's/[.+]/./g' <<<"${path}")"
+    if ! grep --quiet --ignore-case --extended-regexp -- "${part}" <<<"${cmake}"; then printf 'header:%s\n' "${path}"; fi
+  done
+}
 packages() {
   local wanted said ros package found
-  required-by-cmake --library "${folder}" "$@" | while read -r wanted; do
+  { required-by-cmake --library "${folder}" "$@" && included; } | while read -r wanted; do
     if installed "${wanted}"; then continue; fi
     said="$(told "${wanted}")"
     if [ -z "${said}" ] && [[ "${wanted}" = header:*/* ]]; then said="$(told "${wanted%%/*}/")"; fi
