@@ -6,11 +6,14 @@ from roslab.config.model import Kind
 from roslab.decide.reasons import page_of
 from roslab.evidence.facts import Mention
 
+_SHELLS = ("bash", "sh")
+
 
 def why_run(argv: tuple[str, ...], mention: Mention, kind: Kind) -> str:
     """Return the reason, with what the command says otherwise: a program of almost its name, or another ending."""
-    own, page = kind != "cpp" or argv[0].rpartition("/")[2] in mention.value, page_of(mention.file)
-    if not own:
+    program = next((word for word in argv if word not in _SHELLS), "").rpartition("/")[2]
+    page = page_of(mention.file)
+    if kind == "cpp" and program not in mention.value:
         return f"{page} runs one of almost this name, which nothing compiles"
     said = mention.text.split()
     other = next((file for file in mention.files if file in argv and _other_ending(file) in said), "")

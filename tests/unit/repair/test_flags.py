@@ -66,6 +66,7 @@ CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
             "env.CXXFLAGS: -fpermissive, for what is said of std::streamsize (main.cpp:1)",
         ),
         ("main.cpp:1:3: error: no 'a' [-fpermissive]\nmain.cpp:9:3: error: 'b' was not declared in this scope", ""),
+        (
             WARNINGS,
             f"env.CXXFLAGS: {NO_ERRORS}, for warnings are errors (main.cpp:1)",
         ),
