@@ -9,7 +9,7 @@ from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
 _UPKEEP = pattern(
-    r"(?:^|/)(?:\.\w[\w-]*|build[_-]?(?:tools?|utils?|scripts?)|ci|continuous_integration|docs?|documentation|sphinx\w*|"
+    r"(?:^|/)(?:\.\w[\w-]*|build[_-]?(?:tools?|utils?|scripts?)|cmake|ci|continuous_integration|docs?|documentation|sphinx\w*|"
     r"packaging|releases?|deploy\w*(?=/[^ ]*\.(?:ba)?sh$)|dev(?:[_-]?tools?)?|maint\w*|admin|debian|"
     r"conda(?:[._-]recipe)?|recipe)/|"
     r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set|sync|check)_(?:\w+_)?version|versioneer|publish|upload|"

@@ -705,6 +705,7 @@ def test_a_program_of_a_workspace_by_its_path(tree: Tree, program: str, command:
     "script",
     [
         "build_tools/changelog.py",
+        "cmake/create_module.py",
         "ci/run.py",
         "docs/conf.py",
         "release.py",
