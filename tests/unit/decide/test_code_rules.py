@@ -113,6 +113,25 @@ def test_the_words_of_a_launch_file(tree: Tree, page: str, word: str, distro: st
 
 
 @pytest.mark.parametrize(
+    ("own", "page", "distro"),
+    [(3, "ROS 2 Eloquent\n", "jazzy"), (2, "ROS 2 Eloquent\n", "eloquent"), (3, "ROS 2 Humble\n", "humble")],
+)
+def test_a_launch_file_that_came_with_a_driver_tells_nothing_beside_many_others(
+    tree: Tree, own: int, page: str, distro: str
+) -> None:
+    decision = tree(
+        {
+            "package.xml": PACKAGE.format("ament_cmake"),
+            "CMakeLists.txt": CMAKE.format("ament_cmake", ""),
+            "launch/old.launch.py": LAUNCH.format("node_executable"),
+            **{f"launch/{number}.launch.py": LAUNCH.format("executable") for number in range(own)},
+            "README.md": page,
+        }
+    )
+    assert decision.ros_distro == distro
+
+
+@pytest.mark.parametrize(
     ("header", "distro"),
     [
         ("message_filters/subscriber.h", "jazzy"),

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.code_limit import CodeLimit
@@ -15,6 +16,8 @@ from roslab.values.version import Version
 
 NODES = "Python of nodes"
 """The library of a sign in the code of a node of ROS, which runs with the Python of the Ubuntu."""
+MANY = 3
+"""How many times as many launch files with a sign are the tree's own kind."""
 _POSTPONED = "from __future__ import annotations"
 """With it, no annotation is computed, and any Python that knows it reads those of newer ones."""
 
@@ -22,7 +25,8 @@ _POSTPONED = "from __future__ import annotations"
 def read(repository: Repository) -> tuple[CodeLimit, ...]:
     """Return each sign at its first place; of nodes and of other code apart.
 
-    Tests and examples tell nothing, nor do launch files that are written for two versions.
+    Tests and examples tell nothing, nor do launch files that are written for two versions; of files for either, a few
+    that came with a driver tell nothing beside the many others.
     """
     code = [limit for limit in limits() if limit.where in {"line", "annotation", "python"}]
     wanted = {
@@ -32,6 +36,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
         "other": Search((limit for limit in code if not _of_ros2(limit)), words=True),
     }
     found: dict[tuple[str, str], CodeLimit] = {}
+    files = Counter[str]()
     for module in modules(repository):
         file, text = module.file, module.text
         if places.sample(file.path):
@@ -41,7 +46,7 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
             library = NODES if kind == "node" and not _of_ros2(sign) else sign.library
             if place := _first(sign, text):
                 line = text.count("\n", 0, place) + 1
-                found[library, sign.what] = CodeLimit(
+                limit = CodeLimit(
                     library=library,
                     at_least=sign.at_least,
                     below=sign.below,
@@ -49,21 +54,25 @@ def read(repository: Repository) -> tuple[CodeLimit, ...]:
                     file=file.path,
                     line=line,
                 )
-                wanted[kind] = wanted[kind].without(sign)
+                found.setdefault((library, sign.what), limit)
+                files[sign.what] += 1
+                if kind != "launch":
+                    wanted[kind] = wanted[kind].without(sign)
     all_found = tuple(found.values())
-    return tuple(limit for limit in all_found if not _contradicted(limit, all_found))
+    return tuple(limit for limit in all_found if not _contradicted(limit, all_found, files))
 
 
 def _of_ros2(sign: Limit) -> bool:
     return sign.library.startswith(OF_ROS2)
 
 
-def _contradicted(limit: CodeLimit, others: tuple[CodeLimit, ...]) -> bool:
+def _contradicted(limit: CodeLimit, others: tuple[CodeLimit, ...], files: Mapping[str, int]) -> bool:
     """Tell whether other code needs what this limit rules out: the tree is written for both.
 
-    A name that was away for a while contradicts nothing by itself.
+    A name that was away for a while contradicts nothing by itself, nor do few ``files`` beside many with the limit.
     """
     same = [other for other in others if other.library == limit.library]
+    same = [other for other in same if files[limit.what] < MANY * files[other.what] or other.what == limit.what]
     lowest = [other.at_least for other in same if other.at_least and not other.below]
     highest = [other.below for other in same if other.below and not other.at_least]
     if not (lowest and highest):
