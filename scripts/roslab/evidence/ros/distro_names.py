@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Collection, Iterator
 
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
-from roslab.knowledge.distros import distros, ever
+from roslab.knowledge.distros import distros, english_words, ever
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _WORD = pattern(r"[a-z]+[0-9]*|[0-9.]+")
+_ANYTHING = (".yaml", ".yml", ".sh")
 _FILES = pattern(r"dockerfile|containerfile|\.repos$|\.rosinstall$|\.repos\.ya?ml$|docker-compose|\.ya?ml$|\.sh$")
 
 
@@ -37,13 +39,18 @@ def _branch(repository: Repository) -> Iterator[Mention]:
 
 
 def _files(repository: Repository, others: Collection[str]) -> Iterator[Mention]:
-    """Read file names; if the same name without a distribution exists beside it, that one is for this branch."""
+    """Read file names; if the same name without a distribution exists beside it, that one is for this branch.
+
+    A word that names of the tree's packages begin with (``iron_x``) is the robot's in files that may be about anything.
+    """
+    packages = tuple(posixpath.basename(each.folder).lower() for each in repository.named("package.xml"))
+    robots = {word for word in english_words() if any(name.startswith(word) for name in packages)}
     for file in repository.files:
         lower = file.name.lower()
         if not _FILES.search(lower) or places.vendored(file.path) or file.path.count("/") > 4 or file.path in others:
             continue
         for word in dict.fromkeys(_WORD.findall(lower)):
-            if word not in distros():
+            if word not in distros() or (word in robots and lower.endswith(_ANYTHING)):
                 continue
             plain = re.sub(rf"[._-]?{word}", "", file.name, flags=re.IGNORECASE)
             if not repository.has(f"{file.folder}/{plain}".lstrip("/")):
