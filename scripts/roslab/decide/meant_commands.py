@@ -31,6 +31,9 @@ FEWEST_OF_A_RIVAL = 3
 """Fewest launch files of a package for its programs to be as much of the tree as another's."""
 FEWEST = 2
 """Fewest launch files that the one for the whole brings."""
+LARGE = 40
+"""Of more launch files it brings one of ``LEAST_SHARE``: what brings fewer is the whole of a part."""
+LEAST_SHARE = 5
 _LAUNCH_FILES = pattern(r"\blaunch[ -]?files?\b", re.IGNORECASE)
 _ITEM = pattern(r"(?:[-*+]|\d+[.)])\s+[`*_\[]*[\w/-]+\.launch")
 """An item of a list that begins with a launch file."""
@@ -187,9 +190,10 @@ _SHOWN = pattern(r"^(?:examples?|tests?)[_.-]", re.IGNORECASE)
 def whole_of(candidates: Iterable[Candidate], evidence: Evidence, brings: Brings) -> Candidate | None:
     """Return the launch file that brings most of the others, itself brought by none: it starts the whole.
 
-    It has to bring two or more, or one of another package that is named like that, and more than any other that nothing
-    brings, and nothing of a package that neither the tree has, nor a package.xml asks for, nor any distribution of ROS
-    released. What MoveIt's assistant writes for a demonstration in Gazebo comes behind the one beside it without.
+    It has to bring two or more, or one of another package that is named like that, of a large collection a fifth, and
+    more than any other that nothing brings, and nothing of a package that neither the tree has, nor a package.xml asks
+    for, nor any distribution of ROS released. What MoveIt's assistant writes for a demonstration in Gazebo comes behind
+    the one beside it without.
     """
     parts = {part.file for brought in brings.values() for part in brought}
     sizes: list[tuple[int, Candidate]] = []
@@ -206,4 +210,5 @@ def whole_of(candidates: Iterable[Candidate], evidence: Evidence, brings: Brings
                 sizes.append((len(below), candidate))
     sizes.sort(key=lambda each: -each[0])
     alone = sizes and sizes[0][0] >= fewest and (len(sizes) == 1 or sizes[1][0] < sizes[0][0])
-    return sizes[0][1] if alone else None
+    part = len(launched) > LARGE and sizes and sizes[0][0] * LEAST_SHARE < len(launched)
+    return sizes[0][1] if alone and not part else None

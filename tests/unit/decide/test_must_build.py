@@ -89,6 +89,12 @@ def test_what_a_launch_file_of_ros_2_includes(tmp_path: Path) -> None:
     assert plan_repository(tmp_path).plan.workspace.must_build == ("mine", "arm", "driver")
 
 
+RUN = "<run_depend>task_0</run_depend><run_depend>task_1</run_depend>"
+RUNS_TASKS = {"task_5/package.xml": f"<package><name>task_5</name>{RUN}</package>"}
+LISTS_TASKS = {
+    "all/package.xml": f"<package><name>all</name>{RUN}<export><metapackage/></export></package>",
+    "all/CMakeLists.txt": "project(all)\nfind_package(catkin REQUIRED)\ncatkin_metapackage()\n",
+}
 SIX = {path: text for number in range(6) for path, text in _package(f"task_{number}").items()}
 
 
@@ -98,6 +104,7 @@ SIX = {path: text for number in range(6) for path, text in _package(f"task_{numb
         ({}, 6),
         (_package("task_5", needs="task_0"), 5),
         (_package("task_0", launch=NODE.format("task_0", "")) | {"README.md": "`roslaunch task_0 task_0.launch`"}, 0),
+        (RUNS_TASKS | LISTS_TASKS, 6),
         ({"roslab.yaml": "format: 3\ntest: rospack list\n"}, 0),
         ({"task_5/CATKIN_IGNORE": ""}, 0),
     ],

@@ -17,6 +17,7 @@ from roslab.evidence.facts import Evidence
 
 FEWEST = 6
 """Of fewer packages each is most likely what the repository is about."""
+_NOT_COMPILED = frozenset({"exec", "test", "doc"})
 SHARE = 3
 """One of so many of them may fail: where more do, something else is wrong."""
 
@@ -24,16 +25,16 @@ SHARE = 3
 def spare(
     evidence: Evidence, config: Config, command: Command, packages: Packages, left_out: Collection[str]
 ) -> tuple[str, ...]:
-    """Return the folders of those that no other one needs, where a shell is started and nothing is tested.
+    """Return the folders of those with which no other one is compiled, where a shell is started and nothing is tested.
 
-    None of which the page at the root launches something, even by a wrong name.
+    None of which the page at the root launches something, even by a wrong name. A metapackage is compiled with nothing,
+    and what a launch file starts may be absent.
     """
     built = [m for m in packages.built if m.name and m.name not in left_out and not m.metapackage]
     if command.command != Command().command or command.given or config.command or config.test or len(built) < FEWEST:
         return ()
-    needed = {*of_pages(evidence)} | {
-        d.name for m in packages.built for d in m.dependencies if d.role not in {"test", "doc"}
-    }
+    compiled = (m for m in packages.built if not m.metapackage)
+    needed = {*of_pages(evidence)} | {d.name for m in compiled for d in m.dependencies if d.role not in _NOT_COMPILED}
     alone = tuple(m.name for m in built if m.name and m.name not in needed)
     return folders_of(packages, alone) if len(alone) >= FEWEST // 2 else ()
 
