@@ -101,6 +101,19 @@ def test_a_list_brings_nothing_that_is_only_linked(tree: Tree) -> None:
     assert any("has no key tool_msgs_x" in each and "cloned repositories may hold it" in each for each in told)
 
 
+def test_a_list_comes_before_the_owners_repository_of_a_name(tree: Tree) -> None:
+    files = {
+        ".git/config": '[remote "origin"]\n\turl = https://github.com/maker/demo.git\n',
+        ".git/HEAD": "ref: refs/heads/a\n",
+        "package.xml": PACKAGE.format("<depend>tool_msgs_x</depend>"),
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+        "README.md": "ROS 2 Humble\n",
+    }
+    assert [each.name for each in tree(files).source] == ["tool_msgs_x", "tool_msgs"]
+    found = tree({**files, "Dockerfile.tool": IMAGE.format(CLONE, "$HOME/lists/$FILE")}).source
+    assert [each.name for each in found] == ["lists"]
+
+
 def test_none_is_read_where_nothing_is_missing(tree: Tree) -> None:
     assert _lists(tree, IMAGE.format(CLONE, "$HOME/lists/$FILE"), "<depend>rclcpp</depend>") == []
 

@@ -62,9 +62,12 @@ class Sources:
         return unknown or plain(wanted) in self.sought_there
 
     def hardly_holds(self, wanted: str) -> bool:
-        """Tell whether a package can only be in clones that are most likely another package alone, called alike."""
+        """Tell whether a package can only be in clones that are most likely another package alone, called alike.
+
+        Where there are lists they come first: they may name the branch or commit that is meant.
+        """
         others = self._called_otherwise() - {plain(wanted)}
-        return self.may_hold(wanted) and others.issuperset(self._unknown())
+        return not self.of_lists and self.may_hold(wanted) and others.issuperset(self._unknown())
 
     def renamed(self, wanted: str) -> str:
         """Return the package of a clone that has a package's name behind one more word, ``""`` where none has.
