@@ -963,7 +963,7 @@ def test_a_plugin_of_gazebo_that_no_distribution_released_comes_from_the_table(
         "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
         "CMakeLists.txt": "find_package(catkin REQUIRED)\n",
         "urdf/robot.xacro": f"<robot>{plugin}</robot>",
-        "README.md": "ROS Noetic\n",
+        "README.md": "ROS Noetic, in Gazebo\n",
     }
     assert [source.name for source in tree(files).source] == sources
 

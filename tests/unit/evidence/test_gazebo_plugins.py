@@ -40,7 +40,26 @@ def test_every_package_is_named_once_where_its_plugin_is_loaded(tmp_path: Path) 
 def test_a_plugin_without_the_beginning_and_the_end_of_its_library(tmp_path: Path) -> None:
     plugin = '<plugin\n  filename="gz_ros2_control-system"\n  name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
     files = {"urdf/robot.xacro": f"<robot>\n{plugin}\n</plugin>\n</robot>\n", "urdf/b.xacro": '<mesh filename="gz"/>'}
+    files["package.xml"] = "<package><name>arm</name><depend>ros_gz_sim</depend></package>"
     assert [(each.name, each.line) for each in read(_write(tmp_path, files))] == [("gz_ros2_control", 3)]
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "found"),
+    [
+        ("launch/arm.launch", "<launch><node pkg='arm' type='driver' name='driver'/></launch>", False),
+        ("launch/arm.launch", "<launch><node pkg='gazebo_ros' type='spawn_model' name='a'/></launch>", True),
+        ("launch/arm.launch.py", "Node(package='ros_gz_sim', executable='create')", True),
+        ("package.xml", "<package><name>arm</name><exec_depend>gazebo_ros</exec_depend></package>", True),
+        ("README.md", "# Arm\nIt can be simulated.\n", True),
+        ("README.md", "# Arm\nA driver.\n", False),
+        ("worlds/a.world", "<sdf/>", True),
+        ("third_party/README.md", "Gazebo\n", False),
+    ],
+)
+def test_a_robot_that_nothing_simulates_needs_no_plugins(tmp_path: Path, path: str, text: str, found: bool) -> None:
+    files = {"urdf/arm.urdf": '<plugin name="c" filename="libgazebo_ros_control.so"/>\n', path: text}
+    assert bool(read(_write(tmp_path, files))) is found
 
 
 @pytest.mark.parametrize(

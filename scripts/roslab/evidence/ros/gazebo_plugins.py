@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matches_at
 from roslab.evidence.lex.xml_comments import without_xml_comments
+from roslab.evidence.prose.pages import pages
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
@@ -16,9 +19,17 @@ _LIBRARY = pattern(r"lib[\w-]{1,80}\.so\b(?!\.)")
 _BARE = pattern(r"filename\s{0,9}=\s{0,9}[\"']([\w-]{1,80})[\"']")
 """As today's Gazebo finds it: ``gz_ros2_control-system`` is libgz_ros2_control-system.so."""
 
+_ROBOTS = (".xacro", ".urdf", ".gazebo")
+"""Descriptions of robots, which name plugins for whoever simulates them."""
+_BUILD = ("package.xml", "CMakeLists.txt", "Dockerfile")
+_SIMULATES = pattern(r"gazebo|ignition|(?<![a-z])gz(?![a-z])|simulat|spawn", re.IGNORECASE)
+
 
 def read(repository: Repository) -> tuple[Dependency, ...]:
-    """Return the packages of the libraries that are loaded, each once, where it is loaded first."""
+    """Return the packages of the libraries that are loaded, each once, where it is loaded first.
+
+    None of those that descriptions of robots name where nothing else of the tree speaks of a simulation.
+    """
     described = repository.suffixed(".xacro", ".urdf", ".sdf", ".world", ".gazebo", ".launch")
     launching = (file for file in repository.suffixed(".py") if "launch" in file.name)
     files = [file for file in (*described, *launching) if file.size <= MAX_SIZE and not places.vendored(file.path)]
@@ -37,4 +48,17 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 found[name] = Dependency(
                     namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec"
                 )
+    if found and all(each.file.endswith(_ROBOTS) for each in found.values()) and not _simulates(repository):
+        return ()
     return tuple(found.values())
+
+
+def _simulates(repository: Repository) -> bool:
+    """Tell whether there is a world, or what starts, builds or explains the tree speaks of a simulation."""
+    if repository.suffixed(".world", ".sdf"):
+        return True
+    launching = (file for file in repository.suffixed(".launch", ".py", ".xml", ".yaml") if "launch" in file.name)
+    building = (file for name in _BUILD for file in repository.named(name))
+    files = (*launching, *building, *repository.suffixed(".repos", ".rosinstall", ".sh"))
+    files = (*pages(repository), *nearest(files)[:MAX_FILES])
+    return any(_SIMULATES.search(repository.read(file)) for file in files if not places.vendored(file.path))
