@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 WEIGHT = 90
 """Nothing competes with it."""
 _GCC = "GCC"
+_LIBRARY, _WITH_LIBRARY, _WITHOUT_LIBRARY = "stdc++fs", "8", "9"
+"""GCC 8 has std::filesystem in a library of its own: https://gcc.gnu.org/gcc-9/changes.html"""
 _TOOLCHAIN = "ubuntu-toolchain-r/"
 """The owner of the PPAs with compilers."""
 _COMPILER = pattern(r"(?:g\+\+|gcc)-(\d+(?:\.\d)?)")
@@ -58,7 +60,8 @@ def decide_compiler(of: Choices, evidence: Evidence, config: Config) -> Choice[C
     there = (each for each in _releases(_by_apt(of)) if _is_there(of, ubuntu, each))
     brought = sorted((*there, *_releases(config.apt)), key=Version)
     own = next((each for each in brought if Version(each) >= Version(needed)), None)
-    version = own or (None if of.on_cuda else newer_compiler(ubuntu, needed))
+    wanted = _WITHOUT_LIBRARY if needed == _WITH_LIBRARY and not _links(evidence) else needed
+    version = own or (None if of.on_cuda else newer_compiler(ubuntu, wanted))
     if version is None:
         message = (
             f"the code needs GCC {needed} or newer ({newest.what}), and {ubuntu} has an older one: what includes "
@@ -68,6 +71,10 @@ def decide_compiler(of: Choices, evidence: Evidence, config: Config) -> Choice[C
         return Choice(answer=NONE, warnings=(warn(message, newest),))
     why = f"the code needs GCC {needed} or newer ({newest.what}), and {ubuntu} has an older one"
     return _taken(of, config, ubuntu, version, because("dependencies", f"g++-{version}", why, newest, weight=WEIGHT))
+
+
+def _links(evidence: Evidence) -> bool:
+    return any(asked.name == _LIBRARY for project in evidence.cmake for asked in project.dependencies)
 
 
 def _installed(of: Choices, evidence: Evidence, config: Config, ubuntu: str) -> Choice[Compiler]:

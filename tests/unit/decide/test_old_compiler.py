@@ -110,3 +110,15 @@ def test_one_that_the_ubuntu_cannot_have_is_not_taken(tmp_path: Path) -> None:
     assert found.workspace is not None
     assert found.workspace.variables == ()
     assert "g++-15" in found.apt_guessed
+
+
+@pytest.mark.parametrize(("links", "version"), [("target_link_libraries(demo stdc++fs)\n", "8"), ("", "9")])
+def test_what_does_not_link_the_library_of_file_systems_gets_a_compiler_without_it(
+    tmp_path: Path, links: str, version: str
+) -> None:
+    cmake = CMAKE.replace("ament_package", "catkin_package").replace("rclcpp", "catkin") + links
+    code = "#include <filesystem>\nint main() {}\n"
+    files = {"package.xml": KINETIC, "CMakeLists.txt": cmake, "main.cpp": code}
+    found = plan(tmp_path, {**files, "roslab.yaml": "format: 3\nbase: {ros: melodic}\n"})
+    assert found.workspace is not None
+    assert found.workspace.variables == (("CC", f"gcc-{version}"), ("CXX", f"g++-{version}"))
