@@ -46,6 +46,36 @@ def test_only_who_needs_it_is_built_beside_the_others(tmp_path: Path, needs: str
     assert (alone in dockerfile(plan)) == apart
 
 
+SETUP = """from setuptools import setup
+{}
+setup(name='acme', install_requires=['box2d-py'], ext_modules=[{}('acme.fast', [])])
+"""
+BY_PYBIND = "from pybind11.setup_helpers import Pybind11Extension"
+
+
+@pytest.mark.parametrize(
+    ("imported", "extension", "needs", "apart"),
+    [
+        (BY_PYBIND, "Pybind11Extension", "'setuptools>=42', 'wheel', 'pybind11'", True),
+        ("from setuptools import Extension", "Extension", "'setuptools', 'Cython'", True),
+        (BY_PYBIND, "Pybind11Extension", "'setuptools'", False),  # it imports more
+        (f"{BY_PYBIND}\nimport numpy", "Pybind11Extension", "'setuptools', 'pybind11', 'numpy'", False),
+        ("from torch.utils.cpp_extension import CppExtension", "CppExtension", "'setuptools', 'torch'", False),
+        ("from torch.utils.cpp_extension import CUDAExtension", "CUDAExtension", "'setuptools', 'ninja'", False),
+    ],
+)
+def test_an_extension_is_built_in_isolation_with_what_its_own_file_names(
+    tmp_path: Path, imported: str, extension: str, needs: str, apart: bool
+) -> None:
+    backend = f"[build-system]\nrequires = [{needs}]\nbuild-backend = 'setuptools.build_meta'\n"
+    tree_of(
+        tmp_path, {"setup.py": SETUP.format(imported, extension), "pyproject.toml": backend, "acme/__init__.py": ""}
+    )
+    plan = plan_repository(tmp_path).plan
+    assert "swig" in plan.python.first
+    assert plan.python.isolated == ((".",) if apart else ())
+
+
 def test_where_nothing_must_be_there_first_each_build_is_isolated_anyway(tree: Tree) -> None:
     decision = tree({"pyproject.toml": OWN.format("six", "'hatchling'", "hatchling.build"), **CODE})
     assert (decision.python.first, decision.python.isolated) == ((), ())

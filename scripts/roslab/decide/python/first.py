@@ -9,7 +9,7 @@ from roslab.decide.python.packages import Chosen
 from roslab.decide.system.cmake_version import BRINGS_CMAKE, NEW
 from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.compiled import prebuilt
-from roslab.knowledge.frameworks import backend_needs, build_needs, imports
+from roslab.knowledge.frameworks import backend_needs, build_needs, framework_on_cuda, imports
 from roslab.knowledge.guesses import tooling
 from roslab.values.interpreter import Interpreter
 from roslab.values.requirement import Requirement
@@ -67,11 +67,29 @@ def first_and_guesses(
 def isolated(projects: Sequence[PythonProject], compiled_first: Sequence[Requirement]) -> tuple[str, ...]:
     """Return the folders of the projects that pip can build in isolation all the same, though some package cannot be.
 
-    Their backend compiles nothing and nothing else builds with it, so that what must be there first is for others.
+    Their backend compiles nothing and nothing else builds with it, so that what must be there first is for others; or
+    their pyproject.toml names all that their extensions are built with, and that is for none of what is installed.
     """
-    apart = (p for p in projects if compiled_first and not p.extensions and not p.setup_imports)
-    needs = ((p.folder or ".", {each.key for each in p.build_requires}) for p in apart)
-    return tuple(folder for folder, keys in needs if keys and keys.issubset(tooling("backends")))
+    return tuple(p.folder or "." for p in projects if compiled_first and (_compiles_nothing(p) or _by_itself(p)))
+
+
+def _compiles_nothing(project: PythonProject) -> bool:
+    keys = {each.key for each in project.build_requires}
+    plain = not project.extensions and not project.setup_imports
+    return plain and bool(keys) and keys.issubset(tooling("backends"))
+
+
+def _by_itself(project: PythonProject) -> bool:
+    """Tell whether it compiles with what its pyproject.toml names, and with nothing that must be what is installed."""
+    keys = {each.key for each in project.build_requires}
+    installed = {"numpy", *(key for key in keys if framework_on_cuda(key))}
+    return (
+        {"c", "cython", "cmake"}.issuperset(project.extensions)
+        and _isolated(project)
+        and keys.isdisjoint(installed)
+        and "." not in project.setup_imports
+        and not tuple(_for_setup(project))
+    )
 
 
 def _as_asked(need: Requirement, author: Requirement | None) -> Requirement:
@@ -87,7 +105,8 @@ def _isolated(project: PythonProject) -> bool:
     An extension of torch is built in the image's own environment all the same: it must fit the torch that is there.
     """
     needs = {each.key for each in project.build_requires} - {"setuptools", "wheel", "setuptools-scm"}
-    return bool(needs) and project.file.endswith("pyproject.toml") and "cuda" not in project.extensions
+    named = any(each.file.endswith("pyproject.toml") for each in project.build_requires)
+    return bool(needs) and named and "cuda" not in project.extensions
 
 
 def _calls_cmake(project: PythonProject) -> bool:
