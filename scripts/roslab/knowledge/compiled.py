@@ -59,3 +59,9 @@ def public_hosts() -> frozenset[str]:
 def programs() -> dict[str, str]:
     """Return the package of apt that has a program, by the program's name."""
     return {row["program"]: row["apt"] for row in rows("programs")}
+
+
+@cache
+def sources_need() -> dict[str, tuple[str, ...]]:
+    """Return the apt packages that a pip package is compiled with where it has no wheel."""
+    return {row["pip"]: tuple(row["apt"].split()) for row in rows("sources_need")}

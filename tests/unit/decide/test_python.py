@@ -290,6 +290,19 @@ def test_only_older_wheels_need_what_they_were_linked_with(tmp_path: Path, asked
     assert "libgl1" in found
 
 
+@pytest.mark.parametrize(
+    ("asked", "needed"),
+    [("pillow==7.2.0\nnumpy==1.26", True), ("pillow==7.2.0\nnumpy==1.19.5", False), ("pillow\nnumpy==1.26", False)],
+)
+def test_a_release_without_a_wheel_for_the_python_is_compiled_with_its_libraries(
+    tmp_path: Path, asked: str, needed: bool
+) -> None:
+    evidence = evidence_of(tmp_path, {"requirements.txt": f"{asked}\nmatplotlib==3.8.2\n" * needed or f"{asked}\n"})
+    python = chosen(evidence, Config(), "python")
+    found = dict(apt_for_wheels(python, installed(evidence, python), "focal", evidence))
+    assert ({"libjpeg-dev", "zlib1g-dev"} <= set(found)) == needed
+
+
 def test_imports_of_ros_code_come_from_apt(tmp_path: Path) -> None:
     evidence = evidence_of(tmp_path, {"n.py": "import numpy\nimport rospy\nimport ultralytics\n"})
     focal = chosen(evidence, Config(), "ros1", "focal", "noetic")

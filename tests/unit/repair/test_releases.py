@@ -222,3 +222,15 @@ def test_beside_ros_no_other_python_is_named(tmp_path: Path) -> None:
     found = repaired(tmp_path, OF_ROS, f"{TRACE}{JOBLIB}\n")
     assert found.changes == ()
     assert "base.python" not in found.refused[0][1]
+
+
+def test_what_pillow_is_compiled_with_is_installed(tmp_path: Path) -> None:
+    said = (
+        "#6 [3/4] RUN pip install -r requirements.txt\n"
+        "#6 1.2       The headers or library files could not be found for jpeg,\n"
+        "#6 1.2       a required dependency when compiling Pillow from source.\n"
+        "#6 1.3   ERROR: Failed building wheel for pillow\n"
+        '#6 ERROR: process "/bin/sh -c pip install -r requirements.txt" did not complete: exit code: 1\n'
+    )
+    found = repaired(tmp_path, {"requirements.txt": "pillow==7.2.0\n"}, said)
+    assert [(change.key, change.value) for change in found.certain.changes] == [("apt", "libjpeg-dev")]

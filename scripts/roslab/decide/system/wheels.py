@@ -10,13 +10,14 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python.of_python3 import package_of
+from roslab.knowledge.compiled import sources_need
 from roslab.knowledge.distros import ubuntus_with_python2
-from roslab.knowledge.frameworks import imports, older_wheels, wheels
+from roslab.knowledge.frameworks import framework, imports, older_wheels, wheels
 from roslab.knowledge.not_on_index import not_on_index
 from roslab.knowledge.python2_packages import system_package
 from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
-from roslab.values.version import version_of
+from roslab.values.version import Version, version_of
 
 _TK = "python3-tk"
 """Of the distribution's Python only; conda's brings Tk itself. https://github.com/conda-forge/python-feedstock"""
@@ -28,7 +29,8 @@ def apt_for_wheels(
     """Return ``(apt name, the requirement or import that needs it)``; ``ubuntu`` is ``None`` on Debian bookworm."""
     found: dict[str, Dependency | Requirement] = {}
     of_python2 = python.manager == "system" and (python.version or "").startswith("2")
-    needed: list[tuple[str, Dependency | Requirement]] = [*_of_wheels(installed), *_by_hand(evidence)]
+    compiled = () if python.manager == "system" else _of_sources(installed, python.version)
+    needed: list[tuple[str, Dependency | Requirement]] = [*_of_wheels(installed), *compiled, *_by_hand(evidence)]
     for apt, asked in needed:
         if python.manager == "conda" and apt == _TK:
             continue
@@ -57,6 +59,15 @@ def apt_for_wheels(
 def _of_wheels(installed: tuple[Requirement, ...]) -> Iterator[tuple[str, Requirement]]:
     for asked in installed:
         yield from ((apt, asked) for apt in (*wheels().get(asked.key, ()), *_older(asked)))
+
+
+def _of_sources(installed: tuple[Requirement, ...], python: str | None) -> Iterator[tuple[str, Requirement]]:
+    """Yield what a release is compiled with whose last wheels are for an older Python."""
+    for asked in installed:
+        needs = sources_need().get(asked.key, ())
+        known = framework(asked.key, asked.release) if needs and python and asked.release else None
+        if known and python and Version(known.python_max) < Version(python):
+            yield from ((apt, asked) for apt in needs)
 
 
 def _by_hand(evidence: Evidence) -> Iterator[tuple[str, Dependency]]:
