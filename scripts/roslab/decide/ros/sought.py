@@ -206,7 +206,8 @@ def _cloned(
 
     Those are all where it is of the repository's owner, else those that share a word with it, or begin with the same
     one; then those that no clone is called like, where the package that asks for them has the page, or where a page at
-    the root clones few others: ``px_comm`` is in ``px-ros-pkg``. Not what Ubuntu has.
+    the root clones few others: ``px_comm`` is in ``px-ros-pkg``. Not what a section clones that says what belongs into the
+    workspace, nor what Ubuntu has.
     """
     cloned = [git for git in cloned if not of_ubuntu(git)]
     names = tuple(lacking)
@@ -221,6 +222,8 @@ def _cloned(
         if held := tuple(asked.name for asked in left if _of_page(asked, git)):
             found.setdefault(https(git.url).removesuffix(".git"), held)
     others = [git for git in cloned if known.isdisjoint((git.name, plain(git.name))) and address(git.url) not in taken]
+    placed = {(git.file, git.heading) for git in evidence.sources if git.beside}
+    others = [git for git in others if (git.file, git.heading) not in placed]
     root = _of_root(others, tuple(asked.name for asked in left))
     return found | {url: names for url, names in root.items() if url not in found}
 

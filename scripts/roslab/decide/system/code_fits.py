@@ -73,7 +73,8 @@ def _unpackaged(evidence: Evidence, ubuntu: str) -> dict[str, None]:
     """Return what CMake requires, and packages of other Ubuntus alone bring; ROS may bring it as its own."""
     found: dict[str, None] = {}
     for d in (d for project in _built(evidence) for d in project.dependencies):
-        required = d.namespace == "cmake" and d.strength == "declared" and d.role != "test" and not d.target
+        always = d.namespace == "cmake" and d.required and not (d.condition or d.target)
+        required = always and d.strength == "declared" and d.role != "test"
         one = library("cmake", d.name, ubuntu) if required else None
         if one and one.elsewhere and not one.ros and not _brought(d.name.partition(" ")[0], evidence):
             found[f"{d.name} ({d.file}:{d.line})"] = None
