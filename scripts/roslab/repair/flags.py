@@ -40,10 +40,11 @@ def flags(found: Explanation, given: Given) -> Worked:
 
 
 def compiler(found: Explanation, given: Given) -> Worked:
-    """Install the oldest GCC that knows the standard which the one of the image does not know."""
-    said, ubuntu = dict(found.names).get("standard", ""), given.plan.ubuntu
-    known = (limit.at_least for limit in limits() if limit.where == "standard" and limit.pattern.search(said))
-    needed = next((each for each in known if each), None)
+    """Install the oldest GCC that knows the standard, or has the header, which the one of the image does not know."""
+    names, ubuntu = dict(found.names), given.plan.ubuntu
+    where, said = ("include", names["header"]) if "header" in names else ("standard", names.get("standard", ""))
+    known = (limit for limit in limits() if limit.where == where and limit.library == "GCC")
+    needed = next((limit.at_least for limit in known if limit.at_least and limit.pattern.search(said)), None)
     newer = newer_compiler(ubuntu, needed) if needed and ubuntu else None
     if newer is None or given.plan.kind == "cuda":
         return Worked(why=found.fix)

@@ -14,6 +14,7 @@ from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
 from roslab.repair import clones, flags, linked_packages, missing, releases
 from roslab.repair.change import Given, Worked
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 from roslab.values.specifier import admits, specifiers
 from roslab.values.version import Version
@@ -217,6 +218,13 @@ def newer_ubuntu(_: Explanation, given: Given) -> Worked:
     return Worked(values=tuple(fitting[:1]), certain=False, why="there is no newer Ubuntu yet")
 
 
+def compiler(found: Explanation, given: Given) -> Worked:
+    """Install a newer compiler beside the Ubuntu's own, or take a newer Ubuntu where none is known."""
+    worked = flags.compiler(found, given)
+    newer = None if worked.values or given.plan.ros_distro else newer_ubuntu(found, given)
+    return replace(newer, key="base.ubuntu") if newer and newer.values else worked
+
+
 def renamed(found: Explanation, given: Given) -> Worked:
     """Replace a package of roslab.yaml that has another name today."""
     names = dict(found.names)
@@ -265,7 +273,7 @@ def absent(given: Given) -> tuple[str, ...]:
 
 
 WAYS: Mapping[str, Way] = {
-    "compiler": flags.compiler,
+    "compiler": compiler,
     "cmake": cmake,
     "dropped": releases.dropped,
     "flags": flags.flags,
