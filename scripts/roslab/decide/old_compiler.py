@@ -116,11 +116,11 @@ def _releases(apt: Iterable[str]) -> list[str]:
 def _taken(of: Choices, config: Config, ubuntu: str, version: str, *reasons: Reason) -> Choice[Compiler]:
     """Return a compiler with the PPA that has it, if any, which may be added already."""
     name = f"g++-{version}"
-    repository = repository_of(ubuntu, version)
+    repository, added = repository_of(ubuntu, version), {*of.repositories.answer, *config.repositories}
     return Choice(
         answer=Compiler(
             apt=() if name in config.apt else (name,),
-            repositories=(repository,) if repository and repository not in of.repositories.answer else (),
+            repositories=(repository,) if repository and repository not in added else (),
             variables=(("CC", f"gcc-{version}"), ("CXX", name)),
         ),
         reasons=reasons,

@@ -36,6 +36,12 @@ def plan(folder: Path, files: dict[str, str]) -> Plan:
         ("base: {ros: humble}\nenv: {CXX: g++-13}\n", FORMAT, "", ""),
         ("base: {ros: humble}\napt: [g++-13]\n", FORMAT, "13", "ppa:ubuntu-toolchain-r/test"),
         ("base: {ros: humble}\napt: [g++-12]\n", FORMAT, "13", "ppa:ubuntu-toolchain-r/test"),
+        (
+            "base: {ros: humble}\nrepo: ['ppa:ubuntu-toolchain-r/test']\napt: [g++-13]\n",
+            FORMAT,
+            "13",
+            "ppa:ubuntu-toolchain-r/test",
+        ),
         ("base: {ros: foxy}\n", "#include <span>\nint main() {}\n", "10", ""),
         ("base: {ros: humble}\napt: [g++-12]\n", "int main() {}\n", "12", ""),
         ("base: {ros: humble}\napt: [g++-10]\n", "int main() {}\n", "", ""),
