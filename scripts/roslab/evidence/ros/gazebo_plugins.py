@@ -8,13 +8,14 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matches_at
 from roslab.evidence.lex.xml_comments import without_xml_comments
-from roslab.evidence.prose.pages import pages
 from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
 MAX_FILES = 800
 """Most files that are opened, those nearest to the root first."""
+MAX_PAGES = 60
+"""Most pages that are opened."""
 _LIBRARY = pattern(r"lib[\w-]{1,80}\.so\b(?!\.)")
 _BARE = pattern(r"filename\s{0,9}=\s{0,9}[\"']([\w-]{1,80})[\"']")
 """As today's Gazebo finds it: ``gz_ros2_control-system`` is libgz_ros2_control-system.so."""
@@ -60,5 +61,7 @@ def _simulates(repository: Repository) -> bool:
     launching = (file for file in repository.suffixed(".launch", ".py", ".xml", ".yaml") if "launch" in file.name)
     building = (file for name in _BUILD for file in repository.named(name))
     files = (*launching, *building, *repository.suffixed(".repos", ".rosinstall", ".sh"))
-    files = (*pages(repository), *nearest(files)[:MAX_FILES])
+    written = (*repository.suffixed(".md", ".rst"), *repository.named("README"), *repository.named("README.txt"))
+    written = tuple(file for file in written if file.size <= MAX_SIZE and not file.name.upper().startswith("CHANGE"))
+    files = (*nearest(written)[:MAX_PAGES], *nearest(files)[:MAX_FILES])
     return any(_SIMULATES.search(repository.read(file)) for file in files if not places.vendored(file.path))
