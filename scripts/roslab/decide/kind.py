@@ -201,10 +201,11 @@ def _meta(evidence: Evidence) -> list[Reason]:
     """Read a repository that only lists others: its vcs files, its submodules and the distributions that pages name.
 
     A list at the root that only ROS's tools read outweighs requirements; submodules count only if the text uses one of
-    ROS's build tools.
+    ROS's build tools. The branches of a list name distributions, too.
     """
     listed = [source for source in evidence.sources if source.kind == "vcs"]
-    sides = [found.ros for m in evidence.mentions if m.topic == "distro" and (found := distro(m.value))]
+    named = (*(m.value for m in evidence.mentions if m.topic == "distro"), *(source.ref for source in listed))
+    sides = [found.ros for name in named if (found := distro(name))]
     own = [source for source in listed if "/" not in source.file and source.file.endswith((".repos", ".rosinstall"))]
     tools = {m.value for m in evidence.mentions if m.topic == "build_tool"}
     if not listed and not tools.isdisjoint(WORKSPACE_TOOLS) and sides:

@@ -10,6 +10,7 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.addresses import only_general, only_read, released_for
 from roslab.decide.ros.distro_dates import dated, later
 from roslab.decide.ros.distro_weights import Weight
+from roslab.decide.ros.listed_branches import listed_branches
 from roslab.decide.ros.lower_bounds import bounds, least
 from roslab.decide.ros.of_ubuntus import of_ubuntu, weight_of_ubuntu
 from roslab.evidence import places
@@ -56,6 +57,7 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
     """Return the best reason for each distribution of a ROS version that is named anywhere."""
     found: dict[str, Reason] = {}
     read = (*_dockerfiles(evidence), *_mentions(evidence, ros), *_branches(evidence, ros), *_channels(evidence))
+    read = (*read, *listed_branches(evidence, ros))
     for reason in read:
         known = distros().get(reason.answer)
         if known is None or known.ros != ros:
