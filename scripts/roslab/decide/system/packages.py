@@ -32,6 +32,7 @@ from roslab.decide.system.one_qt import of_another_qt
 from roslab.decide.system.recipes import lies_elsewhere, linked
 from roslab.decide.system.requested import requested
 from roslab.decide.system.ubuntu_ros import ros_of_ubuntu
+from roslab.decide.system.vendored import with_vendors, without_vendored
 from roslab.decide.system.wheels import apt_for_wheels
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -114,7 +115,8 @@ def decide_system(
     own = own_packages((key for key in keys if key.name not in found.skip), evidence, target)
     found.skip |= dict.fromkeys(own)
     unknown = [key for key in keys if not target.knows(key.name) and key.name not in rosdep_keys()]
-    found.skip |= dict.fromkeys((*own_targets(unknown, evidence), *sorted(by_page(unknown, evidence))))
+    paged = by_page(without_vendored(unknown, target), evidence)
+    found.skip |= dict.fromkeys((*own_targets(unknown, evidence), *sorted(paged)))
     submodules = tuple(source.name for source in evidence.sources if source.kind == "submodule")
     by_pip = {each.key for each in installed}
     ours = controllers((key for key in unknown if key.name not in tried and not may_hold(key.name)), evidence)
@@ -155,6 +157,7 @@ def decide_system(
     of_ros = () if target.ros_distro else ros_of_ubuntu(evidence, python, target.ubuntu)
     for apt, asked in (*apt_for_wheels(python, installed, target.ubuntu, evidence), *of_ros):
         found.guessed.setdefault(apt, asked)
+    found.guessed = with_vendors(found.guessed, target)
     refused = never(cuda=target.cuda)
     other = of_another_qt(found.guessed, found.declared, (each for each, _ in needed))
     kept = {n: d for n, d in found.guessed.items() if n not in {*found.declared, *other} and not refused.match(n)}
