@@ -36,3 +36,22 @@ def test_of_a_page_and_of_a_key(  # noqa: PLR0917 - a row each
     installed = {*(decision := tree(files)).apt, *decision.apt_guessed}
     assert found in installed
     assert other not in installed
+
+
+@pytest.mark.parametrize(
+    ("call", "found"),
+    [
+        ("gz_find_package(gz-sim8 REQUIRED COMPONENTS core)", True),
+        ("gz_find_package(TINYXML2 REQUIRED PRIVATE_FOR gz-sim8)", False),
+    ],
+)
+def test_what_gazebo_s_own_call_finds_is_needed(tree: Tree, call: str, *, found: bool) -> None:
+    files = {
+        "package.xml": MANIFEST.format(""),
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n"
+        f"find_package(gz-cmake3 REQUIRED)\n{call}\n",
+        "README.md": "# ROS 2 Jazzy\n",
+    }
+    decision = tree(files)
+    assert ("ros-jazzy-gz-sim-vendor" in {*decision.apt, *decision.apt_guessed}) is found
+    assert not [w for w in decision.warnings if "TINYXML2" in w.message]

@@ -14,7 +14,11 @@ from roslab.knowledge.libraries import library
 from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 
-_FINDING = frozenset(["find_package", "find_dependency", "add_project_dependency", "add_project_private_dependency"])
+_OF_GAZEBO = frozenset(["gz_find_package", "ign_find_package"])
+_LIBRARIES_OF_GAZEBO = ("gz-", "ignition-")
+"""Of what these find, its own libraries: https://github.com/gazebosim/gz-cmake, cmake/GzFindPackage.cmake, 2026-11-28;
+of others they write names of files ``Find….cmake`` that gz-cmake brings."""
+_FINDING = _OF_GAZEBO | {"find_package", "find_dependency", "add_project_dependency", "add_project_private_dependency"}
 """``find_package`` and what calls it: https://github.com/jrl-umi3218/jrl-cmakemodules, its package-config.cmake"""
 CALLS = _FINDING | frozenset(
     [
@@ -185,6 +189,8 @@ def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
     strength = _strength(call, required=required, quiet="QUIET" in call.words)
     for name in call.words[0].split():  # a foreach over a list gives several
         if not _NAME.match(name) or name == project:
+            continue
+        if call.name in _OF_GAZEBO and not name.startswith(_LIBRARIES_OF_GAZEBO):
             continue
         if name in _ROS_FINDERS:
             for component in finder.components:
