@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
+from roslab.decide.python.firmware import without_firmware
 from roslab.decide.python.guesses import known_names
 from roslab.decide.python.may_bring import (
     SHORTEST,
@@ -76,6 +77,7 @@ def lost(
     yield from (_not_committed(lacking[used.name], kind) for used in unknown if used.name in lacking)
     named = {bare_name(each.name) for each in (*chosen.declared, *chosen.guessed)}  # PyFactorGraph: py_factor_graph
     unknown = [used for used in unknown if used.name not in lacking and bare_name(used.name) not in named]
+    unknown = without_firmware(unknown)
     stops = {each.value: each for each in chosen.stopping}
     stopping = [used for used in unknown if used.name in stops]
     for at, found in ((stops, stopping), ({}, [used for used in unknown if used.name not in stops])):
