@@ -129,6 +129,23 @@ def test_a_script_that_starts_programs_finds_the_author_s_workspace(
 
 
 @pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("source ~/robot_ws/install/setup.bash\nros2 launch server a.py\n", "~/robot_ws/install"),
+        ("source /home/me/robot_ws/install/local_setup.sh\nros2 run server a\n", "/home/me/robot_ws/install"),
+        ("source ~/Desktop/robot/install/setup.bash\nros2 launch server a.py\n", "~/Desktop/robot/install"),
+        ("source ~/robot_ws/devel/setup.bash\nros2 launch server a.py\n", ""),
+        ("source ~/a_ws/install/setup.bash\nsource ~/b_ws/install/setup.bash\nros2 launch server a.py\n", ""),
+        ("source /opt/ros/humble/setup.bash\nros2 launch server a.py\n", ""),
+        ("source ~/robot_ws/install/setup.bash\n", ""),
+    ],
+)
+def test_the_one_workspace_that_such_a_script_sources_is_the_image_s(tree: Tree, text: str, found: str) -> None:
+    made = [(found, "workspace/install")] if found else []
+    assert linked(tree, {**package("server"), "boot.sh": f"set -e\n{text}"}) == made
+
+
+@pytest.mark.parametrize(
     ("name", "text", "found"),
     [
         ("scripts/a.py", 'open("{}")\n', True),

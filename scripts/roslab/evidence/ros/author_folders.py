@@ -45,6 +45,7 @@ _ANYBODY = "/home/~/"
 """What stands for that home while a path is looked at."""
 _HOME = pattern(r"/(?:home|Users)/[A-Za-z][\w.-]*/.|/root/.|[A-Z]:\\")
 _BUILT = pattern(r"(/.+)/(install|devel)/(?:[\w-]+/)?(?:share|lib)/([\w-]+)/.+")
+_SETUP = pattern(r"(/.+)/(install|devel)/(?:local_)?setup\.(?:ba|z)?sh")
 _NAMED = pattern(r"^[ \t]*(\w+)[ \t]*(?::[ \t]*\w+[ \t]*)?=[ \t]*(?:\w+\()?[rRfF]?[\"']$")
 """What stands before a path that gets a name."""
 _IF = (
@@ -76,19 +77,20 @@ def read(repository: Repository, packages: Iterable[tuple[str, str]]) -> tuple[A
     files = (f for f in code if f.size <= MAX_SIZE and not places.vendored(f.path))
     for file in nearest(f for f in files if not _MADE.search(f.path))[:MAX_FILES]:
         text = repository.read(file)
-        if not any(hint.search(text) for hint in _HINTS):
+        shell = file.path.endswith(SHELL_SCRIPTS)
+        if not (any(hint.search(text) for hint in _HINTS) or (shell and "/setup." in text)):
             continue
-        if file.path.endswith(SHELL_SCRIPTS) and (not _STARTS.search(text) or _SETS_UP.search(text)):
+        if shell and (not _STARTS.search(text) or _SETS_UP.search(text)):
             continue
         if file.path.endswith(_XML):
             text = without_xml_comments(text)
-        here = 0
+        here, sourced = 0, _sourced(text) if shell else ""
         for at, path in _written(text):
             if (file.path, path) in found or here >= MOST or path.startswith(_KEPT):
                 continue
             if _commented(file.path, text, at):
                 continue
-            prefix, folder, made, there = tree.meant(path) or ("", "", False, False)
+            prefix, folder, made, there = tree.meant(path) or tree.of_setup(path, sourced) or ("", "", False, False)
             if prefix or (_HOME.match(path) and not path.startswith(_ANYBODY)):
                 here += 1
                 found[file.path, path] = AuthorPath(
@@ -110,6 +112,12 @@ def _written(text: str) -> list[tuple[int, str]]:
     at_home = {match.end(): match for match in homes}
     paths = [(match.start(), match[0].rstrip(".")) for match in _PATH.finditer(text) if match.end() not in at_home]
     return paths + [(match.start(), _ANYBODY + match[1].rstrip(".")) for match in at_home.values()]
+
+
+def _sourced(text: str) -> str:
+    """Return the only setup file of a workspace that a script names, ``""`` for none or several: some are others'."""
+    found = {path for _, path in _written(text) if _SETUP.fullmatch(path) and not path.startswith(_KEPT)}
+    return found.pop() if len(found) == 1 else ""
 
 
 def _spelled(path: str) -> str:
@@ -160,6 +168,11 @@ class _Tree:
             return (*found, False, True) if self._of_author(found[0]) else None
         found = self._found(parts[:-1])
         return (*found, False, False) if found and self._of_author(found[0]) else None
+
+    def of_setup(self, path: str, sourced: str) -> tuple[str, str, bool, bool] | None:
+        """Return the same of the one setup file that a script sources: the author built the tree's packages there."""
+        setup = _SETUP.fullmatch(path) if path == sourced and self.packages else None
+        return (f"{setup[1]}/{setup[2]}", setup[2], True, True) if setup and not _short(setup[1]) else None
 
     def _of_author(self, folder: str) -> bool:
         """Tell whether a folder may be one author's: where the tree has no packages, none at the top of a machine."""
