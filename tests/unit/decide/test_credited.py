@@ -63,3 +63,22 @@ def test_thanks_are_no_sources(tree: Tree, title: str, cloned: list[str]) -> Non
 def test_the_page_of_another_project_says_nothing(tree: Tree, title: str, cloned: list[str]) -> None:
     nested = f"# {title}\n\n```\ngit clone https://github.com/other/Fast-Planner.git\n```\n"
     assert _cloned(tree(_tree("swarm_msgs", "", nested=nested))) == cloned
+
+
+@pytest.mark.parametrize(("others", "looked"), [(2, True), (1, False)])
+def test_a_word_of_many_packages_of_the_tree_tells_of_no_submodule(tree: Tree, others: int, looked: bool) -> None:
+    needs = CMAKE.replace("REQUIRED", "REQUIRED COMPONENTS acme_msgs")
+    files = _tree("acme_msgs", "    roslaunch acme_demo a.launch\n", "demo/acme_models") | {
+        ".git/config": '[remote "origin"]\n\turl = https://github.com/lab/demo.git\n',
+        ".git/HEAD": "ref: refs/heads/a\n",
+        "demo/package.xml": PACKAGE.format("acme_msgs").replace(">demo<", ">acme_demo<"),
+        "demo/CMakeLists.txt": needs,
+        "demo/launch/a.launch": '<launch><node pkg="acme_demo" type="a" name="a"/></launch>\n',
+    }
+    for name in [f"acme_{number}" for number in range(others)]:
+        files |= {f"{name}/package.xml": PACKAGE.format("acme_msgs").replace(">demo<", f">{name}<")}
+        files[f"{name}/CMakeLists.txt"] = needs.replace("demo", name)
+    decision = tree(files)
+    assert ("acme_msgs" in _cloned(decision)) is looked
+    if looked:  # the command needs it, so that it is looked for: others are left out only where it is not there
+        assert (decision.left_out, decision.lacking) == ((), (("acme_msgs", ("acme_0", "acme_1")),))

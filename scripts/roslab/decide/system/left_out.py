@@ -55,13 +55,15 @@ def leave_out(
 
     ``lacking``: packages, each with a name that CMake requires and nothing brings; ``left``: packages that are left out
     already. ``tried``: where the build looks for such names; ``linked``: those of them for which a page names a
-    repository. What needs these is left out only in the image, where none holds them. ``alike``: the names of
-    the tree, by these in small letters.
+    repository. What needs these, or one that the command lacks, is left out only in the image, where none holds
+    them. ``alike``: the names of the tree, by these in small letters.
     """
     out: dict[str, None] = dict.fromkeys(left)
     perhaps: dict[str, list[str]] = {}
     warnings = []
     stops: dict[str, None] = {}
+    of_command = (name for package, name in lacking if name in tried and {*needing(package, packages)} & {*started})
+    linked = {*linked, *of_command}
     for (package, name), asked in sorted(lacking.items(), key=lambda each: each[0][1] in linked):
         if package in left:
             continue
