@@ -51,7 +51,7 @@ included() {
   { grep --recursive --no-filename --only-matching --text --extended-regexp "${aside[@]/#/--exclude-dir=}" \
     --include='*.'{h,hh,hpp,hxx,c,cc,cpp,cxx} '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"][A-Za-z0-9_./+-]+[>"]' \
     "${folder}" || true; } | sed --expression 's/.*[<"]\(.*\)[>"]/\1/' | LC_ALL=C sort --unique |
-    awk 'NR == FNR { for (i = 1; $i != "="; i++) known[$i]; next } # those that the tables know
+    awk 'NR == FNR { for (i = 1; i <= NF && $i != "="; i++) known[$i]; next } # those that the tables know
       { first = path = "header:" tolower($0); sub(/\/.*/, "/", first) }
       path in known || first in known' <(cat "${tables}"/libraries-*.txt) - | while read -r path; do
     # Of Qt each has a component
