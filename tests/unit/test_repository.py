@@ -27,6 +27,14 @@ def test_lists_regular_files_sorted_and_skips_version_control(tmp_path: Path) ->
     assert [file.path for file in repository.suffixed(".CPP", ".txt")] == ["a/z.cpp", "b.txt"]
 
 
+def test_what_an_editor_keeps_of_a_file_is_none_without_a_suffix(tmp_path: Path) -> None:
+    for name in ("install", "install~", "page.md", "page.md~", ".bashrc~"):
+        write(tmp_path / name)
+    repository = Repository.open(tmp_path)
+    assert [file.path for file in repository.suffixed("")] == ["install"]
+    assert [file.path for file in repository.suffixed(".md")] == ["page.md"]
+
+
 def test_what_is_made_of_a_repository_is_made_once_and_anew_without_files(tmp_path: Path) -> None:
     write(tmp_path / "a.txt")
     write(tmp_path / "b.txt")

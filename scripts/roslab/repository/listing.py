@@ -30,9 +30,12 @@ class File:
 
     @property
     def suffix(self) -> str:
-        """Suffix of the name, lower-cased, with its dot; ``""`` for none and for ``.bashrc``."""
+        """Suffix of the name, lower-cased, with its dot; ``""`` for none and for ``.bashrc``.
+
+        ``install~``, which an editor keeps of a file before a change, has that sign for one: nobody means it.
+        """
         stem, dot, suffix = self.name.rpartition(".")
-        return f".{suffix.lower()}" if dot and stem else ""
+        return f".{suffix.lower()}" if dot and stem else "~" if self.name.endswith("~") else ""
 
     @property
     def folder(self) -> str:
