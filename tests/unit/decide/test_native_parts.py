@@ -23,6 +23,7 @@ def parts(line: str, day: str | None = None) -> list[str]:
         ("mujoco-py==2.0.2.13", None, "MuJoCo 2.0"),
         ("mujoco_py>=2.1,<2.2", "2020-01-01", "MuJoCo 2.1.0"),
         ("mujoco-py==1.50.1.68", None, "MuJoCo 1.50"),
+        ("mujoco-py==0.5.7", None, "MuJoCo 1.31"),
         ("mujoco-py<2", None, "MuJoCo 1.50"),
         ("mujoco-py>=1.50,<2.1", None, "MuJoCo 2.0"),
         ("mujoco-py>=1.50,<2.1", "2019-01-01", "MuJoCo 1.50"),
@@ -116,10 +117,10 @@ def test_what_is_asked_for_by_itself_is_not_brought() -> None:
 
 
 def test_a_release_that_no_row_knows_is_told() -> None:
-    choice = decide_native_parts([stated("mujoco-py==0.5.7")], (), (), None)
+    choice = decide_native_parts([stated("mujoco-py==0.4.4")], (), (), None)
     assert not choice.answer.parts
     assert [warning.message.partition(" that ")[0] for warning in choice.warnings] == [
-        "mujoco-py==0.5.7 needs a native library"
+        "mujoco-py==0.4.4 needs a native library"
     ]
 
 
