@@ -7,8 +7,10 @@ from pathlib import Path
 import pytest
 
 from roslab.evidence.facts import RequirementFile
+from roslab.evidence.gather import gather
 from roslab.evidence.python import requirements
 from roslab.repository.checkout import Repository
+from trees import tree_of
 
 
 def read(tmp_path: Path, files: dict[str, str]) -> dict[str, RequirementFile]:
@@ -185,6 +187,9 @@ def test_a_list_of_what_is_not_another_tool_s_is_pip_s(tmp_path: Path, name: str
         ("requirments.md", "numpy\n", False),
         ("retirement.txt", "- numpy\n- scipy\n", False),
         ("recruitment.txt", "numpy\n", False),
+        ("environment/requirements-pip", "numpy\npyglet==1.5.0\n", True),
+        ("environment/requirements-conda", "numpy\npyglet==1.5.0\n", False),
+        ("third_party/requirements-pip", "numpy\npyglet==1.5.0\n", False),
     ],
 )
 def test_a_list_whose_name_is_misspelt_holds_nothing_else(
@@ -192,3 +197,12 @@ def test_a_list_whose_name_is_misspelt_holds_nothing_else(
 ) -> None:
     files = {path: text, "main.py": "", "src/main.py": "", "third_party/main.py": ""}
     assert [*read(tmp_path, files)] == ([path] if is_list else [])
+
+
+@pytest.mark.parametrize(("name", "is_list"), [("packages", True), ("packages.req", True), ("packages.yaml", False)])
+def test_a_list_that_a_page_gives_to_pip_needs_no_ending(tmp_path: Path, name: str, *, is_list: bool) -> None:
+    page = f"# Arm\n\n## Install\n\n```\npip install -r setup/{name}\n```\n"
+    files = {"README.md": page, f"setup/{name}": "numpy==1.20\n", "main.py": "import numpy\n"}
+    tree_of(tmp_path, files)
+    found = [file.file for file in gather(Repository.open(tmp_path)).requirements]
+    assert found == ([f"setup/{name}"] if is_list else [])

@@ -1,4 +1,4 @@
-"""Lists of requirements whose file is called almost as usual: ``requirments.txt``, or ``requirements`` alone."""
+"""Lists of requirements called almost as usual: ``requirments.txt``, ``requirements``, ``requirements-pip``."""
 
 from __future__ import annotations
 
@@ -7,22 +7,28 @@ from roslab.evidence.facts import RequirementFile
 from roslab.knowledge.frameworks import imports
 from roslab.repository.checkout import Repository
 from roslab.values.name import canonicalize_name
+from roslab.values.pattern import pattern
 
 _USUAL = ("requirements", "requirement")
 _ENDS = (".txt", ".in", ".pip")
 _MOST = 2
 """Most letters that a name is longer or shorter by."""
+_FOR_PIP = pattern(r"requirements?[-_](?:pip3?|py(?:thon)?3?)")
+"""Who has another list beside it, for conda or for apt."""
 _NEAR = 0.83
 """How alike it is to a usual one: two letters of twelve are others."""
 
 
 def named(repository: Repository) -> frozenset[str]:
-    """Return the text files at the top, and beside code of Python, that are called so."""
+    """Return the text files at the top, and beside code of Python, that are called so; anywhere those for pip."""
     close = [name for name in repository.by_name if _close(name)]
     files = repository.named(*close) if close else ()
     beside = {file.folder for file in repository.suffixed(".py")} if files else set()
     return frozenset(
-        file.path for file in files if not file.folder or (file.folder in beside and not places.vendored(file.path))
+        file.path
+        for file in files
+        if not file.folder
+        or ((file.folder in beside or _FOR_PIP.fullmatch(file.name.lower())) and not places.vendored(file.path))
     )
 
 
@@ -42,6 +48,8 @@ def only_packages(file: RequirementFile, lines: int) -> bool:
 def _close(name: str) -> bool:
     """Tell whether a file's name, with a suffix of such lists or with none, is almost a usual one."""
     lowered = name.lower()
+    if _FOR_PIP.fullmatch(lowered):
+        return True
     stem = next((lowered.removesuffix(end) for end in _ENDS if lowered.endswith(end)), lowered)
     if not stem.startswith("r") or "." in stem:
         return False

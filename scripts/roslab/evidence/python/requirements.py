@@ -88,7 +88,7 @@ def _given(repository: Repository, asked: Iterable[Requirement]) -> list[str]:
     """Return the files that pages give to ``pip install -r``, as far as the tree has one of that path."""
     paths = {each.written.removeprefix("./") for each in asked if each.role == "file" and each.written}
     found = []
-    for path in sorted(path for path in paths if path.endswith(_LISTS)):
+    for path in sorted(path for path in paths if path.endswith(_LISTS) or "." not in path.rpartition("/")[2]):
         files = repository.named(path.rpartition("/")[2])
         there = [file.path for file in files if f"/{file.path}".endswith(f"/{path}")]
         # From above the repository its own folder stands before the path
