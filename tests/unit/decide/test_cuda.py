@@ -412,3 +412,18 @@ def test_conda_has_torch_for_the_cpu_beside_what_computes_on_cuda(tree: Callable
 
 def test_a_build_of_torch_for_the_cpu_names_no_cuda() -> None:
     assert decide_cuda(Evidence(requirements=(asked("torch==1.13.1+cpu"),)), Config()).answer.version is None
+
+
+@pytest.mark.parametrize(
+    ("pinned", "cuda"),
+    [("torch==2.2.0", "11.8"), ("torch==1.8.0", "11.1"), ("torch", "11.1"), ("torch==2.2.0+cu121", "12.1")],
+)
+def test_a_build_of_an_older_release_than_the_projects_own_tells_no_cuda(
+    tree: Callable[[dict[str, str]], Decision], pinned: str, cuda: str
+) -> None:
+    page = "# Arm\n\n```\npip install -e . --extra-index-url https://download.pytorch.org/whl/cu118\n```\n"
+    older = (
+        "FROM ubuntu:20.04\nRUN pip3 install torch==1.8.1+cu111 -f https://download.pytorch.org/whl/torch_stable.html\n"
+    )
+    files = {"requirements.txt": f"{pinned}\n", "README.md": page, "docker/Dockerfile.sim": older}
+    assert tree(files | {"main.py": "import torch\n"}).cuda == cuda

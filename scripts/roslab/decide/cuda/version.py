@@ -12,6 +12,7 @@ from roslab.decide.cuda.conda_builds import BUILT_FOR, OF_CONDA, built_for, name
 from roslab.decide.cuda.for_libtorch import CUDNN, for_libtorch
 from roslab.decide.cuda.imported import imported
 from roslab.decide.cuda.local import cuda_of, cuda_of_build, of_the_cpu
+from roslab.decide.cuda.outdone import outdone
 from roslab.decide.cuda.weight import Weight
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.pins import DEVELOPMENT, Pin
@@ -129,7 +130,8 @@ def _candidates(evidence: Evidence, config: Config, pins: tuple[Pin, ...]) -> It
         file = pin.requirement.file
         if pin.requirement.role == "conda" and (file in of_conda or (file, pin.name) in of_cpu):
             continue  # conda has it for the CUDA that the same file names, or for none
-        yield from _of_pin(pin, day, python, lowest.get(tabled(pin.name)), compiles=compiles)
+        counted = replace(pin, trust=0) if outdone(pin, pins) else pin
+        yield from _of_pin(counted, day, python, lowest.get(tabled(pin.name)), compiles=compiles)
     locked = None if compiles else cuda_of_lock(evidence)
     yield from (each for each in _of_indexes(evidence) if not above(each[0].answer, locked))
     yield from _of_conda(evidence)
