@@ -164,7 +164,7 @@ def unwrapped(found: list[Line]) -> list[Line]:
     for line in found:
         text = line.text
         if text[:1].strip():
-            inside = text.startswith("CMake ")
+            inside = text.startswith("CMake Error")
         elif inside and _PARAGRAPH.match(text) and out and _PARAGRAPH.match(out[-1].text):
             out[-1] = Line(out[-1].number, f"{out[-1].text} {text.strip()}")
             continue

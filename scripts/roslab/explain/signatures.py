@@ -91,7 +91,8 @@ def match(log: Log, step: Step, image: Image) -> Match | None:
     raw = "\n".join(line.text for line in step.lines[-4000:])
     case = _Case(log=log, step=step, image=image, text=_Text.of(lines), raw=raw)
     found = _best(case)
-    again = _best(replace(case, text=_Text.of(whole))) if len(whole := matter.unwrapped(lines)) < len(lines) else None
+    whole = matter.unwrapped(lines) if "CMake Error" in case.text.text else lines
+    again = _best(replace(case, text=_Text.of(whole))) if len(whole) < len(lines) else None
     if again is not None and (found is None or again.failure.rank < found.failure.rank):
         return again
     return found
