@@ -69,6 +69,14 @@ def test_a_project_without_a_manifest(tmp_path: Path, path: str, named: list[str
     assert _named(user) == named
 
 
+def test_a_link_to_another_machines_distribution_is_no_project(tmp_path: Path) -> None:
+    user = _package(tmp_path, "arm", "find_package(catkin REQUIRED COMPONENTS utils)")
+    _package(tmp_path, "utils", "")
+    (tmp_path / "src/CMakeLists.txt").symlink_to("/opt/ros/none/share/catkin/cmake/toplevel.cmake")
+    _run(tmp_path)
+    assert _named(user) == ["utils"]
+
+
 def test_packages_that_need_each_other_stay_as_they_are(tmp_path: Path) -> None:
     first = _package(tmp_path, "a", "find_package(catkin REQUIRED COMPONENTS c)")
     _package(tmp_path, "b", "", "a")

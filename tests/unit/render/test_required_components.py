@@ -77,6 +77,7 @@ def test_what_neither_ros_nor_the_workspace_has(tmp_path: Path, cmake: str, pack
     (tmp_path / "ws/hidden/inner").mkdir(parents=True)
     (tmp_path / "ws/hidden/CATKIN_IGNORE").touch()
     (tmp_path / "ws/hidden/inner/CMakeLists.txt").write_text("find_package(Qt5 REQUIRED)\n")
+    (tmp_path / "ws/CMakeLists.txt").symlink_to("/opt/ros/none/share/catkin/cmake/toplevel.cmake")
     (tmp_path / "local/lib/cmake/CeresConfig.cmake").touch()
     (tmp_path / "table/cmake-focal.txt").write_text(cmake_packages("focal"))
     text = SCRIPT.read_text().replace("/usr/local/share/roslab", f"{tmp_path}/table")

@@ -18,7 +18,7 @@ while read -r made; do
   if [ -e "$(dirname "${made}")/package.xml" ]; then continue; fi
   name="$(sed --quiet --regexp-extended 's:^\s*project\s*\(\s*([A-Za-z0-9_.-]+).*:\1:Ip' "${made}" | sed 1q)"
   if [ -n "${name}" ]; then plain["${name}"]="${made}"; fi
-done < <(find "$1" -name .git -prune -o -name CMakeLists.txt -print)
+done < <(find "$1" -name .git -prune -o -name CMakeLists.txt -xtype f -print)
 
 needs_in_turn() { # PACKAGE OTHER
   local queue=("$1") seen=' ' next

@@ -10,7 +10,7 @@ if [ ! -d "${share}" ]; then exit 0; fi
 table="$(cat /usr/local/share/roslab/cmake-*.txt)"
 own="$(
   find "$1" -name .git -prune -o -name package.xml -exec read-manifest name {} +
-  find "$1" -name .git -prune -o -name CMakeLists.txt -exec \
+  find "$1" -name .git -prune -o -name CMakeLists.txt -xtype f -exec \
     sed --quiet --regexp-extended 's:^[[:space:]]*project[[:space:]]*\([[:space:]]*([A-Za-z0-9_.+-]+).*:\1:Ip' {} +
 )"
 
@@ -27,7 +27,7 @@ while read -r path; do marked+=(-path "${path}" -o); done < <(
   find "$1" -regextype posix-extended -regex '.*/(AMENT|CATKIN|COLCON)_IGNORE' -printf '%h\n'
 )
 files=/tmp/required-components
-find "$1" \( "${marked[@]}" -name .git \) -prune -o -name CMakeLists.txt -print0 >"${files}"
+find "$1" \( "${marked[@]}" -name .git \) -prune -o -name CMakeLists.txt -xtype f -print0 >"${files}"
 for what in '' --programs; do xargs --null --no-run-if-empty required-by-cmake ${what} <"${files}"; done |
   while read -r name; do
     if [ -e "${share}/${name}" ] || installed "${name}"; then continue; fi
