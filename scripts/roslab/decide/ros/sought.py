@@ -206,8 +206,8 @@ def _cloned(
 
     Those are all where it is of the repository's owner, else those that share a word with it, or begin with the same
     one; then those that no clone is called like, where the package that asks for them has the page, or where a page at
-    the root clones few others: ``px_comm`` is in ``px-ros-pkg``. Not what a section clones that says what belongs into the
-    workspace, nor what Ubuntu has.
+    the root clones few others: ``px_comm`` is in ``px-ros-pkg``. Not what a section clones that says what belongs
+    into the workspace, nor what Ubuntu has.
     """
     cloned = [git for git in cloned if not of_ubuntu(git)]
     names = tuple(lacking)
