@@ -549,6 +549,8 @@ def test_the_tests_of_sisters_are_not_compiled() -> None:
     scripts += " /raise-standard /leave-out-tests /leave-out-failed /build-needed /warnings-pass"
     scripts += " /read-manifest /required-by-cmake /workspace-packages"
     assert f"COPY --from=scripts {scripts} /usr/local/bin/" in text
+    launchers = "-DCMAKE_C_COMPILER_LAUNCHER=with-ccache -DCMAKE_CXX_COMPILER_LAUNCHER=with-ccache"
+    assert f"{launchers} -DCMAKE_TARGET_MESSAGES=OFF" in text
     for stated_by in (
         dockerfile(plan(Config(cmake_options="-DBUILD_TESTING=ON"), **with_sister)),
         dockerfile(plan(**{**with_sister, "source": ()})),

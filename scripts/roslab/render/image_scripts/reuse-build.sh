@@ -47,10 +47,10 @@ if [ ! -e "${before}" ]; then source_files >"${before}"; fi
 seen="$(mktemp --directory)"
 looking=''
 if [ -d "${cache}" ]; then
-  of_source "$@" | sha256sum >"${seen}/source"
-  tracked -regex "${code}" | xargs --null --no-run-if-empty sha256sum >"${seen}/contents"
   of_image | sha256sum >"${seen}/image" &
   looking=$!
+  of_source "$@" | sha256sum >"${seen}/source"
+  tracked -regex "${code}" | xargs --null --no-run-if-empty sha256sum >"${seen}/contents"
   # Where nothing was kept, the image is looked at while everything is compiled
   if [ -e "${cache}/fingerprint" ]; then wait "${looking}" && looking=''; fi
 fi
@@ -73,14 +73,25 @@ if [ -d "${cache}/tree" ] && cmp --silent "${cache}/fingerprint" <(cat "${seen}"
   # A checkout gives every file a time of its own. To make, the tree is newer than all of it but what has changed, and
   # no file of the tree newer than another: CMake would begin anew.
   find "${cache}/tree" -exec touch --no-dereference --date="$(date --date='2 seconds ago' '+%F %T.%N')" {} +
+  # But CMake reads each file's headers again unless its own list of them is newer
+  find "${cache}/tree" -name 'compiler_depend.*' -not -name '*.ts' \
+    -exec touch --date="$(date --date='1.5 seconds ago' '+%F %T.%N')" {} +
   cp --archive "${cache}/tree/." .
   if [ -e .written ]; then cp --archive .written/. . && rm -rf .written; fi
   comm -13 <(sort "${cache}/contents") <(sort "${seen}/contents") | cut --characters=67- |
     xargs --delimiter='\n' --no-run-if-empty touch --date='1 second ago'
 fi
 
+compile() { if command -v with-ccache >/dev/null; then with-ccache --told "$@"; else "$@"; fi; }
+# With a kept tree catkin_make calls make alone, after it has looked for all packages; make calls CMake itself where it must
+make=()
+if [ -n "${reused}" ] && [ -e build/Makefile ] && [[ "$*" =~ ^headers-first\ catkin_make(\ -[jlD][^\ ]*)*$ ]]; then
+  make=(make --no-print-directory --directory=build)
+  for word in "$@"; do if [[ "${word}" = -[jl]* ]]; then make+=("${word}"); fi; done
+fi
+
 rm --force "${cache}/fingerprint" # what fails is not used again
-if command -v with-ccache >/dev/null; then with-ccache --told "$@"; else "$@"; fi
+if [ "${#make[@]}" -eq 0 ] || ! compile "${make[@]}"; then compile "$@"; fi
 source_files | comm -13 "${before}" - >"${seen}/new"
 rm "${before}"
 if [ -s "${seen}/new" ]; then
@@ -88,8 +99,29 @@ if [ -s "${seen}/new" ]; then
   xargs --delimiter='\n' cp --archive --parents --target-directory=.written <"${seen}/new"
 fi
 
+# CMake 3.20 and newer lists for make which headers each file has. What is in the image goes from these lists, but for a first
+# name: a tree is taken only where that is the same, and make would look at thousands. A list that is not newer than all that the
+# compiler has told since is removed, so that CMake makes it anew.
+old_lists() {
+  find "${found[@]}" \( -name '*.d' -o -name compiler_depend.internal \) -printf '%T@ %p\n' | awk '{
+    time = $1 + 0
+    sub(/^[^ ]+ /, "")
+    if (!match($0, /\/CMakeFiles\/[^\/]+\.dir\//)) next
+    target = substr($0, 1, RSTART + RLENGTH - 1)
+    if (/\/compiler_depend\.internal$/) listed[target] = time; else if (time > told[target]) told[target] = time
+  } END { for (target in listed) if (told[target] >= listed[target]) print target "compiler_depend.internal" }'
+}
+long_lists() {
+  find "${found[@]}" -name 'compiler_depend.*' -exec grep --files-with-matches --extended-regexp '^ +/(usr|opt)/' {} + || true
+}
+mapfile -t found < <(present)
+if [ "${#found[@]}" -gt 0 ]; then
+  old_lists | xargs --delimiter='\n' --no-run-if-empty rm
+  long_lists | xargs --delimiter='\n' --no-run-if-empty sed --in-place --regexp-extended \
+    -e '\#^/(usr|opt)/.*:$#d' -e '/^[^ #].*[^\\:]$/ { n; b; }' -e '\#^ +/(usr|opt)/#d'
+fi
+
 if [ -d "${cache}" ]; then
-  mapfile -t found < <(present)
   if [ -z "${reused}" ] || ! renew; then
     rm -rf "${cache}/tree" "${cache}/new"
     mkdir "${cache}/new"
