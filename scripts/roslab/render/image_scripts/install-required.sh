@@ -54,9 +54,10 @@ included() {
     awk 'NR == FNR { for (i = 1; i <= NF && $i != "="; i++) known[$i]; next } # those that the tables know
       { first = path = "header:" tolower($0); sub(/\/.*/, "/", first) }
       path in known || first in known' <(cat "${tables}"/libraries-*.txt) - | while read -r path; do
-    # Of Qt each has a component
-    if [[ "${path}" =~ ^Q([A-Z]|t) ]] || grep --quiet --line-regexp --fixed-strings -- "${path%%/*}" <<<"${here}"; then continue; fi
-    part="$(sed --regexp-extended --expression 's/\/[^/]*$//' --expression 's/\.[a-z]+$//' --expression 's/(^|\/)lib/\1/g' --expression 's/[0-9.-]+(\/|$)/\1/g' \
+    if [[ "${path}" =~ ^Q([A-Z]|t) ]]; then continue; fi # each component of Qt has a package
+    if grep --quiet --line-regexp --fixed-strings -- "${path%%/*}" <<<"${here}"; then continue; fi
+    part="$(sed --regexp-extended --expression 's/\/[^/]*$//' --expression 's/\.[a-z]+$//' \
+      --expression 's/(^|\/)lib/\1/g' --expression 's/[0-9.-]+(\/|$)/\1/g' \
       --expression 's/\//|/g' --expression 's/[.+]/./g' <<<"${path}")"
     if ! grep --quiet --ignore-case --extended-regexp -- "${part}" <<<"${cmake}"; then printf 'header:%s\n' "${path}"; fi
   done
