@@ -36,6 +36,10 @@ def test_a_backend_that_is_not_there_as_a_whole_or_in_part(backend: str, package
     assert str(raised.value) == f"No module named 'absent_{parts[0]}'"
 
 
+def test_the_backend_that_poetry_itself_was_before_poetry_core() -> None:
+    assert brought_for("ModuleNotFoundError: No module named 'poetry.masonry'") == ["poetry"]
+
+
 @pytest.mark.parametrize("module", ["poetry_dynamic_versioning", "pdmtools", "poetryx.core"])
 def test_another_module_of_a_name_that_begins_so(module: str) -> None:
     assert brought_for(f"ModuleNotFoundError: No module named '{module}'") == []
