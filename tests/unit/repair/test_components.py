@@ -46,3 +46,12 @@ def test_a_submodule_whose_files_are_compiled_is_there(tmp_path: Path) -> None:
     subprocess.run(["git", "init", "--quiet", str(tmp_path)], check=True)
     (change,) = repaired(tmp_path, log("make", HEADER.format("curl/curl.h"))).changes
     assert str(change).startswith("apt: [")
+
+
+def test_a_default_that_a_newer_python_refuses_gets_an_older_one(tmp_path: Path) -> None:
+    said = "ValueError: mutable default <class 'arm.Joint'> for field joint is not allowed: use default_factory"
+    files = {"requirements.txt": "numpy\n", "main.py": "import numpy\n", "roslab.yaml": "base: {python: '3.11'}\n"}
+    for name, text in files.items():
+        (tmp_path / name).write_text(text if name != "roslab.yaml" else f"format: 3\n{text}")
+    changes = repaired(tmp_path, log("python main.py", said)).changes
+    assert [(change.key, change.value) for change in changes] == [("base.python", "3.10")]
