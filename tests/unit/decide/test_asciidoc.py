@@ -27,6 +27,8 @@ Tree = Callable[[dict[str, str]], Decision]
         (". Build\n+\n.. Twice\n* Run\n** Once", "1. Build\n\n   1. Twice\n* Run\n  * Once"),
         ("// no\n:toc:\n[[here]]\n[NOTE]\nimage::a.png[]\nifdef::x[]", "\n\n\n\n\n"),
         ("////\nmake\n////\nText", "\n\n\nText"),
+        ("/////\nmake\n////\n/////\n//// Text", "\n\n\n\n//// Text"),
+        (":base: b\n:path: {base}/c\n\n{path}", "\n\n\nb/c"),
         (":distro: humble\n\nROS {distro}, {other}", "\n\nROS humble, {other}"),
         (
             "See link:docs/a.adoc[the guide] or https://ros.org[ROS].",

@@ -9,9 +9,11 @@ import pytest
 
 from hanging import ends
 from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.lex import braces
 from roslab.evidence.lex.dockerfile import instructions
+from roslab.evidence.lex.shell import Command
 from roslab.evidence.lex.yaml import Scalar
-from roslab.evidence.prose import called_in_scripts, ci_variables, container_scripts
+from roslab.evidence.prose import asciidoc, called_in_scripts, checkouts, ci_variables, container_scripts, said_runs
 from roslab.evidence.prose.ros_in_image import ros_of
 from roslab.evidence.python import conda, on_gpu
 from roslab.evidence.ros import handed_lists, named_in_code, only_in_manifest, own_setup, package_xml
@@ -85,6 +87,43 @@ def test_many_lists_whose_names_variables_hold(tmp_path: Path) -> None:
     with ends():
         found = handed_lists.read(tree_of(tmp_path, {f"a{each}.sh": f"{script}A7=other\n" for each in range(20)}))
     assert [each.value for each in found] == [f"lists/b{each}.repos" for each in range(2_500)] * 20
+
+
+def test_many_lists_that_a_script_fetches(tmp_path: Path) -> None:
+    script = "".join(f"wget https://a.org/{each}/a.repos\nvcs import < a.repos\n" for each in range(1_500))
+    with ends():
+        found = handed_lists.read(tree_of(tmp_path, {f"a{each}.sh": script for each in range(20)}))
+    assert {each.value for each in found} == {"https://a.org/0/a.repos"}
+
+
+def test_a_quote_that_is_not_closed_before_many_others() -> None:
+    quotes = '\\"' * 4 * LONG
+    with ends():
+        assert braces.expanded(f'lib{{a,b}} "{quotes}') == f'liba libb "{quotes}'
+
+
+def test_a_place_for_a_token_of_many_signs() -> None:
+    word = f"https://{'<' * 8 * LONG}"
+    with ends():
+        assert checkouts.cloned(Command(("git", "clone", word), (1,)), "README.md", "", "", inside=False) is None
+
+
+def test_a_path_of_many_folders_that_is_to_be_run(tmp_path: Path) -> None:
+    repository = tree_of(tmp_path, {"README.md": f"Run `{'bin/' * LONG} it.\n"})
+    (page,) = repository.files
+    with ends():
+        assert not [*said_runs.read(repository, page, repository.read(page), ())]
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_attributes_that_name_each_other_many_times(order: int) -> None:
+    lines = [":a0: long", *(f":a{each}: {f'{{a{each - 1}}}' * 30}" for each in range(1, 6))][::order]
+    assert len(asciidoc.as_markdown("\n".join((*lines, "", "{a5}")))) < LONG
+
+
+def test_many_attributes_and_many_lines_that_name_none() -> None:
+    with ends():
+        asciidoc.as_markdown("".join(f":a{each}: b\n" for each in range(LONG)) + "{b} c\n" * LONG)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ that are indented, https://asciidoc-py.github.io/userguide.html (both 2026-11-28
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from roslab.values.pattern import pattern
 
@@ -17,7 +18,7 @@ _UNDER = {"=": 1, "-": 2, "~": 3, "^": 4, "+": 5}
 _NEAR, _SHORTEST = 3, 3
 """Most letters by which the line below a title is longer or shorter, and the fewest of it: ``--`` is another thing."""
 _BLOCK = pattern(r"(?:-{4,}|\.{4,})[ \t]*")
-_COMMENT = "////"
+_COMMENT = pattern(r"/{4,}[ \t]*")
 _LANGUAGE = pattern(r"\[(?:source|listing)?(?:%\w+)?[ \t]*,[ \t]*([\w+-]+)[^\]]*\][ \t]*")
 _LEFT = pattern(
     r"//(?!/).*|\+[ \t]*|\[[^\[\]\n]{0,200}\][ \t]*|\[\[[^\]\n]{1,99}\]\][ \t]*|:!?[\w-]{1,60}!?:(?:[ \t].*)?|"
@@ -25,6 +26,9 @@ _LEFT = pattern(
 )
 """Lines that show nothing: comments, attributes, what joins two blocks, what is included."""
 _ATTRIBUTE = pattern(r":([\w-]{1,60}):[ \t]{1,9}(\S.{0,200})")
+_NAMED = pattern(r"\{([\w-]{1,60})\}")
+_LONGEST = 200
+"""Most letters of an attribute's value in which others stand: each may be named many times by the next."""
 _NUMBERED = pattern(r"(\.{1,5})[ \t]{1,9}(?=\S)")
 _BULLET = pattern(r"(\*{1,5})[ \t]{1,9}(?=\S)")
 _BLOCK_TITLE = pattern(r"\.(?=[^\s.])")
@@ -36,14 +40,18 @@ _LITERAL = pattern(r"[ \t]{1,8}(?![*.\-|+] |\d+\. )(?=\S)")
 def as_markdown(text: str) -> str:
     """Return a page of AsciiDoc as Markdown; its lines keep their numbers."""
     lines = text.split("\n")
-    named = {f"{{{match[1]}}}": match[2].strip() for match in map(_ATTRIBUTE.fullmatch, lines) if match}
+    named: dict[str, str] = {}
+    for match in filter(None, map(_ATTRIBUTE.fullmatch, lines)):
+        value = _filled(match[2].strip(), named)
+        named[match[1]] = value if len(value) <= _LONGEST else match[2].strip()
     said = [""] * len(lines)
-    fence, language, literal, hidden = "", "", False, False
+    fence, language, literal, hidden = "", "", False, ""
     for number, line in enumerate(lines):
         before = lines[number - 1] if number else ""
-        if hidden or (not fence and line.startswith(_COMMENT)):
-            hidden = (line.rstrip() != _COMMENT) if hidden else True
-            said[number] = ""
+        if hidden:
+            hidden = "" if line.rstrip() == hidden else hidden
+        elif not fence and _COMMENT.fullmatch(line):
+            hidden = line.rstrip()
         elif fence:
             said[number] = _FENCE if line.rstrip() == fence else line
             fence = "" if line.rstrip() == fence else fence
@@ -71,10 +79,8 @@ def _under(line: str, before: str) -> int:
     return _UNDER[short[0]] if same and near else 0
 
 
-def _written(line: str, named: dict[str, str]) -> str:
-    if "{" in line:
-        for name, value in named.items():
-            line = line.replace(name, value)
+def _written(line: str, named: Mapping[str, str]) -> str:
+    line = _filled(line, named)
     if title := _TITLE.fullmatch(line):
         return f"{'#' * len(title[1])} {title[2]}"
     if _LEFT.fullmatch(line):
@@ -86,6 +92,11 @@ def _written(line: str, named: dict[str, str]) -> str:
     else:
         line = _BLOCK_TITLE.sub("", line, count=1) if _BLOCK_TITLE.match(line) else line
     return _LINK.sub(_link, line) if "[" in line else line
+
+
+def _filled(text: str, named: Mapping[str, str]) -> str:
+    """Return a text with the values of the attributes that it names."""
+    return _NAMED.sub(lambda match: named.get(match[1], match[0]), text) if "{" in text else text
 
 
 def _link(match: re.Match[str]) -> str:

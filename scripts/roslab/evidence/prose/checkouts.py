@@ -19,7 +19,7 @@ _NEW = frozenset({"-b", "-B", "-c", "-C", "--orphan", "--create"})
 """Options that are followed by the name of a branch that is made here: the repository has none of that name."""
 COMMIT = pattern(r"[0-9a-f]{7,40}")
 _URL = pattern(r"^(?:https?://|git://|ssh://|git@)[^\s/]+[/:]\S+$")
-_OWN_TOKEN = pattern(rf"^(https?://)[^/\s@]*[{UNKNOWN}<][^/\s@]*@")
+_OWN_TOKEN = pattern(rf"^(https?://)[^/\s@{UNKNOWN}<]{{0,200}}[{UNKNOWN}<][^/\s@]{{0,200}}@")
 """The start of an address in which the reader writes a token: ``https://$TOKEN@github.com/a/b``."""
 _REF = pattern(r"(?:\w|\{distro\})(?:[\w./-]|\{distro\}){0,200}")
 

@@ -200,7 +200,7 @@ def _manual_links(repository: Repository, page: File) -> Iterator[str]:
     if _CODE.search(text):
         return
     for link in LINK.finditer(text):
-        path, called = path_of(link, page), text[: link.start()].rpartition("[")[2][:200]
+        path, called = path_of(link, page), text[max(0, link.start() - 200) : link.start()].rpartition("[")[2]
         name = posixpath.basename(path)
         if (_MANUAL.search(name) or _MANUAL.search(called)) and not (_STYLE.search(name) or _STYLE.search(called)):
             yield path

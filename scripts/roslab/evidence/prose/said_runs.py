@@ -31,7 +31,7 @@ _SAID = tuple(
     )
 )
 """A sentence that runs a script by its path."""
-_IN_FOLDER = r"(?:\./)?(?:[\w.-]+/)*(?:bin|build|Release)/(?:[\w.-]+/)*[\w+-]+"
+_IN_FOLDER = r"(?:\./)?(?:[\w.-]{1,80}/){0,9}(?:bin|build|Release)/(?:[\w.-]{1,80}/){0,9}[\w+-]{1,80}"
 _BUILT = rf"(?<!`)`(?P<path>{_IN_FOLDER})(?P<rest>(?: [^`<\n]{{1,200}})?)`(?!`)"
 _BY = r"(?:by|with|using|via|through)"
 _VERB = r"(?:run(?:n?ing)?|start(?:ing)?|launch(?:ing)?|execut(?:e|ing)|call(?:ing)?|invok(?:e|ing)|typ(?:e|ing)|enter)"

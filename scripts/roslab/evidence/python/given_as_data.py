@@ -24,8 +24,8 @@ def read(repository: Repository) -> Iterator[Mention]:
         above = f"{setup.file.folder}/".lstrip("/")
         if "data_files" not in setup.text or not repository.has(f"{above}package.xml"):
             continue
-        files = repository.suffixed(".py")
-        names = {n for n in _DATA.findall(setup.text) if any(f.folder == f"{above}{n}" for f in files)}
+        folders = {file.folder for file in repository.suffixed(".py")}
+        names = {name for name in _DATA.findall(setup.text) if f"{above}{name}" in folders}
         if not names:
             continue
         from roslab.evidence.python.setup_py import read as packages_of  # noqa: PLC0415 - it imports Python's parser

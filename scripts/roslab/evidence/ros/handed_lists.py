@@ -64,7 +64,7 @@ def _elsewhere(repository: Repository) -> tuple[Mention, ...]:
     """Return a mention for each path or address that such a command names and the tree does not have, filled in.
 
     What a script, a Dockerfile or a file of CI sets itself is filled in: ``$HOME/lists/$FILE`` with ``ARG
-    FILE=a.rosinstall``. A name alone is that of what the same text fetches: ``wget https://…/a.repos``.
+    FILE=a.rosinstall``. A name alone is that of the first that the same text fetches: ``wget https://…/a.repos``.
     """
     dockerfiles = (name for name in repository.by_name if name.startswith("dockerfile"))
     ci = (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile"))
@@ -77,12 +77,14 @@ def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
     text = repository.read(file)
     source: _Source = "ci" if _is_ci(file) else _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile")
     values: dict[str, str] | None = None
+    fetched: dict[str, str] = {}
     for match in matching_lines(_HANDED, text, "wstool", "rosws", "rosinstall", "vcs"):
         if "#" in match["before"] and source != "readme":
             continue
         if values is None:
+            fetched = {posixpath.basename(url): url for url in reversed(_FETCHED.findall(text))}
             values = dict(reversed((*_SET.findall(text), *(_SET_IN_CI.findall(text) if source == "ci" else ()))))
-        for word in _lists_of(_filled(match["before"], values), _filled(match["rest"], values), text):
+        for word in _lists_of(_filled(match["before"], values), _filled(match["rest"], values), fetched):
             if not repository.named(posixpath.basename(word)):
                 line = text.count("\n", 0, match.start("rest")) + 1
                 yield Mention(
@@ -90,16 +92,14 @@ def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
                 )
 
 
-def _lists_of(before: str, after: str, text: str) -> Iterator[str]:
-    """Yield the lists that a command names, or has from what is fetched and piped to it."""
+def _lists_of(before: str, after: str, fetched: Mapping[str, str]) -> Iterator[str]:
+    """Yield the lists that a command names, or has from what its text fetches, or pipes to it."""
     words = [word.strip("\"'") for word in _EITHER.sub(r"\1\3 \1\2\3", after).split()]
     if before.rstrip().endswith("|"):
         words += _FETCHED.findall(before)
     for word in (each for each in words if each.endswith(_USUAL)):
-        if "/" in word:
-            yield word
-        else:
-            yield from (url for url in _FETCHED.findall(text) if url.endswith(f"/{word}"))
+        if "/" in word or word in fetched:
+            yield word if "/" in word else fetched[word]
 
 
 def _is_ci(file: File) -> bool:
