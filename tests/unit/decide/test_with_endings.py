@@ -37,6 +37,8 @@ def command(tree: Tree, said: str, cmake: str, build: str = "ament_cmake") -> tu
         ("ros2 run demo talker", f"# {INSTALLS}", "ros2 run demo talker"),
         ("ros2 run demo talker", f"{INSTALLS}add_executable(talker a.cpp)\n", "ros2 run demo talker"),
         ("ros2 run demo talker", INSTALLS.replace("demo)", "demo RENAME ${NAME})"), "ros2 run demo talker"),
+        ("ros2 run demo talker", f"{INSTALLS}# install(CODE 'create_symlink')\n", "ros2 run demo talker.py"),
+        ("ros2 run demo talker", f"{INSTALLS}install(CODE 'create_symlink')\n", "ros2 run demo talker"),
         ("ros2 run demo talk", INSTALLS, "ros2 run demo talk"),
     ],
 )

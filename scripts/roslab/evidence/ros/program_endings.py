@@ -10,14 +10,13 @@ import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.ros.unmade_nodes import COMMENT, RENAMES
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 ENDING = ".py"
 _RUN = pattern(r"(?:rosrun|ros2 run) ([a-z]\w{0,60}) ([A-Za-z]\w{0,80})(?= |$)")
-_COMMENT = pattern(r"#[^\n]*")
-_RENAMES = pattern(r"\b(?:RENAME|configure_file)\b", re.IGNORECASE)
 
 
 def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mention]:
@@ -38,10 +37,10 @@ def _build_of(package: str, repository: Repository) -> str:
     name = re.compile(rf"<name>\s*{package}\s*</name>")
     folders = [f.folder for f in repository.named("package.xml") if name.search(repository.read(f))]
     path = f"{folders[0]}/CMakeLists.txt".lstrip("/") if len(folders) == 1 else ""
-    return _COMMENT.sub("", repository.read(path)) if path and repository.has(path) else ""
+    return COMMENT.sub("", repository.read(path)) if path and repository.has(path) else ""
 
 
 def _named(program: str, text: str) -> bool:
     file = re.search(rf"(?<![\w-]){program}{re.escape(ENDING)}(?![\w.-])", text)
     other = re.search(rf"(?<![\w-]){program}(?![\w-]|\.py)", text)
-    return bool(file) and not other and not _RENAMES.search(text)
+    return bool(file) and not other and not RENAMES.search(text)

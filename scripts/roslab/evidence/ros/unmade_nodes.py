@@ -19,9 +19,9 @@ _ANY = pattern(
     r"\b(?:PROGRAMS|add_executable\s?\(|TARGETS|EXECUTABLE)\s+[\"']?\$\{(?!PROJECT_NAME\})\w+\}",
     re.IGNORECASE,
 )
-_COMMENT = pattern(r"(?:^|(?<=\s))#[^\n]*")
 """What installs programs that it does not name."""
-_RENAMES = pattern(r"\b(?:RENAME|configure_file|create_symlink)\b", re.IGNORECASE)
+COMMENT = pattern(r"(?:^|(?<=\s))#[^\n]*")
+RENAMES = pattern(r"\b(?:RENAME|configure_file|create_symlink)\b", re.IGNORECASE)
 _NAMED = pattern(r"[\w-]+\.py\b|(?<=add_executable\()\s*[\w-]+|[\w-]+(?=\s*=\s*[\w.]+:\w+)")
 
 
@@ -59,7 +59,7 @@ def _texts(folder: str, repository: Repository) -> Iterator[str]:
     """Yield the texts of the files that build a package, those of its folders included."""
     inside = f"{folder}/" if folder else ""
     files = (*repository.named(*_BUILD_FILES), *repository.suffixed(".cmake"))
-    yield from (_COMMENT.sub("", repository.read(file)) for file in files if file.path.startswith(inside))
+    yield from (COMMENT.sub("", repository.read(file)) for file in files if file.path.startswith(inside))
 
 
 def _unmade(program: str, package: str, text: str) -> bool:
@@ -69,6 +69,6 @@ def _unmade(program: str, package: str, text: str) -> bool:
     """
     stem = program.rpartition(".")[0] or program
     by_package = stem.startswith(package) and ("PROJECT_NAME}" in text or "package_name" in text)
-    whole = r"(?!\.py\b)" if stem == program and not _RENAMES.search(text) else ""
+    whole = r"(?!\.py\b)" if stem == program and not RENAMES.search(text) else ""
     named = re.search(rf"(?<![\w-]){re.escape(stem)}(?![\w-]){whole}", text)
     return bool(text) and not named and not by_package and not _ANY.search(text)
