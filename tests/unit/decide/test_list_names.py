@@ -46,6 +46,8 @@ def test_a_list_of_the_images_ubuntu_comes_first_and_before_apt(
         (("needs.repos", "needs_focal.repos", "needs_jammy.repos"), ["v-needs_jammy.repos"]),
         (("needs.repos", "needs_focal.repos", "needs_windows.repos"), ["v-needs.repos"]),
         (("needs_humble.repos", "needs_jammy.repos"), ["v-needs_humble.repos"]),
+        (("needs.repos", "needs_2004.repos", "needs_22.04.repos"), ["v-needs_22.04.repos"]),
+        (("needs.repos", "needs_2004.repos", "needs_win32.repos"), ["v-needs.repos"]),
     ],
 )
 def test_so_do_those_of_the_ubuntu_of_ros(tree: Tree, names: tuple[str, ...], cloned: list[str]) -> None:

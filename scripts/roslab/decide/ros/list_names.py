@@ -7,18 +7,24 @@ from roslab.knowledge.distros import ubuntus
 from roslab.values.pattern import pattern
 
 _PARTS = pattern(r"[-_./]+")
-_OTHERS = frozenset(("windows", "win", "win32", "win64", "mac", "macos", "osx", "darwin", "android"))
+OTHER_SYSTEMS = ("windows", "win", "win32", "win64", "mac", "macos", "osx", "darwin", "android")
+
+
+def ubuntus_in(path: str) -> frozenset[str]:
+    """Return the codenames of the Ubuntus that a path names: ``deps_jammy.repos``, ``22.04/deps.repos``."""
+    lower = path.lower()
+    parts = {*_PARTS.split(lower)}
+    known = ubuntus().items()
+    return frozenset(name for number, name in known if {name, number.replace(".", "")} & parts or number in lower)
 
 
 def rank(git: GitSource, ubuntu: str | None) -> int:
     """Return 0 for a list of the image's Ubuntu, 2 for one of another Ubuntu or system, 1 for all others."""
     if git.kind != "vcs":
         return 1
-    parts = {*_PARTS.split(git.file.lower())}
-    named = {codename for version, codename in ubuntus().items() if {codename, version.replace(".", "")} & parts}
-    if named:
+    if named := ubuntus_in(git.file):
         return 0 if ubuntu in named else 2
-    return 2 if parts & _OTHERS else 1
+    return 1 if {*_PARTS.split(git.file.lower())}.isdisjoint(OTHER_SYSTEMS) else 2
 
 
 def for_ubuntu(git: GitSource, asked: Dependency, ubuntu: str | None) -> bool:

@@ -7,17 +7,18 @@ from collections.abc import Iterable
 from collections.abc import Set as AbstractSet
 
 from roslab.config.model import Config
+from roslab.decide.ros.list_names import OTHER_SYSTEMS, ubuntus_in
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.compiled import public_hosts
-from roslab.knowledge.distros import distros, ubuntus
+from roslab.knowledge.distros import distros
 from roslab.values.pattern import pattern
 
 _BETWEEN = frozenset("-_.")
 """What may stand between the words of a name."""
 _EXTRA = pattern(
     r"(?<![a-z])(?:nightly|tools?|simulat\w*|extras?|optionals?|ci|test(?:s|ing)?|debug|doc(?:s|umentation)?|develop\w*|"
-    r"ssh|upstream|examples?|demos?|windows|macos|osx)(?![a-z])",
+    rf"ssh|upstream|examples?|demos?|{'|'.join(OTHER_SYSTEMS)})(?![a-z])",
     re.IGNORECASE,
 )
 _PARTS = pattern(r"[-_.]+")
@@ -52,7 +53,7 @@ def vcs_files(
     private = private_twins(evidence)
     files = [file for file in files if file not in private]
     files = _of_ros(files, ros_distro)
-    distinct = [(file, distros_in(_name(file)) | _ubuntus_in(_name(file))) for file in files]
+    distinct = [(file, distros_in(_name(file)) | ubuntus_in(_name(file))) for file in files]
     known = distros().get(ros_distro or "")
     of_ubuntu = [file for file, words in distinct if known is not None and known.ubuntu in words]
     named = [file for file, words in distinct if ros_distro in words] or of_ubuntu
@@ -79,10 +80,6 @@ def vcs_files(
 def distros_in(text: str) -> set[str]:
     """Return the distributions that a file's name or an image's tag names."""
     return set(_WORDS.findall(text.lower())) & distros().keys()
-
-
-def _ubuntus_in(name: str) -> set[str]:
-    return set(_WORDS.findall(name.lower())) & {*ubuntus().values()}
 
 
 def _of_ros(files: list[str], ros_distro: str | None) -> list[str]:

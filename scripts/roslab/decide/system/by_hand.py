@@ -9,6 +9,7 @@ from typing import Literal
 from roslab.config.model import Config, Kind, Source
 from roslab.decide.linked_projects import linked_projects
 from roslab.decide.ros.distro_dates import dated
+from roslab.decide.ros.list_names import for_ubuntu, rank
 from roslab.decide.ros.source_names import address, day_of_clone, drifts, fixed, moves, plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.bare_links import bare_links
@@ -17,7 +18,6 @@ from roslab.decide.system.by_everybody import BARE, built_by_everybody, headers_
 from roslab.decide.system.compiled_libraries import looked_for
 from roslab.decide.system.lies_beside import with_beside
 from roslab.decide.system.linked_releases import linked_releases, of_release
-from roslab.decide.system.list_names import for_ubuntu, rank
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.decide.system.newer_than_apt import newer_than_apt
