@@ -121,6 +121,12 @@ def test_attributes_that_name_each_other_many_times(order: int) -> None:
     assert len(asciidoc.as_markdown("\n".join((*lines, "", "{a5}")))) < LONG
 
 
+def test_a_language_of_many_letters() -> None:
+    line = f"[source,{'a' * 20 * LONG}"
+    with ends():
+        assert asciidoc.as_markdown(line) == line
+
+
 def test_many_attributes_and_many_lines_that_name_none() -> None:
     with ends():
         asciidoc.as_markdown("".join(f":a{each}: b\n" for each in range(LONG)) + "{b} c\n" * LONG)

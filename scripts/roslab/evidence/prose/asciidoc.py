@@ -19,7 +19,7 @@ _NEAR, _SHORTEST = 3, 3
 """Most letters by which the line below a title is longer or shorter, and the fewest of it: ``--`` is another thing."""
 _BLOCK = pattern(r"(?:-{4,}|\.{4,})[ \t]*")
 _COMMENT = pattern(r"/{4,}[ \t]*")
-_LANGUAGE = pattern(r"\[(?:source|listing)?(?:%\w+)?[ \t]*,[ \t]*([\w+-]+)[^\]]*\][ \t]*")
+_LANGUAGE = pattern(r"\[(?:source|listing)?(?:%\w+)?[ \t]*,[ \t]*([\w+-]+)(?:[^\]\w+-][^\]]*)?\][ \t]*")
 _LEFT = pattern(
     r"//(?!/).*|\+[ \t]*|\[[^\[\]\n]{0,200}\][ \t]*|\[\[[^\]\n]{1,99}\]\][ \t]*|:!?[\w-]{1,60}!?:(?:[ \t].*)?|"
     r"(?:ifn?def|ifeval|endif|include|image|toc|video)::?.*"
