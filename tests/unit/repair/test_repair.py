@@ -135,7 +135,7 @@ def test_plan_and_log_give_the_value_and_who_asked(
 GLIBC = "./tool: /lib/libc.so.6: version `GLIBC_2.38' not found"
 GENERIC = "TypeError: 'type' object is not subscriptable"
 CATKIN = 'By not providing "Findcatkin.cmake" in CMAKE_MODULE_PATH'
-BOOST = 'Could not find a package configuration file provided by "boost_system"'
+BOOST = 'Could not find a package configuration file provided by "boost_system" (requested version 1.90.0)'
 ASIO = "a.cpp:2:16: error: 'io_service' is not a member of 'boost::asio'"
 
 
