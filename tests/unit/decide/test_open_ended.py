@@ -21,9 +21,19 @@ HIGHER = (
         "{} ou supérieure",
         "{} oder höher",
     ),
-    *("{} или выше", "{} ou superior", "{} o successiva", "{} (oder neuer)", "{} 或更新"),
+    *("{} или выше", "{} ou superior", "{} o successiva", "{} (oder neuer)", "{} 或更新", "{}之后的版本", "{}及以后"),
 )
-EXACT = ("{}", "{} 以下", "{} を使う", "{} o 3.7", "{} und 3.7", "{} ou 3.8", "{}, später mehr")
+EXACT = (
+    "{}",
+    "{} 以下",
+    "{} を使う",
+    "{} o 3.7",
+    "{} und 3.7",
+    "{} ou 3.8",
+    "{}, später mehr",
+    "{} 之后安装",
+    "{} 更新源",
+)
 
 
 @pytest.mark.parametrize("said", [*HIGHER, "{}+", "{} or newer"])
@@ -38,6 +48,8 @@ def test_later_ones_will_do(said: str) -> None:
 def test_that_one_is_meant(said: str) -> None:
     text = f"- Python {said.format('3.6')}"
     assert not only_lowest(Mention(topic="python", value="3.6", source="readme", text=text, file="a", line=1))
+    text = f"Ubuntu {said.format('18.04')}"
+    assert not bounds(Mention(topic="ubuntu", value="18.04", source="readme", text=text, file="a", line=1))
 
 
 def test_no_word_takes_long() -> None:
