@@ -246,7 +246,6 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "cuda-architecture": lambda names, _: worked.cuda_architecture(names),
     "cuda-image": lambda names, _: worked.cuda_image(names),
     "image-moved": lambda names, _: worked.moved_image(names),
-    "dataclass-default": lambda _names, _where: {"what": "a mutable default of a dataclass", "last": "3.10"},
     "dropped": lambda names, _: worked.dropped(names),
     "emptied": lambda names, where: worked.emptied(names, where.instruction),
     "header": _library("include", "header"),

@@ -285,7 +285,7 @@ def filled(sentence: str, names: Names) -> str:
             parts.append(names.get(name, ""))
     text = "".join(parts)
     text = re.sub(r" \((?:Python|[,;:…\s])*\)", "", text)
-    text = re.sub(r"[,:]\s*(?=\))", "", text)
+    text = re.sub(r"[,:]\s*(?=\)|\.$)", "", text)
     text = re.sub(r"\(\s*,\s*", "(", text)
     text = re.sub(r"\s{2,}", " ", text)
     return re.sub(r"\s+([,;:)](?=\s|$)|\.(?=\s|$))", r"\1", text).strip()

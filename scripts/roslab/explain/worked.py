@@ -78,14 +78,13 @@ def python_end(names: Mapping[str, str]) -> dict[str, str]:
     return {}
 
 
-_BACKENDS = {"flit": "flit", "mesonpy": "meson-python", "poetry": "poetry", "setuptools": "setuptools"}
-
-
 def backend(names: Mapping[str, str]) -> dict[str, str]:
-    """Name the package of pip that has a build backend: most have the name of their module."""
+    """Name the package of pip that has a build backend: that of the table, else the one with the module's name."""
     module = names.get("module", "")
-    top = ".".join(module.split(".")[: 2 if module.startswith(("poetry.core", "pdm.")) else 1])
-    return {"package": _BACKENDS.get(top, top.replace(".", "-").replace("_", "-"))} if top else {}
+    said = f"No module named '{module}'"
+    known = next((row["pip"] for row in rows("build_programs") if compiled(row["pattern"]).search(said)), "")
+    top = ".".join(module.split(".")[: 2 if module.startswith("pdm.") else 1])
+    return {"package": known or top.replace(".", "-").replace("_", "-")} if top else {}
 
 
 def mistaken(names: Mapping[str, str]) -> dict[str, str]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import io
 
+import pytest
+
 from roslab.engine.docker import why
-from roslab.explain import words
+from roslab.explain import signatures, words
 from roslab.explain.answer import explain
 
 MISSING = """\
@@ -60,3 +62,31 @@ def test_a_warning_of_an_old_python_is_not_taken_for_a_host_that_is_gone() -> No
     found = [explain(io.BytesIO((start + log + end).encode())).explanations[0].id for log in (said, said + gone)]
     assert found[0] == "pip-ssl"
     assert found[1] != "pip-ssl"
+
+
+@pytest.mark.parametrize(
+    ("sentence", "names", "filled"),
+    [
+        ("It ends ({kind}): {why}.", {"kind": "odd", "why": "no arm"}, "It ends (odd): no arm."),
+        ("It ends ({kind}): {why}.", {"kind": "odd"}, "It ends (odd)."),
+        ("Others ({wants}) than it has (Python {python}).", {"python": "3.9"}, "Others than it has (Python 3.9)."),
+    ],
+)
+def test_a_name_that_is_not_known_leaves_no_mark(sentence: str, names: dict[str, str], filled: str) -> None:
+    assert signatures.filled(sentence, names) == filled
+
+
+@pytest.mark.parametrize(
+    ("module", "package"),
+    [
+        ("mesonpy", "meson-python"),
+        ("poetry.core.masonry.api", "poetry-core"),
+        ("poetry.masonry.api", "poetry"),
+        ("pdm.pep517.api", "pdm-pep517"),
+        ("jupyter_packaging.build_api", "jupyter-packaging"),
+    ],
+)
+def test_a_build_backend_comes_with_its_package(module: str, package: str) -> None:
+    log = f"#6 [3/4] RUN pip install .\n#6 1.2 BackendUnavailable: Cannot import '{module}'\n"
+    log += "#6 ERROR: process did not complete: exit code: 1\n"
+    assert dict(explain(io.BytesIO(log.encode())).explanations[0].names)["package"] == package
