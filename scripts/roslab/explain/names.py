@@ -256,6 +256,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "latex": lambda _names, _where: {"package": " ".join(latex())},
     "link": _library("link", "library"),
     "moved": lambda names, where: worked.moved(names, where.instruction),
+    "locals": lambda _names, _where: {"what": "local names that exec changes", "last": "3.12"},
     "mistaken": lambda names, _: worked.mistaken(names),
     "module": _table("imports", "module", "pip", "module"),
     "namespace": _namespace,

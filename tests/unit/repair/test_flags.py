@@ -67,6 +67,14 @@ CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
         ),
         ("main.cpp:1:3: error: no 'a' [-fpermissive]\nmain.cpp:9:3: error: 'b' was not declared in this scope", ""),
         (
+            "main.cpp:1:3: error: ISO C++17 does not allow 'register' storage class specifier [-Wregister]",
+            "cmake_options: -DCMAKE_CXX_STANDARD=14, for what is said of register (main.cpp:1)",
+        ),
+        (
+            "main.cpp:1:3: error: narrowing conversion of '-1' from 'int' to 'char' [-Wnarrowing]",
+            "env.CXXFLAGS: -Wno-narrowing, for what is said of -1 (main.cpp:1)",
+        ),
+        (
             WARNINGS,
             f"env.CXXFLAGS: {NO_ERRORS}, for warnings are errors (main.cpp:1)",
         ),
