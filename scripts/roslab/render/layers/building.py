@@ -9,6 +9,9 @@ from roslab.render.layers import shell
 
 OLDER_NAMES = "/usr/local/share/roslab/older-names.h"
 """A header that both compilers include before each file."""
+_FLAGS = frozenset({"CFLAGS", "CXXFLAGS", "CPPFLAGS", "FFLAGS", "LDFLAGS"})
+"""What compilers are told through CMake, make and Autotools:
+https://www.gnu.org/software/make/manual/html_node/Implicit-Variables.html."""
 _LISTS = frozenset({"LD_LIBRARY_PATH", "CMAKE_PREFIX_PATH"})
 
 
@@ -60,8 +63,13 @@ def older_names(plan: Plan) -> str:
 
 
 def variables(plan: Plan) -> str:
-    """Set the variables that the build, a launch file or a simulator reads."""
-    pairs = [f"{name}={_value(name, value, plan)}" for name, value in plan.workspace.variables]
+    """Set the variables that the build, a launch file or a simulator reads, and the flags of roslab.yaml for compilers.
+
+    Its other variables are the container's alone.
+    """
+    given = {} if plan.compatible else {name: value for name, value in plan.env if name in _FLAGS}
+    found = dict(plan.workspace.variables) | given
+    pairs = [f"{name}={_value(name, value, plan)}" for name, value in found.items()]
     return "# What the build or a program reads\nENV " + " \\\n    ".join(pairs) if pairs else ""
 
 
