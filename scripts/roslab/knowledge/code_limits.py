@@ -14,10 +14,12 @@ from roslab.values.dataclass import dataclass
 from roslab.values.pattern import pattern
 from roslab.values.version import Version
 
-Sign = Literal["include", "name", "standard", "cpp11", "line", "annotation", "python", "launch", "module", "cmake"]
-"""A header, a name in C++, a C++ standard that CMake asks for, a header in what is compiled as C++11, what stands on
-one line of Python code, or of such code whose annotations are computed, or on several, what a launch file in Python
-has, what pkg-config is asked for, a command of CMake."""
+Sign = Literal[
+    "include", "name", "standard", "option", "cpp11", "line", "annotation", "python", "launch", "module", "cmake"
+]
+"""A header, a name in C++, a C++ standard that CMake asks for, the name of one in an option that a compiler refuses, a
+header in what is compiled as C++11, what stands on one line of Python code, or of such code whose annotations are
+computed, or on several, what a launch file in Python has, what pkg-config is asked for, a command of CMake."""
 OF_ROS2 = "ROS 2: "
 """Before the name of a repository of ROS 2, in the place of a library: its versions are distributions."""
 _OWN = frozenset({"library", "same_major", "source", "date"})

@@ -7,6 +7,7 @@ from roslab.knowledge.code_limits import limits
 from roslab.knowledge.newer_compilers import newer_compiler
 from roslab.repair.change import Given, Worked
 from roslab.values.pattern import pattern
+from roslab.values.version import Version
 
 _LIBRARIES = "-DCMAKE_CXX_STANDARD_LIBRARIES="
 _LIBRARIES_OF_C = "-DCMAKE_C_STANDARD_LIBRARIES="
@@ -42,9 +43,11 @@ def flags(found: Explanation, given: Given) -> Worked:
 def compiler(found: Explanation, given: Given) -> Worked:
     """Install the oldest GCC that knows the standard, or has the header, which the one of the image does not know."""
     names, ubuntu = dict(found.names), given.plan.ubuntu
-    where, said = ("include", names["header"]) if "header" in names else ("standard", names.get("standard", ""))
-    known = (limit for limit in limits() if limit.where == where and limit.library == "GCC")
-    needed = next((limit.at_least for limit in known if limit.at_least and limit.pattern.search(said)), None)
+    signs = ("include",) if "header" in names else ("option", "standard")
+    said = names.get("header") or names.get("standard", "")
+    known = (limit for limit in limits() if limit.where in signs and limit.library == "GCC")
+    fitting = [limit.at_least for limit in known if limit.at_least and limit.pattern.search(said)]
+    needed = max(fitting, key=Version, default=None)
     newer = newer_compiler(ubuntu, needed) if needed and ubuntu else None
     if newer is None or given.plan.kind == "cuda":
         return Worked(why=found.fix)

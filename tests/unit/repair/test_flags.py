@@ -186,6 +186,7 @@ def test_a_second_library_is_linked_beside_the_first(tmp_path: Path) -> None:
     [
         ("xenial", "17", "apt: [g++-7], for cxx option unknown"),
         ("bionic", "2a", "apt: [g++-9], for cxx option unknown"),
+        ("bionic", "20", "apt: [g++-11], for cxx option unknown"),
         ("bionic", "23", "apt: [g++-11], for cxx option unknown"),
         ("noble", "29", "base.ubuntu: 24.04 becomes 26.04, for cxx option unknown"),
     ],
