@@ -41,9 +41,9 @@ def as_markdown(text: str) -> str:
     """Return a page of AsciiDoc as Markdown; its lines keep their numbers."""
     lines = text.split("\n")
     named: dict[str, str] = {}
-    for match in filter(None, map(_ATTRIBUTE.fullmatch, lines)):
-        value = _filled(match[2].strip(), named)
-        named[match[1]] = value if len(value) <= _LONGEST else match[2].strip()
+    for given in filter(None, map(_ATTRIBUTE.fullmatch, lines)):
+        value = _filled(given[2].strip(), named)
+        named[given[1]] = value if len(value) <= _LONGEST else given[2].strip()
     said = [""] * len(lines)
     fence, language, literal, hidden = "", "", False, ""
     for number, line in enumerate(lines):
