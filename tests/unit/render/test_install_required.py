@@ -249,6 +249,14 @@ def test_headers_that_only_the_code_names(tmp_path: Path, file: str, cmake: str,
     assert stage.run("acme", str(tmp_path / "acme")) == ([installed] if installed else [], "")
 
 
+def test_what_only_looks_like_a_file_of_cmake_stops_nothing(tmp_path: Path) -> None:
+    (tmp_path / "acme/ws/json.cmake").mkdir(parents=True)
+    (tmp_path / "acme/ws/CMakeLists.txt").symlink_to("/opt/ros/nowhere/toplevel.cmake")
+    (tmp_path / "acme/a.h").write_text("#include <nlohmann/json.hpp>\n")
+    (tmp_path / "acme/CMakeLists.txt").write_text("project(acme)\n")
+    assert Stage(tmp_path, "nlohmann-json3-dev").run("acme", str(tmp_path / "acme")) == ([["nlohmann-json3-dev"]], "")
+
+
 def test_a_header_of_its_own_is_not_installed(tmp_path: Path) -> None:
     (tmp_path / "acme/extern/nlohmann").mkdir(parents=True)
     (tmp_path / "acme/a.h").write_text("#include <nlohmann/json.hpp>\n")
