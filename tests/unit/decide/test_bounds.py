@@ -187,6 +187,7 @@ def test_what_was_compiled_against_numpy_1_keeps_numpy_2_out(tmp_path: Path) -> 
         ("area = np.trapz(y, x)\n", None),
         ("from kornia import gaussian_blur2d, motion_blur\n", "kornia<0.6"),
         ("grey = kornia.rgb_to_grayscale(image)\n", "kornia<0.6"),
+        ("steps = [kornia.sobel]\n", "kornia<0.6"),
         ("grey = kornia.color.rgb_to_grayscale(image)\nfrom kornia.filters import gaussian_blur2d\n", None),
         ("m = nx.to_numpy_matrix(g)\n", "networkx<3"),
         ("env = wrappers.Monitor(env, 'videos')\n", "gym<0.23"),

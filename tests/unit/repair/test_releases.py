@@ -182,6 +182,8 @@ TRACE = 'Traceback (most recent call last):\n  File "/home/jovyan/robot/main.py"
         ("jinja2==2.11.3", "3.10", ESCAPE, "jinja2<3.1"),
         ("scikit-learn", "3.8", JOBLIB, "scikit-learn<0.23, numpy<2"),
         ("kornia", "3.10", BLUR, "kornia<0.6, numpy<2"),
+        ("kornia", "3.10", "AttributeError: module 'kornia' has no attribute 'ssim'", "kornia<0.6, numpy<2"),
+        ("kornia", "3.10", BLUR.replace("'kornia'", "'kornia.x'"), "not: Take versions that fit each other"),
         ("pandas", "3.11", APPEND, "pandas<2, numpy<2"),
         ("pandas\nnumpy>=2", "3.11", APPEND, "pandas<2"),
         (

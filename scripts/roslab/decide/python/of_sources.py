@@ -12,13 +12,13 @@ from roslab.knowledge.apt_sources import added_sources
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.values.pattern import pattern
 
-OF_PYTHON = pattern(r"-py3(?:\d{1,2}|\*)-")
+_OF_PYTHON = pattern(r"-py3(?:\d{1,2}|\*)-")
 """In the name of such a package: the Python of an Ubuntu, which may be another than the image's."""
 
 
 def ranges_of_sources(evidence: Evidence) -> Iterator[Range]:
     """Yield the Pythons of a source whose modules a page installs by apt: they are for no other one."""
-    asked = [each for each in evidence.prose if each.namespace == "apt" and OF_PYTHON.search(each.name)]
+    asked = [each for each in evidence.prose if each.namespace == "apt" and _OF_PYTHON.search(each.name)]
     for source in added_sources() if asked else ():
         named = next((each for each in asked if source.folder and source.packages.fullmatch(each.name)), None)
         if named:
