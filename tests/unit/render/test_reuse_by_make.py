@@ -115,3 +115,27 @@ def test_what_make_alone_cannot_compile_is_told_by_catkin_make(builder: Builder)
     found, said = builder.build({**FILES, "part.cpp": "broken\n"})
     assert ("called catkin_make" in found, said) == (True, "")
     assert builder.build(FILES) == (ALL, "1")
+
+
+GENERATED = {
+    "CMakeLists.txt": """\
+cmake_minimum_required(VERSION 3.20)
+project(robot NONE)
+set(said ${CMAKE_BINARY_DIR}/../devel/said)
+add_custom_command(OUTPUT ${said} DEPENDS name.py DEPFILE made.d
+  COMMAND sh ${CMAKE_SOURCE_DIR}/make.sh ${CMAKE_SOURCE_DIR} ${said} ${CMAKE_BINARY_DIR}/made.d)
+add_custom_target(texts ALL DEPENDS ${said})
+""",
+    "make.sh": 'read -r name <"$1/name.py"\ncp "$1/$name" "$2"\necho "$2: $1/$name" >"$3"\n',
+    "name.py": "one.py\n",
+    "one.py": "1",
+    "two.py": "2",
+}
+"""A program that reads a file of which CMake knows only by what that program tells."""
+
+
+def test_what_a_program_tells_of_its_files_is_known_too(builder: Builder) -> None:
+    assert builder.build(GENERATED)[1] == "1"
+    files = {**GENERATED, "name.py": "two.py\n"}
+    assert builder.build(files)[1] == "2"
+    assert builder.build({**files, "two.py": "3"})[1] == "3"

@@ -20,6 +20,7 @@ from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought_addresses import addresses_of, by_authors, called_by
 from roslab.decide.ros.sought_links import listed_by_pages, of_ubuntu
 from roslab.decide.ros.source_names import address, akin, day_of_clone, fixed, plain, stands_already
+from roslab.decide.ros.vcs_files import distros_in
 from roslab.decide.ros.weights import Weight
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_everybody import PAGES
@@ -206,8 +207,7 @@ def _cloned(
 
     Those are all where it is of the repository's owner, else those that share a word with it, or begin with the same
     one; then those that no clone is called like, where the package that asks for them has the page, or where a page at
-    the root clones few others: ``px_comm`` is in ``px-ros-pkg``. Not what a section clones that says what belongs
-    into the workspace, nor what Ubuntu has.
+    the root clones few others: ``px_comm`` is in ``px-ros-pkg``. Not what Ubuntu has.
     """
     cloned = [git for git in cloned if not of_ubuntu(git)]
     names = tuple(lacking)
@@ -222,18 +222,18 @@ def _cloned(
         if held := tuple(asked.name for asked in left if _of_page(asked, git)):
             found.setdefault(https(git.url).removesuffix(".git"), held)
     others = [git for git in cloned if known.isdisjoint((git.name, plain(git.name))) and address(git.url) not in taken]
-    placed = {(git.file, git.heading) for git in evidence.sources if git.beside}
-    others = [git for git in others if (git.file, git.heading) not in placed]
-    root = _of_root(others, tuple(asked.name for asked in left))
+    root = _of_root(others, tuple(asked.name for asked in left), evidence)
     return found | {url: names for url, names in root.items() if url not in found}
 
 
-def _of_root(cloned: Iterable[GitSource], names: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
+def _of_root(cloned: Iterable[GitSource], names: tuple[str, ...], evidence: Evidence) -> dict[str, tuple[str, ...]]:
     """Return the addresses of what pages at the root clone, each with ``names``, where these are few.
 
-    Not what a recipe compiles.
+    Not what a recipe compiles, or a branch for one distribution; nor where the page tells what belongs in a workspace.
     """
-    root = (git for git in cloned if git.file.endswith(PAGES) and not git.file.count("/"))
+    told = {git.file for git in evidence.sources if git.beside}
+    root = [git for git in cloned if git.file.endswith(PAGES) and not git.file.count("/")]
+    root = [git for git in root if git.file not in told and not distros_in(git.ref or "")]
     found = {https(git.url).removesuffix(".git"): names for git in root if names and not recipe_at(address(git.url))}
     return found if len(found) <= MOST_UNLIKE else {}
 

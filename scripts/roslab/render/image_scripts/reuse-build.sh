@@ -29,7 +29,8 @@ of_image() {
     sort --zero-terminated | xargs --null --no-run-if-empty sha256sum
 }
 of_source() {
-  echo "$*" | sed --regexp-extended 's/(-[jl]|(jobs|packages|workers)[ =])[0-9]+//g'
+  # The number is another where this script keeps a tree otherwise, for it would take one of a script before it for its own
+  echo "2 $*" | sed --regexp-extended 's/(-[jl]|(jobs|packages|workers)[ =])[0-9]+//g'
   # Without what each build has anew: BuildKit hands a number to those who trace it
   env | grep --invert-match --extended-regexp \
     '^(HOSTNAME|MAKEFLAGS|OLDPWD|OTEL_\w+|PWD|SHLVL|SOURCE_DATE_EPOCH|TRACEPARENT|TRACESTATE|_)=' | sort
@@ -110,13 +111,16 @@ old_lists() {
     target = substr($0, 1, RSTART + RLENGTH - 1)
     if (/\/compiler_depend\.internal$/) listed[target] = time; else if (time > told[target]) told[target] = time
   } END { for (target in listed) if (told[target] >= listed[target]) print target "compiler_depend.internal" }'
+  # What another program than a compiler tells (DEPFILE) may lie anywhere
+  { find "${found[@]}" -name DependInfo.cmake -exec grep --files-with-matches --fixed-strings '" "custom" "' {} + || true; } |
+    sed 's/DependInfo\.cmake$/compiler_depend.internal/'
 }
 long_lists() {
   find "${found[@]}" -name 'compiler_depend.*' -exec grep --files-with-matches --extended-regexp '^ +/(usr|opt)/' {} + || true
 }
 mapfile -t found < <(present)
 if [ "${#found[@]}" -gt 0 ]; then
-  old_lists | xargs --delimiter='\n' --no-run-if-empty rm
+  old_lists | xargs --delimiter='\n' --no-run-if-empty rm --force
   long_lists | xargs --delimiter='\n' --no-run-if-empty sed --in-place --regexp-extended \
     -e '\#^/(usr|opt)/.*:$#d' -e '/^[^ #].*[^\\:]$/ { n; b; }' -e '\#^ +/(usr|opt)/#d'
 fi
