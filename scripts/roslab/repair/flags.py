@@ -28,6 +28,9 @@ def flags(found: Explanation, given: Given) -> Worked:
     """Compile with the flag that answers an error, behind those that the plan or somebody gives."""
     names = dict(found.names)
     key, flag = names.get("setting", "env.CXXFLAGS"), names.get("flag", "")
+    header = names.get("header", "")
+    if not flag and header and not header.endswith(".h"):  # one of C++, which gcc names and brings
+        flag = f"-include {header}"
     if not flag:
         return Worked(why=found.fix)
     if not key.startswith("env."):

@@ -16,6 +16,7 @@ LOADED = " ".join(
     f"-DCV_LOAD_IMAGE_{name}" for name in ("COLOR=1", "GRAYSCALE=0", "UNCHANGED=-1", "ANYDEPTH=2", "ANYCOLOR=4")
 )
 TWICE = "multiple definition of `{}'; {}: first defined here"
+NOTE = "main.cpp:1:1: note: '{}' is defined in header '<{}>'; did you forget to '#include <a>'?"
 STREAMSIZE = (
     "main.cpp:1:3: error: invalid conversion from 'std::streamsize' to 'std::ios_base::fmtflags' [-fpermissive]"
 )
@@ -65,6 +66,8 @@ CSTDINT = "main.cpp:1:3: error: 'uint32_t' does not name a type"
             f"{STREAMSIZE}\nmain.cpp:9:3: error: control reaches end of non-void function [-Werror=return-type]",
             "env.CXXFLAGS: -fpermissive, for what is said of std::streamsize (main.cpp:1)",
         ),
+        (NOTE.format("std::vector", "vector"), "env.CXXFLAGS: -include vector, for the header vector (main.cpp:1)"),
+        (NOTE.format("uint8_t", "stdint.h"), ""),  # of C, to which flags of C++ say nothing
         ("main.cpp:1:3: error: no 'a' [-fpermissive]\nmain.cpp:9:3: error: 'b' was not declared in this scope", ""),
         (
             "main.cpp:1:3: error: ISO C++17 does not allow 'register' storage class specifier [-Wregister]",
