@@ -90,3 +90,17 @@ def test_a_build_backend_comes_with_its_package(module: str, package: str) -> No
     log = f"#6 [3/4] RUN pip install .\n#6 1.2 BackendUnavailable: Cannot import '{module}'\n"
     log += "#6 ERROR: process did not complete: exit code: 1\n"
     assert dict(explain(io.BytesIO(log.encode())).explanations[0].names)["package"] == package
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "NameNotFound: Environment `{}` doesn't exist.",
+        "VersionNotFound: Environment version `v9` for environment `{}` doesn't exist. It provides version v1.",
+        "DeprecatedEnv: Environment version v0 for `{}` is deprecated. Please use another one.",
+    ],
+)
+def test_the_environment_that_gym_does_not_have_is_named(said: str) -> None:
+    log = f"Traceback (most recent call last):\ngymnasium.error.{said.format('ArmReach')}\n"
+    found = explain(io.BytesIO(log.encode())).explanations[0]
+    assert (found.id, dict(found.names)["name"]) == ("gym-environment-unknown", "ArmReach")
