@@ -31,6 +31,15 @@ _EXAMPLE = frozenset(
 )
 OF_CI = (".yml", ".yaml")
 """How files of CI end, among those that install or clone something: most often they are for another machine."""
+_CI_FILES = (
+    ".travis.yml", ".travis.yaml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile",
+    "appveyor.yml", ".appveyor.yml", "bitbucket-pipelines.yml", ".drone.yml",
+    "circle.yml", ".cirrus.yml", "wercker.yml", "shippable.yml", ".shippable.yml", ".woodpecker.yml", ".build.yml",
+)  # fmt: skip
+_CI_FOLDERS = pattern(
+    r"^(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
+    r"\.jenkins|\.ci|\.semaphore|\.buildkite|\.woodpecker|\.builds)/[^/]+\.ya?ml$"
+)
 _SCRIPTS = pattern(r"(?:scripts?|notebooks?|tools?|experiments?|benchmarks?)/", re.IGNORECASE)
 
 
@@ -47,6 +56,11 @@ def documentation(path: str) -> bool:
 def test(path: str) -> bool:
     """Tell whether a path belongs to tests or CI."""
     return not _TEST.isdisjoint(_folders(path.rpartition("/")[0]))
+
+
+def ci(path: str) -> bool:
+    """Tell whether a service of CI reads a file: only at the root, or in a folder of its own there."""
+    return path in _CI_FILES or bool(_CI_FOLDERS.match(path))
 
 
 def example(path: str) -> bool:

@@ -62,6 +62,11 @@ def test_the_list_of_another_repository(tree: Tree, image: str, found: list[tupl
             f"env:\n  ROS_DISTRO: humble\njobs:\n  a:\n  - run: vcs import src < {RAW_LAB}/$ROS_DISTRO/a.repos\n",
             [("https://gitlab.com/lab/lists.git", "humble")],
         ),
+        (
+            "bitbucket-pipelines.yml",
+            "run: wstool merge https://raw.github.com/lab/lists/v1/tool.rosinstall\n",
+            [(LISTS, "v1")],
+        ),
         (".github/more/a.yml", "run: wstool merge https://raw.github.com/lab/lists/v1/tool.rosinstall\n", []),
         (
             "README.md",

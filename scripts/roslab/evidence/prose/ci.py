@@ -25,15 +25,6 @@ if TYPE_CHECKING:
     from roslab.evidence.lex.yaml import Scalar
 
 MAX_SIZE = 128 * 1024
-_NAMES = (
-    ".travis.yml", ".travis.yaml", ".gitlab-ci.yml", "azure-pipelines.yml", "Jenkinsfile",
-    "appveyor.yml", ".appveyor.yml", "bitbucket-pipelines.yml", ".drone.yml",
-    "circle.yml", ".cirrus.yml", "wercker.yml", "shippable.yml", ".shippable.yml", ".woodpecker.yml", ".build.yml",
-)  # fmt: skip
-_FOLDERS = pattern(
-    r"^(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
-    r"\.jenkins|\.ci|\.semaphore|\.buildkite|\.woodpecker|\.builds)/[^/]+\.ya?ml$"
-)
 _OTHER = pattern(
     r"(?:^|/)(?:.*(?:docs?|pages|release|publish|deploy|stale|label|lint|format|windows|macos?|osx|cla|"
     r"pre-commit|codeql).*)\.ya?ml$"
@@ -104,12 +95,8 @@ def _all(repository: Repository) -> tuple[dict[str, Prose], frozenset[str]]:
 
 
 def _is_ci(file: File) -> bool:
-    if places.vendored(file.path):
-        return False
-    # CI services only read files at the root: one in a vendored library never runs
-    return ((file.name in _NAMES and "/" not in file.path) or bool(_FOLDERS.match(file.path))) and not _OTHER.search(
-        file.path.lower().rpartition("/")[2]
-    )
+    other = _OTHER.search(file.path.lower().rpartition("/")[2])
+    return places.ci(file.path) and not (other or places.vendored(file.path))
 
 
 def _read(text: str, values: tuple[Scalar, ...] | None, path: str) -> Prose:

@@ -41,10 +41,6 @@ _EITHER = pattern(r"([^\s\[\]]*)\[([\w.-]{1,40})\]([^\s\[\]]*)")
 _VARIABLE = pattern(r"\$\{?([A-Za-z_]\w*)(?:\}|(?![\w}]))")
 _USUAL = (".repos", ".rosinstall")
 """Lists of these names are known without a command."""
-_CI = pattern(
-    r"\.(?:travis|jenkins|gitlab-ci|drone|appveyor)\.ya?ml|Jenkinsfile|"
-    r"(?:\.github/workflows|\.circleci|\.jenkins|\.ci)/[^/]+\.ya?ml"
-)
 _SET_IN_CI = pattern(r"^[ \t-]*([A-Z_]\w*):[ \t]*[\"']?([\w./-]+)[\"']?[ \t]*$", re.MULTILINE)
 _FETCHED = pattern(r"https?://[^\s\"'`<>()|;&]{1,200}")
 
@@ -68,14 +64,17 @@ def _elsewhere(repository: Repository) -> tuple[Mention, ...]:
     """
     dockerfiles = (name for name in repository.by_name if name.startswith("dockerfile"))
     ci = (*repository.suffixed(".yml", ".yaml"), *repository.named("Jenkinsfile"))
-    found = (*repository.suffixed(*_SOURCES), *repository.named(*dockerfiles), *filter(_is_ci, ci))
+    ci = tuple(file for file in ci if places.ci(file.path))
+    found = (*repository.suffixed(*_SOURCES), *repository.named(*dockerfiles), *ci)
     kept = (file for file in found if file.size <= MAX_SIZE and not places.vendored(file.path))
     return tuple(each for file in nearest(kept)[:MAX_READ] for each in _named_elsewhere(repository, file))
 
 
 def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
     text = repository.read(file)
-    source: _Source = "ci" if _is_ci(file) else _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile")
+    source: _Source = (
+        "ci" if places.ci(file.path) else _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile")
+    )
     values: dict[str, str] | None = None
     fetched: dict[str, str] = {}
     for match in matching_lines(_HANDED, text, "wstool", "rosws", "rosinstall", "vcs"):
@@ -100,10 +99,6 @@ def _lists_of(before: str, after: str, fetched: Mapping[str, str]) -> Iterator[s
     for word in (each for each in words if each.endswith(_USUAL)):
         if "/" in word or word in fetched:
             yield word if "/" in word else fetched[word]
-
-
-def _is_ci(file: File) -> bool:
-    return _CI.fullmatch(file.path) is not None
 
 
 def _filled(command: str, values: Mapping[str, str]) -> str:
