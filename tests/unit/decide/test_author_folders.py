@@ -138,6 +138,11 @@ def test_a_script_that_starts_programs_finds_the_author_s_workspace(
         ("source ~/a_ws/install/setup.bash\nsource ~/b_ws/install/setup.bash\nros2 launch server a.py\n", ""),
         ("source /opt/ros/humble/setup.bash\nros2 launch server a.py\n", ""),
         ("source ~/robot_ws/install/setup.bash\n", ""),
+        ("source /etc/robot/install/setup.bash\nros2 launch server a.py\n", ""),
+        ("source /usr/lib/install/setup.bash\nros2 launch server a.py\n", ""),
+        ("source /home/me/../../etc/robot/install/setup.bash\nros2 launch server a.py\n", ""),
+        ("source ~/../../etc/robot/install/setup.bash\nros2 launch server a.py\n", ""),
+        ("source /home/me/-robot/install/setup.bash\nros2 launch server a.py\n", ""),
     ],
 )
 def test_the_one_workspace_that_such_a_script_sources_is_the_image_s(tree: Tree, text: str, found: str) -> None:

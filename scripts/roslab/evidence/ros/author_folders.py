@@ -170,9 +170,14 @@ class _Tree:
         return (*found, False, False) if found and self._of_author(found[0]) else None
 
     def of_setup(self, path: str, sourced: str) -> tuple[str, str, bool, bool] | None:
-        """Return the same of the one setup file that a script sources: the author built the tree's packages there."""
+        """Return the same of the one setup file that a script sources: the author built the tree's packages there.
+
+        Not of one below a folder of the image's own.
+        """
         setup = _SETUP.fullmatch(path) if path == sourced and self.packages else None
-        return (f"{setup[1]}/{setup[2]}", setup[2], True, True) if setup and not _short(setup[1]) else None
+        if setup is None or _short(setup[1]) or of_image(f"{setup[1]}/{setup[2]}"):
+            return None
+        return f"{setup[1]}/{setup[2]}", setup[2], True, True
 
     def _of_author(self, folder: str) -> bool:
         """Tell whether a folder may be one author's: where the tree has no packages, none at the top of a machine."""
