@@ -56,3 +56,23 @@ def test_what_the_code_shows_is_stronger(tree: Tree, code: str, ubuntu: str) -> 
 def test_an_ubuntu_without_a_package_that_cmake_requires_is_not_taken(tree: Tree, find: str, ubuntu: str) -> None:
     files = {**CODE, "CMakeLists.txt": CMAKE + find, "README.md": "# Demo\n## Dependencies\n- OpenCV 3.2.0\n"}
     assert tree(files).ubuntu == ubuntu
+
+
+PPA = "```bash\nsudo add-apt-repository ppa:lab/dart\nsudo apt install {}\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "files", "ubuntu"),
+    [
+        ("", {}, "jammy"),
+        (PPA.format("libdart6-all-dev"), {}, "bionic"),
+        (PPA.format("libdartmouth-dev"), {}, "jammy"),
+        ("", {"lib/dart/CMakeLists.txt": "project(dart CXX)\nadd_library(dart a.cpp)\n"}, "bionic"),
+        ("", {"FETCH": "FetchContent_Declare(dart GIT_REPOSITORY https://github.com/lab/dart)\n"}, "bionic"),
+    ],
+)
+def test_but_where_the_page_or_the_tree_brings_it(tree: Tree, page: str, files: dict[str, str], ubuntu: str) -> None:
+    cmake = f"{CMAKE}{files.get('FETCH', '')}find_package(DART REQUIRED)\n"
+    said = f"# Demo for Ubuntu 18.04\n## Dependencies\n- OpenCV 3.2.0\n{page}"
+    other = {path: text for path, text in files.items() if path != "FETCH"}
+    assert tree({**CODE, **other, "CMakeLists.txt": cmake, "README.md": said}).ubuntu == ubuntu

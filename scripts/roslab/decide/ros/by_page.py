@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from roslab.decide.ros.misnamed import library_called
 from roslab.decide.system.apt_sources import NEAR, PPA
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
+from roslab.values.pattern import pattern
 
 
 def by_page(asked: Iterable[Dependency], evidence: Evidence) -> frozenset[str]:
@@ -28,15 +30,19 @@ def by_own_source(names: Iterable[str], evidence: Evidence) -> frozenset[str]:
     return frozenset(name for name in names if not apt.isdisjoint(packages_of(name)))
 
 
-def installed_beside(name: str, evidence: Evidence) -> tuple[str, ...]:
-    """Return the packages of a library that a page installs below a source or a PPA which it adds to apt."""
+def installed_beside(name: str, evidence: Evidence, *, called: bool = False) -> tuple[str, ...]:
+    """Return the packages of a library that a page installs below a source or a PPA which it adds to apt.
+
+    ``called``: also those that only begin with its name, as ``libdart6-all-dev`` does with that of ``dart``.
+    """
+    alike = pattern(rf"(?:lib)?{re.escape(name.replace('_', '-'))}[\d.]*(?:-.*)?")
     added = {(source.file, source.line) for source in evidence.apt_sources}
     added |= {(m.file, m.line) for m in evidence.mentions if m.topic == "step" and PPA in m.value}
     found = (
         each.name
         for each in evidence.prose
         if each.namespace == "apt"
-        and each.name in packages_of(name)
+        and (each.name in packages_of(name) or (called and alike.fullmatch(each.name)))
         and any(file == each.file and 0 < each.line - line <= NEAR for file, line in added)
     )
     return tuple(dict.fromkeys(found))

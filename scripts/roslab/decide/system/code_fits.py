@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from roslab.decide.programs import top_of
+from roslab.decide.ros.by_page import installed_beside
 from roslab.decide.ros.workspace import packages_of, ros_versions
 from roslab.decide.system.added_projects import added_by
 from roslab.decide.system.cmake_version import highest
@@ -70,13 +71,19 @@ def _built_beside(name: str, version: str) -> bool:
 
 
 def _unpackaged(evidence: Evidence, ubuntu: str) -> dict[str, None]:
-    """Return what CMake requires, and packages of other Ubuntus alone bring; ROS may bring it as its own."""
+    """Return what CMake requires, and packages of other Ubuntus alone bring; ROS may bring it as its own.
+
+    Not what the tree has or CMake fetches, nor what a page installs beside a source that it adds to apt.
+    """
     found: dict[str, None] = {}
+    own = {name.lower() for each in evidence.cmake for name in (each.name, *each.configs, *each.brought) if name}
     for d in (d for project in _built(evidence) for d in project.dependencies):
         always = d.namespace == "cmake" and d.required and not (d.condition or d.target)
         required = always and d.strength == "declared" and d.role != "test"
-        one = library("cmake", d.name, ubuntu) if required else None
-        if one and one.elsewhere and not one.ros and not _brought(d.name.partition(" ")[0], evidence):
+        one, name = library("cmake", d.name, ubuntu) if required else None, d.name.partition(" ")[0].lower()
+        if one is None or not one.elsewhere or one.ros or name in own:
+            continue
+        if not (_brought(name, evidence) or installed_beside(name, evidence, called=True)):
             found[f"{d.name} ({d.file}:{d.line})"] = None
     return found
 
