@@ -99,7 +99,7 @@ def test_many_lists_that_a_script_fetches(tmp_path: Path) -> None:
 def test_a_quote_that_is_not_closed_before_many_others() -> None:
     quotes = '\\"' * 4 * LONG
     with ends():
-        assert braces.expanded(f'lib{{a,b}} "{quotes}') == f'liba libb "{quotes}'
+        assert braces.expanded(f'apt install lib{{a,b}} "{quotes}') == f'apt install liba libb "{quotes}'
 
 
 def test_a_place_for_a_token_of_many_signs() -> None:

@@ -179,7 +179,12 @@ def test_a_mark_of_the_page_behind_a_command_is_no_word(end: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["python run.py --env {ant,hopper} seed={1,2}", "mkdir 'a{b,c}' \"a {b,c}\"", "cp ${A,b}x{a,b} ."],
+    [
+        "python run.py --env {ant,hopper} seed={1,2}",
+        "mkdir 'a{b,c}' \"a {b,c}\"",
+        "mkdir ${A,b}x{a,b}",
+        "roslaunch demo {sim,real}.launch",
+    ],
 )
 def test_what_no_shell_writes_out_or_a_page_leaves_to_the_reader_stays(text: str) -> None:
     assert expanded(text) == text

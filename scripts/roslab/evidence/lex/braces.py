@@ -19,11 +19,13 @@ _LIST = pattern(
 """What is quoted stays as it is, and so does a word of several lists or one with a variable in it. A list that is a
 whole word or a value (``--env {ant,hopper}``, ``env={ant,hopper}``) is a choice that a page leaves to
 its reader."""
+_TAKES_MANY = pattern(r"\b(?:install|mkdir)\b")
+"""What a page gives a list to; ``roslaunch demo {sim,real}.launch`` leaves a choice to its reader."""
 
 
 def expanded(text: str) -> str:
-    """Return the text of a command with every list in braces written out, each of its words on the same line."""
-    if "{" not in text or "," not in text:
+    """Return a command that installs or makes folders with every list in braces written out, on the same line."""
+    if "{" not in text or "," not in text or not _TAKES_MANY.search(text):
         return text
     return _LIST.sub(_written_out, text)
 
