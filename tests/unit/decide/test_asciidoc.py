@@ -17,6 +17,8 @@ Tree = Callable[[dict[str, str]], Decision]
     [
         ("= Robot\n\n=== Usage", "# Robot\n\n### Usage"),
         ("Robot\n=====\n\nUsage\n~~~~~\n", "# Robot\n\n\n### Usage\n\n"),
+        ("Usage:\n-----\n", "## Usage:\n\n"),
+        ("Build:\n----\nmake\n----\n", "Build:\n```\nmake\n```\n"),
         ("[source,bash]\n----\nmake\n----\n", "\n```bash\nmake\n```\n"),
         ("[source,bash]\n.Compile it\n----\nmake\n----\n", "\nCompile it\n```bash\nmake\n```\n"),
         ("[,python]\n----\nrun()\n----\n", "\n```python\nrun()\n```\n"),

@@ -15,8 +15,9 @@ _FENCE = "```"
 _TITLE = pattern(r"(={1,6})[ \t]{1,9}(\S[^\n]*)")
 _UNDER = {"=": 1, "-": 2, "~": 3, "^": 4, "+": 5}
 """The levels of titles by what underlines them."""
-_NEAR, _SHORTEST = 3, 3
-"""Most letters by which the line below a title is longer or shorter, and the fewest of it: ``--`` is another thing."""
+_NEAR, _SHORTEST = 1, 3
+"""Most letters by which the line below a title is longer or shorter (Asciidoctor, which GitHub shows such pages with:
+lib/asciidoctor/parser.rb), and the fewest of it: ``--`` is another thing."""
 _BLOCK = pattern(r"(?:-{4,}|\.{4,})[ \t]*")
 _COMMENT = pattern(r"/{4,}[ \t]*")
 _LANGUAGE = pattern(r"\[(?:source|listing)?(?:%\w+)?[ \t]*,[ \t]*([\w+-]+)(?:[^\]\w+-][^\]]*)?\][ \t]*")
