@@ -209,6 +209,7 @@ def test_it_is_for_a_library_that_no_author_configures(tmp_path: Path, asked: st
     assert f"AS library-1-{asked.lower().replace('_', '-')}" in text
     assert ("\nCOPY --from=scripts /configure-library /usr/local/bin/\n" in text) == called
     assert (" && configure-library " in text) == called
+    assert ("\nCOPY --from=scripts /install-by-make /usr/local/bin/\n" in text) == (called and asked == "acme_lidar")
 
 
 @pytest.mark.parametrize(
@@ -278,20 +279,47 @@ def test_a_library_with_a_configure_of_its_own(tmp_path: Path) -> None:
     assert said == f"{words}\nconfigure --prefix=/usr/local\n"
 
 
+@pytest.mark.parametrize(("mode", "called"), [(0o644, "sh"), (0o755, "bash")])
+def test_its_own_configure_is_called_by_the_shell_that_it_names(tmp_path: Path, mode: int, called: str) -> None:
+    script = tmp_path / "acme/configure"
+    script.parent.mkdir()
+    script.write_text("#!/bin/bash\necho ${BASH_VERSION:+bash}\n")
+    script.chmod(mode)
+    shells = tmp_path / "bin"
+    shells.mkdir()
+    (shells / "sh").write_text("#!/bin/bash\necho sh\n")
+    (shells / "sh").chmod(0o755)
+    (tmp_path / "acme/build").mkdir()
+    done = subprocess.run(
+        ["bash", str(SCRIPT), "../"],
+        cwd=tmp_path / "acme/build",
+        env={"PATH": f"{shells}:{os.environ['PATH']}"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.splitlines()[-1] == called
+
+
 def test_a_library_with_a_makefile_alone(tmp_path: Path) -> None:
     makefile = "all:\n\t@echo compiled\ninstall: all\n\t@echo installed [$(DESTDIR)]\n"
     said, build = otherwise(tmp_path, {"Makefile": makefile})
     assert said == "roslab: acme has no CMakeLists.txt: its own Makefile installs it\n"
+    own = (SCRIPT.parent / "install-by-make.sh").read_text().replace("/installed", str(tmp_path / "installed"))
+    for name, text in (("install-by-make", own), ("compile-jobs", "#!/bin/bash\necho 2\n")):
+        (tmp_path / "bin" / name).write_text(text)
+        (tmp_path / "bin" / name).chmod(0o755)
     made = subprocess.run(
         ["make", "--jobs=2", "install"],
         cwd=build,
-        env={"PATH": os.environ["PATH"], "DESTDIR": str(tmp_path / "installed")},
+        env={"PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}", "DESTDIR": "/other"},
         capture_output=True,
         text=True,
         check=True,
     )
     assert "compiled\n" in made.stdout
     assert "installed []\n" in made.stdout, "what it puts below /usr is copied"
+    assert not made.stderr
     assert (tmp_path / "installed").is_dir()
 
 

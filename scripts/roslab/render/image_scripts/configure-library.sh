@@ -3,7 +3,7 @@
 # Configures a library of which nothing could be read when the image was planned, or that a table tells how to build on
 # any Ubuntu, in the current folder.
 # Where it has no CMakeLists.txt, the only folder of it that is a project is configured; else its own configure is called, or a
-# Makefile is written here that installs it by its own, which may not know DESTDIR.
+# Makefile is written here that installs it by its own with install-by-make.
 # Where CMake says that it is too old, pip brings a newer one for the library alone, and it is configured again.
 # Where CMake fails for programs that it names, those that are packages of apt under that name are installed and it is
 # configured again. Where the library's own page or CI gives CMake an option that brings its dependencies
@@ -35,7 +35,7 @@ otherwise() {
   fi
   if [ -e "${source}/configure" ]; then
     echo "roslab: ${name} has no CMakeLists.txt: its own configure is called"
-    sh "${source}/configure" --prefix=/usr/local
+    if [ -x "${source}/configure" ]; then "${source}/configure" --prefix=/usr/local; else sh "${source}/configure" --prefix=/usr/local; fi
     exit
   fi
   if ! grep --quiet --no-messages --extended-regexp '^install[[:space:]]*:' "${source}"/{GNUm,M,m}akefile; then return; fi
@@ -43,14 +43,7 @@ otherwise() {
   cat >Makefile <<MAKEFILE
 .PHONY: install
 install:
-	touch before
-	env --unset=DESTDIR \$(MAKE) --directory="$(realpath "${source}")"
-	env --unset=DESTDIR \$(MAKE) --directory="$(realpath "${source}")" --jobs=1 install
-	if [ -n "\$(DESTDIR)" ]; then \\
-	  mkdir --parents "\$(DESTDIR)" && \\
-	  find /usr /opt -cnewer before '(' -type f -o -type l ')' -print0 | \\
-	    tar --create --null --no-recursion --files-from=- | tar --extract --directory="\$(DESTDIR)"; \\
-	fi
+	cd "$(realpath "${source}")" && env --unset=DESTDIR --unset=MAKEFLAGS install-by-make "\$\$(compile-jobs)"
 MAKEFILE
   exit
 }

@@ -143,7 +143,8 @@ def library_stages(plan: Plan) -> str:
             fetched = []
         if reads:
             lines.append(required.of_library(plan, library, f"{SOURCES}/{library.name}"))
-        for script in (CONFIGURE, LENIENT) * _by_script(plan, library) + (INSTALL_BY_MAKE,) * library.by_make:
+        by_make = library.by_make or library.unread  # what nobody has read may have a Makefile alone
+        for script in (CONFIGURE, LENIENT) * _by_script(plan, library) + (INSTALL_BY_MAKE,) * by_make:
             lines.append(shell.copy_script(script).rstrip())
         compiled = _told(library, [*fetched, *_compile(plan, library, "export DESTDIR=/installed")], "compiled")
         needed = secrets.for_pip(plan) if library.build == "pip" else secrets.NONE
