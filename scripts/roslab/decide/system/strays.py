@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
@@ -32,10 +32,10 @@ def strays(
     """
     if build_tool != "colcon" or not packages.built:
         return
-    lacking, built = Outside(evidence, packages), Built(packages)
+    lacking, built, askers = Outside(evidence, packages), Built(packages), _askers(evidence)
     for project in evidence.cmake:
         folder = project.file.rpartition("/")[0]
-        if not _taken(project, folder) or not built.outside(folder) or _needed(project, evidence):
+        if not _taken(project, folder) or not built.outside(folder) or _needed(project, askers):
             continue
         for asked in lacking.of(project):
             if not (resolve(asked, target).known or provided_as(asked.name, names)):
@@ -56,14 +56,14 @@ def spare_projects(
     """
     if build_tool != "colcon" or not packages.built:
         return ()
-    built = Built(packages)
+    built, askers = Built(packages), _askers(evidence)
     started = {word.rpartition("/")[2] for word in line_of(command).split()}
     found = set()
     for project in evidence.cmake:
         folder = project.file.rpartition("/")[0]
         if folder in left_out or not _taken(project, folder) or not built.outside(folder):
             continue
-        if not (_needed(project, evidence) or started & {name.rpartition("/")[2] for name, _ in project.executables}):
+        if not (_needed(project, askers) or started & {name.rpartition("/")[2] for name, _ in project.executables}):
             found.add(folder)
     return tuple(sorted(found))
 
@@ -74,9 +74,18 @@ def _taken(project: CMakeProject, folder: str) -> bool:
     return seen and project.top_level and bool(project.name)
 
 
-def _needed(project: CMakeProject, evidence: Evidence) -> bool:
+def _askers(evidence: Evidence) -> Mapping[str, Collection[str]]:
+    """Return the files of projects and manifests that ask for a name, by the name."""
+    files: dict[str, set[str]] = {}
+    asking = [(each.file, each.dependencies) for each in evidence.cmake]
+    asking += [(each.file, each.dependencies) for each in evidence.manifests]
+    for file, dependencies in asking:
+        for asked in dependencies:
+            files.setdefault(plain(asked.name), set()).add(file)
+    return files
+
+
+def _needed(project: CMakeProject, askers: Mapping[str, Collection[str]]) -> bool:
     """Tell whether another project or a manifest asks for it; CMake finds ``mylib-config.cmake`` as ``MyLib``, too."""
     made = {plain(name) for name in (project.name, *project.configs, *project.targets) if name}
-    by_cmake = (asked for each in evidence.cmake if each is not project for asked in each.dependencies)
-    by_manifest = (asked for manifest in evidence.manifests for asked in manifest.dependencies)
-    return any(plain(asked.name) in made for asked in (*by_cmake, *by_manifest))
+    return any(file != project.file for name in made for file in askers.get(name, ()))
