@@ -25,7 +25,7 @@ from roslab.decide.startable_launches import unstartable
 from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.switches import given
 from roslab.decide.unmade_nodes import with_unmade
-from roslab.decide.with_endings import with_ending
+from roslab.decide.with_endings import with_endings
 from roslab.decide.written_commands import written
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, PackageManifest
@@ -52,7 +52,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     calls = launch_calls(evidence)
     files = {calls[each.file]: each for each in evidence.launch if each.file in calls}
     said = tuple(served(each, evidence) for each in written(evidence, kind, ros=ros, compiled=compiled))
-    said = tuple(with_ending(each, evidence) for each in said) if ros else said
+    said = tuple(with_endings(said, evidence)) if ros else said
     unmade = with_unmade(evidence)
     names = tuple(names_of_whole(evidence))
     stops = [calls[file] for file in unmade if file in calls]
