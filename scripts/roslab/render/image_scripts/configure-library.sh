@@ -17,7 +17,7 @@ part='(.*_)?(PYTHON[0-9]*|MATLAB|OCTAVE|JAVA|(PY)?BINDINGS?|TEST(S|ING)?|EXAMPLE
 part+='|BENCHMARKS?|DOCS?|DOCUMENTATION|DOXYGEN)(_.*)?'
 source="${!#}"
 otherwise() {
-  local name below
+  local name below own
   name="$(basename "$(realpath "${source}")")"
   mapfile -t below < <(find "${source}" -mindepth 2 -maxdepth 2 -name CMakeLists.txt \
     -exec grep --files-with-matches --ignore-case --extended-regexp '^[[:space:]]*project[[:space:]]*\(' {} + |
@@ -35,7 +35,9 @@ otherwise() {
   fi
   if [ -e "${source}/configure" ]; then
     echo "roslab: ${name} has no CMakeLists.txt: its own configure is called"
-    if [ -x "${source}/configure" ]; then "${source}/configure" --prefix=/usr/local; else sh "${source}/configure" --prefix=/usr/local; fi
+    own=(sh "${source}/configure")
+    if [ -x "${source}/configure" ]; then own=("${source}/configure"); fi
+    "${own[@]}" --prefix=/usr/local
     exit
   fi
   if ! grep --quiet --no-messages --extended-regexp '^install[[:space:]]*:' "${source}"/{GNUm,M,m}akefile; then return; fi

@@ -47,7 +47,8 @@ included() {
   local path part aside=({.git,build,{third,3rd}{,-,_}party,extern,external,externals,vendor,doc,docs}) here cmake
   aside+=(test tests testing example examples demo demos sample samples benchmark benchmarks win32 windows android)
   here="$(find "${folder}" -name .git -prune -o -printf '%f\n' | LC_ALL=C sort --unique)"
-  cmake="$(find "${folder}" \( -name CMakeLists.txt -o -name '*.cmake' -o -name '*.cmake.in' \) -xtype f -exec cat {} +)"
+  cmake="$(find "${folder}" \( -name CMakeLists.txt -o -name '*.cmake' -o -name '*.cmake.in' \) -xtype f \
+    -exec cat {} +)"
   { grep --recursive --no-filename --only-matching --text --extended-regexp "${aside[@]/#/--exclude-dir=}" \
     --include='*.'{h,hh,hpp,hxx,c,cc,cpp,cxx} '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"][A-Za-z0-9_./+-]+[>"]' \
     "${folder}" || true; } | sed --expression 's/.*[<"]\(.*\)[>"]/\1/' | LC_ALL=C sort --unique |
