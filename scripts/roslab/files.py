@@ -124,8 +124,14 @@ def _examine(
                 continue
             actions[file.path] = _action(folder / file.path, file, contents[file.path])
             if actions[file.path] == "replaced" and not force:
-                message = "roslab wrote it earlier and would now write something else"
-                problems.append(Problem(message=message, hint="--force replaces it", origin=Place(file=file.path)))
+                message = "roslab wrote it earlier, and what it would write now differs"
+                problems.append(
+                    Problem(
+                        message=message,
+                        hint="--force replaces it, and any edit of yours in it",
+                        origin=Place(file=file.path),
+                    )
+                )
     except OSError as error:
         raise _unwritable(folder, error) from None
     if problems:

@@ -108,7 +108,8 @@ def test_its_own_older_file_needs_force(roslab: Roslab, robot: Path) -> None:
     answer = roslab("create", robot)
     assert answer.returncode == 4
     assert answer.stderr == (
-        "Dockerfile: error: roslab wrote it earlier and would now write something else\n  --force replaces it\n"
+        "Dockerfile: error: roslab wrote it earlier, and what it would write now differs\n"
+        "  --force replaces it, and any edit of yours in it\n"
     )
     assert listing(robot) == before
     again = roslab("create", robot, "--force")

@@ -197,3 +197,10 @@ def test_what_is_no_tag_is_refused_before_anything_is_built(
     assert answer.returncode == 2, answer.stdout
     assert f"argument --tag: {tag!r} is no tag" in answer.stderr
     assert instead in answer.stderr
+
+
+def test_an_option_that_a_command_has_not_shows_what_the_command_takes(roslab: Roslab, robot: Path) -> None:
+    answer = roslab("migrate", "--format", "json", robot)
+    assert answer.returncode == 2
+    assert answer.stderr.startswith("usage: roslab migrate ")
+    assert "roslab migrate: error: unrecognized arguments: --format" in answer.stderr

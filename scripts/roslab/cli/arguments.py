@@ -238,7 +238,7 @@ def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentPa
         epilog=EXIT_CODES,
         formatter_class=_Help,
     )
-    command.set_defaults(handler=name)
+    command.set_defaults(handler=name, asked=command)
     return command
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import atexit
+import errno
 import gc
 import os
 import signal
@@ -31,6 +32,9 @@ def run() -> NoReturn:
     """Run the command line and end the process, without giving back what it made: that takes long for many values."""
     kept_modules.install("roslab.cli.commands", "roslab.evidence.gather", "roslab.decide.deciding")
     kept_trees.install()
+    # A stream that the caller has closed is None: what is said there is for nobody, and no bug of ours
+    sys.stdout = sys.stdout or open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 - it is open to the end
+    sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115
     code = main()
     try:
         sys.stdout.flush()
@@ -47,29 +51,43 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if argv is None else argv)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that `finally` runs and nothing half-built remains
     debug = os.environ.get("ROSLAB_DEBUG") == "1"
+    code = 0
     try:
-        options = parser(next(iter(arguments), None)).parse_args(completed(arguments))
-        return _handler(options)(options)
+        top = parser(next(iter(arguments), None))
+        options, unknown = top.parse_known_args(completed(arguments))
+        if unknown:  # the usage of the command says what it takes, that of roslab alone does not
+            getattr(options, "asked", top).error(f"unrecognized arguments: {' '.join(unknown)}")
+        code = _handler(options)(options)
+        sys.stdout.flush()  # what cannot be written is seen here, not when the process ends
     except RoslabError as error:
         _report(error)
         return error.exit_code
     except BrokenPipeError:
         # The reader of our output has closed it (`| head`): not an error, but Python would print one at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
     except KeyboardInterrupt:
         sys.stderr.write("\nroslab: interrupted\n")
         return 130
-    except Exception as error:  # the last line of defence: a bug of ours
-        if debug:
-            raise
-        from roslab.repository.checkout import printable  # noqa: PLC0415 - nobody waits for it before
+    except Exception as error:  # the last line of defence: a bug of ours, or a full disk
+        return _unexpected(error, debug=debug)
+    return code
 
-        # One line without control characters: on GitHub a line of its own could be a command to the runner
-        said = printable(f"{type(error).__name__}: {error}").replace("##[", "## [")
-        sys.stderr.write(f"roslab: a bug: {said}\n")
-        sys.stderr.write("Please report it; ROSLAB_DEBUG=1 shows where it happened.\n")
-        return 1
+
+def _unexpected(error: Exception, *, debug: bool) -> int:
+    """Say what stopped the command that no code of ours foresaw, and return its exit code."""
+    if debug:
+        raise error
+    if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
+        sys.stderr.write(f"roslab: error: {error.strerror}: what was to be written is not complete\n")
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # as for a closed pipe
+        return 5
+    from roslab.repository.checkout import printable  # noqa: PLC0415 - nobody waits for it before
+
+    # One line without control characters: on GitHub a line of its own could be a command to the runner
+    said = printable(f"{type(error).__name__}: {error}").replace("##[", "## [")
+    sys.stderr.write(f"roslab: a bug: {said}\n")
+    sys.stderr.write("Please report it; ROSLAB_DEBUG=1 shows where it happened.\n")
+    return 1
 
 
 def _handler(options: argparse.Namespace) -> Callable[[argparse.Namespace], int]:

@@ -61,7 +61,8 @@ class Repository(ToldByGit):
                     Problem(message=f"{printable(str(path))} is empty", hint="check the repository out first")
                 )
         except (OSError, ValueError, RuntimeError) as error:
-            raise ConfigurationError(Problem(message=f"cannot read {printable(str(path))}: {error}")) from None
+            why = getattr(error, "strerror", None) or error
+            raise ConfigurationError(Problem(message=f"cannot read {printable(str(path))}: {why}")) from None
         return cls(root, branch, top)
 
     @cached_property

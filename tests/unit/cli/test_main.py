@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -24,3 +27,36 @@ def test_a_bug_is_one_line_and_no_command(
     assert "##[" not in first
     assert "\x1b" not in first
     assert rest == "Please report it; ROSLAB_DEBUG=1 shows where it happened.\n"
+
+
+SCRIPTS = Path(__file__).parents[3] / "scripts"
+
+
+@pytest.fixture
+def tree(tmp_path: Path) -> Path:
+    (tmp_path / "requirements.txt").write_text("numpy\n")
+    return tmp_path
+
+
+@pytest.mark.parametrize("command", ["plan", "inspect"])
+def test_an_output_that_is_full_is_no_bug_of_ours(tree: Path, command: str) -> None:
+    """A plan is written at once, what is shorter only at the end: both are told, neither is a success."""
+    with Path("/dev/full").open("w") as full:
+        answer = subprocess.run(
+            [sys.executable, "-I", str(SCRIPTS), command, str(tree)],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+        )
+    assert answer.returncode == 5
+    assert answer.stderr == "roslab: error: No space left on device: what was to be written is not complete\n"
+
+
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-"])
+def test_a_stream_that_is_closed_is_nobodys(tree: Path, closed: str) -> None:
+    line = f'exec "$0" -I "$1" plan "$2" {closed}'
+    words = ["sh", "-c", line, sys.executable, str(SCRIPTS), str(tree)]
+    answer = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert answer.returncode == 0
+    assert answer.stderr == ""
