@@ -129,11 +129,22 @@ def _packages(decision: Decision, plan: Plan) -> list[str]:
 
 
 def explanation(reasons: Iterable[Reason], question: str) -> str:
-    """Return all evidence for one question, the strongest first, including that for answers that lost."""
+    """Return all evidence for one question, the strongest first, including that for answers that lost.
+
+    What one line says for one answer stands once, in the words of the strongest.
+    """
     found = sorted((r for r in reasons if r.question == question), key=lambda r: (not r.decisive, -r.weight))
+    won = {reason.answer for reason in found if reason.decisive}
+    found.sort(key=lambda r: r.answer not in won or r.weight < 0)
     lines = [f"{question}:"]
+    told = set()
     for reason in found:
-        mark = "+" if reason.decisive else "-"
+        place = (reason.answer, reason.file, reason.line)
+        if place in told:
+            continue
+        if reason.file:
+            told.add(place)
+        mark = "+" if reason.decisive or (reason.answer in won and reason.weight >= 0) else "-"
         lines.append(f"  {mark} {printable(reason.answer)}: {_placed(reason.reason, reason.file, reason.line)}")
     return "\n".join(lines) + "\n"
 

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from roslab.decide.decision import Reason
 from roslab.pipeline import plan_repository
-from roslab.render.report import inspection_text
+from roslab.render.report import explanation, inspection_text
 
 EXAMPLES = sorted(path.name for path in (Path(__file__).parents[3] / "examples").iterdir() if path.is_dir())
 
@@ -79,3 +80,20 @@ def test_no_ubuntu_is_told_of_an_image_of_debian(tmp_path: Path, image: str, *, 
     planned = plan_repository(tmp_path)
     assert planned.decision.dockerfile
     assert ("\n  Ubuntu " in inspection_text(planned.decision, planned.plan)) is shown
+
+
+def test_what_speaks_for_the_answer_is_not_shown_as_against_it() -> None:
+    reasons = (
+        Reason(question="command", answer="run a", reason="the page runs it, before 1 other", file="README.md", line=3),
+        Reason(question="command", answer="run a", reason="the page runs it", file="README.md", line=3, decisive=False),
+        Reason(question="command", answer="run b", reason="a launch file", file="b.launch", line=1, decisive=False),
+        Reason(question="command", answer="run a", reason="a launch file", file="a.launch", line=1, decisive=False),
+        Reason(question="command", answer="run a", reason="it is a test", weight=-1, decisive=False),
+    )
+    assert explanation(reasons, "command").splitlines() == [
+        "command:",
+        "  + run a: the page runs it, before 1 other (README.md:3)",
+        "  + run a: a launch file (a.launch:1)",
+        "  - run b: a launch file (b.launch:1)",
+        "  - run a: it is a test",
+    ]
