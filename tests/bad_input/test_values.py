@@ -199,6 +199,16 @@ def test_what_is_no_tag_is_refused_before_anything_is_built(
     assert instead in answer.stderr
 
 
+@pytest.mark.parametrize("begin", [b"PK\x03\x04\x14\x00", b"\x1f\x8b\x08\x00", b"\xfd7zXZ\x00\x00"])
+def test_explain_a_log_that_is_packed(roslab: Roslab, tmp_path: Path, begin: bytes) -> None:
+    """GitHub's page gives the logs of a run as a zip: its bytes are no lines that matter."""
+    (tmp_path / "logs").write_bytes(begin + bytes(range(256)) * 20)
+    answer = roslab("explain", "logs", cwd=tmp_path)
+    assert answer.returncode == 2
+    assert answer.stderr.startswith("roslab: error: logs is packed (")
+    assert answer.stdout == ""
+
+
 def test_an_option_that_a_command_has_not_shows_what_the_command_takes(roslab: Roslab, robot: Path) -> None:
     answer = roslab("migrate", "--format", "json", robot)
     assert answer.returncode == 2

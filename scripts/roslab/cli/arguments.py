@@ -247,7 +247,7 @@ def _repository(command: argparse.ArgumentParser, *overriding: str, default: str
     help_ = (
         "the repository (default: this folder)"
         if default
-        else "the repository that was built: adds who asked and the lines to paste"
+        else "the repository that was built: adds who asked and the lines to paste (for --ask and --apply: this folder)"
     )
     command.add_argument("path", nargs="?", default=default, metavar="PATH", help=help_)
     command.add_argument("--config", metavar="FILE", help="roslab.yaml to read, relative to the repository")

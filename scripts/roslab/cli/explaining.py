@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import io
 import sys
 from pathlib import Path
+from typing import IO
 
 from roslab.cli.asking import asking
 from roslab.cli.planning import planned_of
@@ -23,15 +25,18 @@ from roslab.repair.chain import NOBODY, proposed, unasked
 from roslab.repair.change import Repair
 from roslab.values.dataclass import replace
 
+_PACKED = {b"PK\3\4": "zip", b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ\0": "xz", b"\x28\xb5\x2f\xfd": "zstd"}
+"""How a file of a packing format begins, and the format."""
+
 
 def explain(options: argparse.Namespace) -> int:
     """Print why a build failed; with a repository also who asked for what was missing, and the lines to paste."""
     try:
         if options.log == "-":
-            answer = explained(sys.stdin.buffer)
+            answer = _explained(sys.stdin.buffer, options.log)
         else:
             with Path(options.log).open("rb") as stream:
-                answer = explained(stream)
+                answer = _explained(stream, options.log)
     except OSError as error:
         raise ConfigurationError(Problem(message=f"cannot read {options.log}: {error.strerror}")) from None
     planned = planned_of(options) if options.path or options.apply or options.ask else None
@@ -44,6 +49,16 @@ def explain(options: argparse.Namespace) -> int:
     if options.apply and planned:
         _apply(options, planned, found)
     return 0
+
+
+def _explained(stream: IO[bytes], log: str) -> Answer:
+    """Return why a build failed; raise ``ConfigurationError`` for a log in an archive, as GitHub's page gives it."""
+    begin = stream.peek(8) if isinstance(stream, io.BufferedReader) else b""
+    if kind := next((kind for mark, kind in _PACKED.items() if begin.startswith(mark)), None):
+        raise ConfigurationError(
+            Problem(message=f"{log} is packed ({kind}): it cannot be read so", hint="unpack it first")
+        )
+    return explained(stream)
 
 
 def _proposed(answer: Answer, planned: Planned, options: argparse.Namespace) -> Repair:

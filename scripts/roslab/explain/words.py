@@ -10,6 +10,10 @@ from roslab.errors import Problem
 from roslab.explain.answer import Answer, Explanation
 from roslab.knowledge.repairs import LISTS
 from roslab.values.dataclass import asdict
+from roslab.values.pattern import pattern
+
+_CONTROL = pattern(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+"""What a terminal would obey: a log may hold anything, and a reader of it wants its own terminal back."""
 
 
 def text(answer: Answer, *, lines: bool = True) -> str:
@@ -20,7 +24,8 @@ def text(answer: Answer, *, lines: bool = True) -> str:
     if not answer.explanations:
         what = "The build in this log went well." if answer.succeeded else "This log holds nothing that failed."
         return f"{what}\n"
-    return "\n".join(_one(found, lines=lines) for found in answer.explanations)
+    said = "\n".join(_one(found, lines=lines) for found in answer.explanations)
+    return _CONTROL.sub(lambda found: found[0].encode("unicode_escape").decode(), said)
 
 
 def _one(found: Explanation, *, lines: bool) -> str:

@@ -104,3 +104,11 @@ def test_the_environment_that_gym_does_not_have_is_named(said: str) -> None:
     log = f"Traceback (most recent call last):\ngymnasium.error.{said.format('ArmReach')}\n"
     found = explain(io.BytesIO(log.encode())).explanations[0]
     assert (found.id, dict(found.names)["name"]) == ("gym-environment-unknown", "ArmReach")
+
+
+def test_what_a_terminal_would_obey_is_shown_and_not_sent() -> None:
+    """ESC c clears the whole terminal; a log may hold it by chance, or on purpose."""
+    odd = MISSING.replace("fatal error: glog/logging.h: No such file or directory", "error:\todd \x1bc\x08\x9b2J")
+    said = words.text(explain(io.BytesIO(odd.encode())))
+    assert "odd" in said
+    assert not {"\x1b", "\x08", "\x9b"} & set(said)
