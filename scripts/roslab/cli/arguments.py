@@ -225,9 +225,10 @@ def _rounds(text: str) -> int:
 
 
 def completed(arguments: Sequence[str]) -> list[str]:
-    """Return the arguments with the number that ``--repair`` means alone: what follows it may be the repository."""
+    """Return the arguments with the number that ``--repair`` means alone: what follows may be the repository."""
     own = len(arguments) if "--" not in arguments else list(arguments).index("--")
-    return [f"--repair={ROUNDS}" if at < own and word == "--repair" else word for at, word in enumerate(arguments)]
+    pairs = enumerate(zip(arguments, [*arguments[1:], ""], strict=True))
+    return [f"--repair={ROUNDS}" if at < own and a == "--repair" and not b.isdigit() else a for at, (a, b) in pairs]
 
 
 def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentParser:

@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from roslab.cli.arguments import EXIT_CODES, parser
+from roslab.cli.arguments import EXIT_CODES, ROUNDS, completed, parser
 from roslab.cli.main import main
 
 
@@ -46,3 +46,20 @@ def test_every_command_says_what_it_does(name: str) -> None:
     assert command.description
     assert EXIT_CODES in command.format_help()
     assert [action.dest for action in command._actions if not action.help] == []
+
+
+@pytest.mark.parametrize(
+    ("words", "path", "rounds"),
+    [
+        (["--repair", "3", "robot"], "robot", 3),
+        (["--repair=3", "robot"], "robot", 3),
+        (["robot", "--repair", "3"], "robot", 3),
+        (["--repair", "3"], ".", 3),
+        (["--repair", "robot"], "robot", ROUNDS),
+        (["robot", "--repair"], "robot", ROUNDS),
+        (["--repair", "--slim", "robot"], "robot", ROUNDS),
+    ],
+)
+def test_the_number_of_repairs_may_stand_as_the_help_shows_it(words: list[str], path: str, rounds: int) -> None:
+    options = parser("build").parse_args(completed(["build", *words]))
+    assert (options.path, options.repair) == (path, rounds)
