@@ -256,7 +256,7 @@ def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
     missing = lacking.get(reason.answer, ())
     if not missing or reason.weight >= Weight.AUTHORS_IMAGE:
         return reason
-    text = f"{reason.reason}; but {reason.answer} has no {missing[0]}"
+    text = f"{reason.reason}; but {reason.answer} comes without {missing[0]}"
     return replace(reason, reason=text, weight=max(Weight.DEFAULT - 1, reason.weight - Weight.DOES_NOT_COMPILE))
 
 

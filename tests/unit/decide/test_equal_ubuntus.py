@@ -61,3 +61,13 @@ def test_for_the_image_of_a_day_what_had_not_ended_then(tree: Tree, tmp_path: Pa
     tree({**CODE, CI: _list("18.04", "20.04", "22.04")})
     dated = decide(gather(Repository.open(tmp_path)), Config(date="2021-06-01"), folder_name="demo")
     assert dated.ubuntu == "focal"
+
+
+def test_an_ubuntu_whose_packages_hold_a_newer_compiler_is_not_said_to_have_none(tmp_path: Path) -> None:
+    """Focal comes with GCC 9 and packages g++-10, which is installed where focal is taken all the same."""
+    code = {**CODE, "a.cpp": "#include <span>\nint main() { return 0; }\n", "README.md": "Ubuntu 20.04.\n"}
+    for name, text in code.items():
+        (tmp_path / name).write_text(text)
+    decision = decide(gather(Repository.open(tmp_path)), Config(), folder_name="demo")
+    said = [reason.reason for reason in decision.reasons if reason.question == "ubuntu" and reason.answer == "focal"]
+    assert any("; but focal comes without GCC 10 or newer" in reason for reason in said), said

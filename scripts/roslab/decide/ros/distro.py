@@ -220,7 +220,7 @@ def _compiling(reason: Reason, lacking: dict[str, tuple[str, ...]]) -> Reason:
         missing = tuple(what for what in missing if what.startswith("CMake "))
     if not missing:
         return reason
-    text = f"{reason.reason}; but {reason.answer} has no {missing[0]}"
+    text = f"{reason.reason}; but {reason.answer} comes without {missing[0]}"
     return replace(reason, reason=text, weight=max(Weight.DEFAULT, reason.weight - Weight.LACKS_A_KEY))
 
 
