@@ -53,10 +53,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     debug = os.environ.get("ROSLAB_DEBUG") == "1"
     code = 0
     try:
-        top = parser(next(iter(arguments), None))
-        options, unknown = top.parse_known_args(completed(arguments))
-        if unknown:  # the usage of the command says what it takes, that of roslab alone does not
-            getattr(options, "asked", top).error(f"unrecognized arguments: {' '.join(unknown)}")
+        options = _parsed(completed(arguments))
         code = _handler(options)(options)
         sys.stdout.flush()  # what cannot be written is seen here, not when the process ends
     except RoslabError as error:
@@ -71,6 +68,18 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as error:  # the last line of defence: a bug of ours, or a full disk
         return _unexpected(error, debug=debug)
     return code
+
+
+def _parsed(arguments: list[str]) -> argparse.Namespace:
+    """Return the options; what follows the ``--`` of ``run`` is its command, also where no folder stands before."""
+    top = parser(next(iter(arguments), None))
+    end = arguments.index("--") if arguments[:1] == ["run"] and "--" in arguments else len(arguments)
+    options, unknown = top.parse_known_args(arguments[:end])
+    if unknown:  # the usage of the command says what it takes, that of roslab alone does not
+        getattr(options, "asked", top).error(f"unrecognized arguments: {' '.join(unknown)}")
+    if end < len(arguments):
+        options.arguments = [*options.arguments, *arguments[end + 1 :]]
+    return options
 
 
 def _unexpected(error: Exception, *, debug: bool) -> int:

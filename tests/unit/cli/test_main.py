@@ -60,3 +60,27 @@ def test_a_stream_that_is_closed_is_nobodys(tree: Path, closed: str) -> None:
     answer = subprocess.run(words, capture_output=True, text=True, check=False)
     assert answer.returncode == 0
     assert answer.stderr == ""
+
+
+@pytest.mark.parametrize(
+    ("words", "path", "command"),
+    [
+        (["--", "ls", "-l"], ".", ["ls", "-l"]),
+        (["robot", "--", "ls", "-l"], "robot", ["ls", "-l"]),
+        (["--tag", "v1", "--", "ls", "--tag", "--"], ".", ["ls", "--tag", "--"]),
+        (["robot"], "robot", []),
+        (["robot", "--"], "robot", []),
+    ],
+)
+def test_what_follows_two_dashes_is_the_command_to_run(
+    monkeypatch: pytest.MonkeyPatch, words: list[str], path: str, command: list[str]
+) -> None:
+    seen: list[argparse.Namespace] = []
+
+    def kept(options: argparse.Namespace) -> int:
+        seen.append(options)
+        return 0
+
+    monkeypatch.setattr(main, "_handler", lambda _: kept)
+    assert main.main(["run", *words]) == 0
+    assert (seen[0].path, seen[0].arguments) == (path, command)
