@@ -1,4 +1,4 @@
-"""For which system the name of a list of repositories says that it is: ``dependencies_jammy.repos``."""
+"""The Ubuntu or other system that a list of repositories is for, by its name: ``dependencies_jammy.repos``."""
 
 from __future__ import annotations
 

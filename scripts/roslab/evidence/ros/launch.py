@@ -85,7 +85,7 @@ _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", 
 
 def read(repository: Repository) -> tuple[LaunchFile, ...]:
     """Return every launch file, sorted by path, with the packages that it starts or finds files in."""
-    packages = _packages(repository)
+    packages = repository.once(names_by_folder)
     found = []
     for file in _candidates(repository):
         text = repository.read(file)
@@ -228,7 +228,7 @@ def _line(text: str, match: re.Match[str]) -> int:
     return text.count("\n", 0, match.start()) + 1
 
 
-def _packages(repository: Repository) -> dict[str, str]:
+def names_by_folder(repository: Repository) -> dict[str, str]:
     """Return ``{folder: package}`` of the package.xml files; a package of rosbuild is named like its folder."""
     found = {file.folder: file.folder.rpartition("/")[2] for file in repository.named("manifest.xml") if file.folder}
     for file in repository.named("package.xml"):

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from roslab.evidence.facts import Mention
+from roslab.evidence.ros.launch import names_by_folder
 from roslab.evidence.ros.unmade_nodes import COMMENT, RENAMES
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
@@ -34,10 +35,17 @@ def read(repository: Repository, mentions: Iterable[Mention]) -> Iterator[Mentio
 
 def _build_of(package: str, repository: Repository) -> str:
     """Return the CMakeLists.txt of a package of the tree without its comments, ``""`` where it has none, or two do."""
-    name = re.compile(rf"<name>\s*{package}\s*</name>")
-    folders = [f.folder for f in repository.named("package.xml") if name.search(repository.read(f))]
+    folders = repository.once(_folders).get(package, ())
     path = f"{folders[0]}/CMakeLists.txt".lstrip("/") if len(folders) == 1 else ""
     return COMMENT.sub("", repository.read(path)) if path and repository.has(path) else ""
+
+
+def _folders(repository: Repository) -> dict[str, list[str]]:
+    """Return the folders of the tree's packages by their names."""
+    found: dict[str, list[str]] = {}
+    for folder, name in repository.once(names_by_folder).items():
+        found.setdefault(name, []).append(folder)
+    return found
 
 
 def _named(program: str, text: str) -> bool:
