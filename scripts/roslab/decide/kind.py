@@ -134,7 +134,8 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
         reasons.append(because("kind", kind, why, at, weight=Weight.ROS_ALONE))
     for manifest in packages.assets[:1]:
         why = "a package.xml with nothing to build beside it: the description of a robot"
-        reasons.append(because("kind", "ros1", why, manifest, weight=Weight.DESCRIPTION))
+        of = "ros2" if ros_versions(manifest) == {2} else "ros1"
+        reasons.append(because("kind", of, why, manifest, weight=Weight.DESCRIPTION))
     return reasons
 
 

@@ -166,6 +166,13 @@ def test_a_robots_description_makes_no_ros_repository(tmp_path: Path) -> None:
     assert decided(tmp_path, files).kind == "python"
 
 
+@pytest.mark.parametrize(("tool", "kind"), [("ament_cmake", "ros2"), ("catkin", "ros1")])
+def test_a_description_alone_is_of_the_ros_that_its_manifest_names(tmp_path: Path, tool: str, kind: str) -> None:
+    export = f"<export><build_type>{tool}</build_type></export>"
+    text = f'<package format="3"><name>robot</name><buildtool_depend>{tool}</buildtool_depend>{export}</package>'
+    assert decided(tmp_path, {"package.xml": text}).kind == kind
+
+
 LIBRARY = "from setuptools import setup\nsetup(name='demo', install_requires={})\n"
 RUNS = "if __name__ == '__main__':\n    main()\n"
 
