@@ -134,7 +134,8 @@ def explanation(reasons: Iterable[Reason], question: str) -> str:
     What one line says for one answer stands once, in the words of the strongest.
     """
     found = sorted((r for r in reasons if r.question == question), key=lambda r: (not r.decisive, -r.weight))
-    won = {reason.answer for reason in found if reason.decisive}
+    doubted = {reason.answer for reason in found if question == "dockerfile" and reason.weight < 0}  # not built
+    won = {reason.answer for reason in found if reason.decisive} - doubted
     found.sort(key=lambda r: r.answer not in won or r.weight < 0)
     lines = [f"{question}:"]
     told = set()
@@ -144,7 +145,7 @@ def explanation(reasons: Iterable[Reason], question: str) -> str:
             continue
         if reason.file:
             told.add(place)
-        mark = "+" if reason.decisive or (reason.answer in won and reason.weight >= 0) else "-"
+        mark = "+" if reason.answer in won and (reason.decisive or reason.weight >= 0) else "-"
         lines.append(f"  {mark} {printable(reason.answer)}: {_placed(reason.reason, reason.file, reason.line)}")
     return "\n".join(lines) + "\n"
 

@@ -97,3 +97,14 @@ def test_what_speaks_for_the_answer_is_not_shown_as_against_it() -> None:
         "  - run b: a launch file (b.launch:1)",
         "  - run a: it is a test",
     ]
+
+
+def test_a_dockerfile_that_is_not_built_is_not_shown_as_the_answer() -> None:
+    reasons = (
+        Reason(question="dockerfile", answer="ci/Dockerfile", reason="it is for CI", file="ci/Dockerfile", weight=-1),
+        Reason(question="dockerfile", answer="Dockerfile", reason="the author's", file="Dockerfile", weight=500),
+    )
+    assert explanation(reasons, "dockerfile").splitlines()[1:] == [
+        "  + Dockerfile: the author's (Dockerfile)",
+        "  - ci/Dockerfile: it is for CI (ci/Dockerfile)",
+    ]
