@@ -19,6 +19,7 @@ exit codes:
   4  refused for safety: a file of yours would be overwritten, a link leads out of the tree
   5  the engine, the registry, the build or the image failed
   1  a bug of roslab's own
+  130  interrupted (Ctrl-C)
 """
 OVERRIDING = {"--name": "name", "--date": "date", "--platform": "platforms", "--command": "command", "--test": "test"}
 """Options that set a key of roslab.yaml, and that key, which is also the name of the parsed option."""
@@ -95,6 +96,7 @@ def _inspect(commands: Commands) -> None:
 def _plan(commands: Commands) -> None:
     plan = _command(commands, "plan", "Print the plan of the image as JSON, for workflows.")
     _repository(plan, *OVERRIDING)
+    plan.add_argument("--format", choices=("json",), default="json", help="a plan is always JSON")
 
 
 def _check(commands: Commands) -> None:
@@ -243,6 +245,13 @@ def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentPa
     return command
 
 
+def _named(path: str) -> str:
+    """Return a path that is given; an empty one is mostly a variable of the shell that is not set."""
+    if not path:
+        raise argparse.ArgumentTypeError("it is empty: give a folder, or leave it out for this one")
+    return path
+
+
 def _repository(command: argparse.ArgumentParser, *overriding: str, default: str | None = ".") -> None:
     """Add the arguments of a command that reads a repository, and those options of ``OVERRIDING`` that it takes."""
     help_ = (
@@ -250,7 +259,7 @@ def _repository(command: argparse.ArgumentParser, *overriding: str, default: str
         if default
         else "the repository that was built: adds who asked and the lines to paste (for --ask and --apply: this folder)"
     )
-    command.add_argument("path", nargs="?", default=default, metavar="PATH", help=help_)
+    command.add_argument("path", nargs="?", default=default, type=_named, metavar="PATH", help=help_)
     command.add_argument("--config", metavar="FILE", help="roslab.yaml to read, relative to the repository")
     command.add_argument("--branch", metavar="NAME", help="the branch's name, where there is no .git to read it from")
     for option in overriding:

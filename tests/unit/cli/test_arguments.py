@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -63,3 +65,16 @@ def test_every_command_says_what_it_does(name: str) -> None:
 def test_the_number_of_repairs_may_stand_as_the_help_shows_it(words: list[str], path: str, rounds: int) -> None:
     options = parser("build").parse_args(completed(["build", *words]))
     assert (options.path, options.repair) == (path, rounds)
+
+
+def test_an_empty_path_is_no_folder(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(["inspect", ""])
+    assert stopped.value.code == 2
+    assert "it is empty: give a folder, or leave it out for this one" in capsys.readouterr().err
+
+
+def test_a_plan_may_be_asked_for_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "requirements.txt").write_text("numpy\n", encoding="utf-8")
+    assert main(["plan", "--format", "json", str(tmp_path)]) == 0
+    assert json.loads(capsys.readouterr().out)["kind"] == "python"

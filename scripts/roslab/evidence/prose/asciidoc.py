@@ -67,8 +67,8 @@ def as_markdown(text: str) -> str:
         else:
             said[number] = _written(line, named)
         literal = literal and bool(line.strip())
-        given = _LANGUAGE.fullmatch(line)
-        language = given[1] if given else language if line.startswith(".") and not _BLOCK.fullmatch(line) else ""
+        match = _LANGUAGE.fullmatch(line)
+        language = match[1] if match else language if line.startswith(".") and not _BLOCK.fullmatch(line) else ""
     return "\n".join(said)
 
 
