@@ -23,6 +23,7 @@ from roslab.repair import dockerfile
 from roslab.repair import words as repair_words
 from roslab.repair.chain import NOBODY, proposed, unasked
 from roslab.repair.change import Repair
+from roslab.repository.checkout import printable
 from roslab.values.dataclass import replace
 
 _PACKED = {b"PK\3\4": "zip", b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ\0": "xz", b"\x28\xb5\x2f\xfd": "zstd"}
@@ -109,4 +110,7 @@ def _apply(options: argparse.Namespace, planned: Planned, found: Repair) -> None
     file, old = configuration(planned, options)
     new = added(old, changes.entries, file=file)
     sys.stderr.write(repair_words.diff(old, changes, file))
-    write_configuration(planned.repository.root / file, old, new)
+    path = planned.repository.root / file
+    write_configuration(path, old, new)
+    kept = f"; the old one is {file}.old" if old is not None else ""
+    sys.stderr.write(f"roslab: written to {printable(str(path))}{kept}\n")

@@ -46,7 +46,9 @@ def test_nothing_is_written_unasked(robot: Path, capsys: pytest.CaptureFixture[s
 
 def test_a_new_file_holds_what_was_missing(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert explain(robot, MISSING, "--apply") == 0
-    assert "+  - libgoogle-glog-dev" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "+  - libgoogle-glog-dev" in said
+    assert said.endswith(f"roslab: written to {robot / 'roslab.yaml'}\n")
     assert (robot / "roslab.yaml").read_text() == f"format: 3\napt:\n  - libgoogle-glog-dev{NOTE}\n"
 
 
