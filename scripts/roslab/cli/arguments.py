@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from roslab import __version__
-from roslab.values.pattern import pattern
+from roslab.cli import argument_values as values
 
 EXIT_CODES = """\
 exit codes:
@@ -32,8 +32,7 @@ _HELP = {
 }
 argparse._ = lambda word: word  # type: ignore[attr-defined]  # English as ours: to look for others imports ``locale``
 ROUNDS = 5
-"""Repairs of one build unless told otherwise; ``MOST_ROUNDS`` keeps a typing error from building all night."""
-MOST_ROUNDS = 20
+"""Repairs of one build unless told otherwise."""
 Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
@@ -159,7 +158,7 @@ def _build(commands: Commands) -> None:
     build.add_argument(
         "--repair",
         metavar="N",
-        type=_rounds,
+        type=values.rounds,
         default=ROUNDS,
         help=f"add what a build or the command certainly lacks, and build again, at most N times (default: {ROUNDS})",
     )
@@ -220,12 +219,6 @@ def _verify(commands: Commands) -> None:
     _format(verify)
 
 
-def _rounds(text: str) -> int:
-    if not text.isdigit() or not 0 < int(text) <= MOST_ROUNDS:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number from 1 to {MOST_ROUNDS}")
-    return int(text)
-
-
 def completed(arguments: Sequence[str]) -> list[str]:
     """Return the arguments with the number that ``--repair`` means alone: what follows may be the repository."""
     own = len(arguments) if "--" not in arguments else list(arguments).index("--")
@@ -245,13 +238,6 @@ def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentPa
     return command
 
 
-def _named(path: str) -> str:
-    """Return a path that is given; an empty one is mostly a variable of the shell that is not set."""
-    if not path:
-        raise argparse.ArgumentTypeError("it is empty: give a folder, or leave it out for this one")
-    return path
-
-
 def _repository(command: argparse.ArgumentParser, *overriding: str, default: str | None = ".") -> None:
     """Add the arguments of a command that reads a repository, and those options of ``OVERRIDING`` that it takes."""
     help_ = (
@@ -259,7 +245,7 @@ def _repository(command: argparse.ArgumentParser, *overriding: str, default: str
         if default
         else "the repository that was built: adds who asked and the lines to paste (for --ask and --apply: this folder)"
     )
-    command.add_argument("path", nargs="?", default=default, type=_named, metavar="PATH", help=help_)
+    command.add_argument("path", nargs="?", default=default, type=values.folder, metavar="PATH", help=help_)
     command.add_argument("--config", metavar="FILE", help="roslab.yaml to read, relative to the repository")
     command.add_argument("--branch", metavar="NAME", help="the branch's name, where there is no .git to read it from")
     for option in overriding:
@@ -275,24 +261,10 @@ def _format(command: argparse.ArgumentParser) -> None:
 
 def _tag(command: argparse.ArgumentParser) -> None:
     command.add_argument(
-        "--tag", metavar="TAG", type=_tag_name, default="latest", help="tag of the image (default: latest)"
+        "--tag", metavar="TAG", type=values.tag, default="latest", help="tag of the image (default: latest)"
     )
 
 
-def _tag_name(text: str) -> str:
-    """Return the tag; https://github.com/opencontainers/distribution-spec/blob/main/spec.md#pulling-manifests."""
-    if not _TAG.fullmatch(text):
-        name, _, tag = text.rpartition(":")
-        instead = (
-            f": the name of the image is roslab.yaml's, so give --tag {tag}" if name and _TAG.fullmatch(tag) else ""
-        )
-        raise argparse.ArgumentTypeError(
-            f"{text!r} is no tag (letters, digits, '_', '.' and '-', at most 128, none of '.' and '-' first){instead}"
-        )
-    return text
-
-
-_TAG = pattern(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}")
 _COMMANDS: dict[str, Callable[[Commands], None]] = {
     "inspect": _inspect,
     "plan": _plan,

@@ -44,6 +44,11 @@ class Warning_:  # noqa: N801 - the plain name is a built-in
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class Unlinkable(Warning_):
+    """What the file builds cannot be linked: what it lacks is known nowhere, and nothing looks for it."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Choice(Generic[Answer]):
     """The answer to one question, what spoke for and against it, and what the author should know about it."""
 

@@ -7,13 +7,12 @@ alone who have all that it needs: the software of a motor's maker.
 from __future__ import annotations
 
 from roslab.config.model import Config
-from roslab.decide.decision import Decision
+from roslab.decide.decision import Decision, Unlinkable
 from roslab.decide.programs import owner
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
-_STOPS = pattern(r"nothing is known to bring: \w+ will most likely stop there; ")
 _STARTS = pattern(r"(?:roslaunch|rosrun|ros2 launch|ros2 run) ([A-Za-z]\w*) ")
 
 
@@ -30,7 +29,7 @@ def without_hopeless(decision: Decision, evidence: Evidence, config: Config) -> 
     if not started or "/" not in (said.file or ""):
         return None
     folders = {m.file.rpartition("/")[0]: m.name for m in evidence.manifests if m.name}
-    lacking = (each.file or "" for each in decision.warnings if _STOPS.search(each.message))
+    lacking = (each.file or "" for each in decision.warnings if isinstance(each, Unlinkable))
     stopped = {owner(file, folders) for file in lacking} & {folders.get(folder) for folder in decision.may_fail}
     if started not in stopped:
         return None

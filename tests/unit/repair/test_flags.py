@@ -184,38 +184,27 @@ def test_a_second_library_is_linked_beside_the_first(tmp_path: Path) -> None:
     assert repaired(tmp_path, again, {"roslab.yaml": first}).changes == ()
 
 
-@pytest.mark.parametrize(
-    ("ubuntu", "standard", "wanted"),
-    [
-        ("xenial", "17", "apt: [g++-7], for cxx option unknown"),
-        ("bionic", "2a", "apt: [g++-9], for cxx option unknown"),
-        ("bionic", "20", "apt: [g++-11], for cxx option unknown"),
-        ("bionic", "23", "apt: [g++-11], for cxx option unknown"),
-        ("noble", "29", "base.ubuntu: 24.04 becomes 26.04, for cxx option unknown"),
-    ],
-)
-def test_an_option_that_the_compiler_does_not_know_wants_a_newer_one(
-    tmp_path: Path, ubuntu: str, standard: str, wanted: str
-) -> None:
-    files = {**CPP, "roslab.yaml": f"format: 3\nbase: {{ubuntu: {ubuntu}}}\n"}
-    said = f"cc1plus: error: unrecognized command line option '-std=c++{standard}'"
-    (found,) = repaired(tmp_path, log("make", said), files).changes
-    assert found.told.startswith(wanted)
+OLD = "cc1plus: error: unrecognized command line option '-std=c++{}'"
+WITHOUT = "b.cpp:1:10: fatal error: {}: No such file or directory"
 
 
 @pytest.mark.parametrize(
-    ("ubuntu", "header", "wanted"),
+    ("ubuntu", "said", "wanted"),
     [
-        ("xenial", "optional", "apt: [g++-7], for "),
-        ("bionic", "filesystem", "apt: [g++-8], for "),
-        ("jammy", "format", "apt: [g++-13], for "),
-        ("jammy", "print", "base.ubuntu: 22.04 becomes 24.04, "),
+        ("xenial", OLD.format("17"), "apt: [g++-7], for cxx option unknown"),
+        ("bionic", OLD.format("2a"), "apt: [g++-9], for cxx option unknown"),
+        ("bionic", OLD.format("20"), "apt: [g++-11], for cxx option unknown"),
+        ("bionic", OLD.format("23"), "apt: [g++-11], for cxx option unknown"),
+        ("noble", OLD.format("29"), "base.ubuntu: 24.04 becomes 26.04, for cxx option unknown"),
+        ("xenial", WITHOUT.format("optional"), "apt: [g++-7], for "),
+        ("bionic", WITHOUT.format("filesystem"), "apt: [g++-8], for "),
+        ("jammy", WITHOUT.format("format"), "apt: [g++-13], for "),
+        ("jammy", WITHOUT.format("print"), "base.ubuntu: 22.04 becomes 24.04, "),
     ],
 )
-def test_a_header_that_the_compiler_does_not_have_wants_a_newer_one(
-    tmp_path: Path, ubuntu: str, header: str, wanted: str
+def test_what_the_compiler_is_too_old_for_wants_a_newer_one(
+    tmp_path: Path, ubuntu: str, said: str, wanted: str
 ) -> None:
     files = {**CPP, "roslab.yaml": f"format: 3\nbase: {{ubuntu: {ubuntu}}}\n"}
-    said = f"b.cpp:1:10: fatal error: {header}: No such file or directory"
     (found,) = repaired(tmp_path, log("make", said), files).changes
     assert found.told.startswith(wanted)

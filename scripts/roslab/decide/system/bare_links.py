@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 
 from roslab.config.model import Kind
-from roslab.decide.decision import Warning_
+from roslab.decide.decision import Unlinkable, Warning_
 from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
@@ -67,7 +67,9 @@ def without_linked(
         where = f"; the build looks for it in {tried[name]}, and where it is not there," if name in tried else ":"
         what = f"{package} links {name}, which nothing in the tree makes and nothing is known to bring"
         then = "give its repository under `source` or its package under `apt` in roslab.yaml"
-        yield asked.file, warn(f"{what}{where} {built.build_tool} will most likely stop there; {then}", asked)
+        said = warn(f"{what}{where} {built.build_tool} will most likely stop there; {then}", asked)
+        unlinkable = Unlinkable(message=said.message, file=said.file, line=said.line)
+        yield asked.file, said if name in tried else unlinkable
 
 
 def _family(name: str, names: Collection[str]) -> bool:
