@@ -11,16 +11,21 @@ from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import framework_on_cuda
 from roslab.knowledge.guesses import tooling
 from roslab.values.endings import SHELL_SCRIPTS
+from roslab.values.name import canonicalize_name
 
+_OF_PYTHON = frozenset({"python", "python3", "pythoninterp", "pythonlibs", "pybind11", "numpy", "swig", "opencv"})
+"""What CMake asks for that an environment may have for its Python alone."""
 MEX = "mex.h"
 """The header of C++ that MATLAB compiles and loads: https://www.mathworks.com/help/matlab/ref/mex.html, 2026-11-28"""
 
 
 def to_compile(evidence: Evidence, environment: CondaEnvironment) -> bool:
-    """Tell whether an environment lies with CI, or brings compilers, beside a repository of C++."""
+    """Tell whether an environment lies with CI, or brings compilers or what CMake asks for, beside code of C++."""
     brought = {package.name for package in environment.packages}
     development = bool(DEVELOPMENT.search(environment.file)) or not brought.isdisjoint(tooling("compilers"))
-    return development and of_cpp(evidence)
+    top = top_of(evidence)
+    asked = {canonicalize_name(each.name) for each in (top.dependencies if top else ()) if each.namespace == "cmake"}
+    return (development or not brought.isdisjoint(asked - _OF_PYTHON)) and of_cpp(evidence)
 
 
 def of_cpp(evidence: Evidence) -> bool:

@@ -14,6 +14,7 @@ CPP = {
     "a.cpp": "#include <Eigen/Dense>\nint main() {}\n",
     "b.cpp": "#include <Eigen/Core>\n",
 }
+ASKS = CPP["CMakeLists.txt"] + "find_package(pinocchio REQUIRED)\n"
 TOOLS = "name: a\ndependencies:\n  - cmake\n  - cxx-compiler\n  - eigen\n"
 PIXI = "[workspace]\nchannels = ['conda-forge']\nplatforms = ['linux-64']\n[dependencies]\nninja = '*'\neigen = '*'\n"
 PYTHON = "numpy", "scipy", "cv2", "yaml"
@@ -27,6 +28,8 @@ USED = "name: a\ndependencies:\n  - python=3.9\n  - numpy\n"
         ({"pixi.toml": PIXI}, "cpp"),
         ({"ci/environment.yml": USED}, "cpp"),
         ({"environment.yml": USED}, "python"),
+        ({"environment.yml": f"{USED}  - ceres-solver\n"}, "python"),
+        ({"environment.yml": f"{USED}  - pinocchio\n", "CMakeLists.txt": ASKS}, "cpp"),
         ({"environment.yml": TOOLS, "README.md": "```\npython run.py\n```\n", "run.py": "import numpy\n"}, "python"),
         ({"environment.yml": TOOLS, **{f"use_{name}.py": f"import {name}\n" for name in PYTHON}}, "python"),
     ],

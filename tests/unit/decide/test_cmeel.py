@@ -22,6 +22,8 @@ PROGRAM = {
 CI = ".github/workflows/ci.yml"
 JOB = "jobs:\n  test:\n    runs-on: ubuntu-22.04\n    steps:\n      - run: {}\n"
 USES = "python -m pip install {0}\n      - run: echo CMAKE_PREFIX_PATH=$(cmeel cmake) >> $GITHUB_ENV\n"
+ENVIRONMENT = "name: walk\nchannels: [conda-forge]\ndependencies:\n  - eigen\n  - pinocchio=2.6.20\n"
+MADE = "# Walk\nUbuntu 22.04\n```\nconda env create -f conda/dev.yml\nconda activate walk\n```\n"
 
 
 @pytest.mark.parametrize(
@@ -33,6 +35,8 @@ USES = "python -m pip install {0}\n      - run: echo CMAKE_PREFIX_PATH=$(cmeel c
         ({CI: JOB.format(USES.format("pin[build]==3.2.0"))}, ["pin[build]==3.2.0"]),
         ({"README.md": "# Walk\nUbuntu 22.04\n```\npip install pin\n```\n"}, ["pin[build]"]),
         ({"README.md": "# Walk\nUbuntu 22.04\n```\nconda install pinocchio -c conda-forge\n```\n"}, ["pin[build]"]),
+        ({"environment.yml": ENVIRONMENT}, ["pin[build]"]),
+        ({"conda/dev.yml": ENVIRONMENT, "README.md": MADE}, ["pin[build]"]),
     ],
 )
 def test_it_comes_from_the_wheel(tree: Tree, more: dict[str, str], wheels: list[str]) -> None:
@@ -71,6 +75,8 @@ def test_a_header_is_of_the_wheel_by_its_folder(tmp_path: Path) -> None:
         (PROGRAM, {}),
         (PROGRAM, {CI: JOB.format("pip install pin")}),  # for its tests
         (PROGRAM, {CI: JOB.format(USES.format("tsid"))}),
+        (PROGRAM, {"conda/dev.yml": ENVIRONMENT}),  # no page makes it
+        (PROGRAM, {"environment-macos.yml": ENVIRONMENT}),
         (
             {**PROGRAM, "CMakeLists.txt": PROGRAM["CMakeLists.txt"].replace("(walk CXX)", "(pinocchio CXX)")},
             {"README.md": "# Pinocchio\n```\npip install pin\n```\n"},

@@ -1,4 +1,4 @@
-"""What CMake finds in wheels of cmeel, where the author's CI or a page installs these: not compiled from source then.
+"""What CMake finds in wheels of cmeel, where CI, a page or a conda environment has these: not compiled from source.
 
 Seen on 2026-11-28, with crocoddyl 3.2.1 and CMake 3.25: with ``cmeel.prefix`` in CMAKE_PREFIX_PATH a program is
 configured and compiled, and finds the libraries by LD_LIBRARY_PATH alone.
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 
 from roslab.config.model import Kind
+from roslab.decide.python.conda_environments import OF_OTHER_SYSTEM
 from roslab.decide.system.recipes import own_names
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
@@ -24,13 +25,15 @@ _PLACES = (f"/opt/venv/lib/python{PYTHON}/site-packages", f"/usr/local/lib/pytho
 """Where pip installs to: into the image's environment, or beside the packages of the system's Python."""
 _VARIABLES = {"CMAKE_PREFIX_PATH": PREFIX, "LD_LIBRARY_PATH": f"{PREFIX}/lib"}
 _BUILD = "build"
+_SINCE = "2023-01-01"
+"""From this day on pip's index has wheels of all of them; the environment of an older tree asks for older releases."""
 
 
 def with_wheels(evidence: Evidence, kind: Kind, folder_name: str) -> Evidence:
     """Return the evidence of C++ with such wheels, and without what they bring: nothing else asks for that any more.
 
-    They are taken where CMake asks for what one brings, and CI installs that with the extra ``build``, or a page by pip
-    or conda.
+    They are taken where CMake asks for what one brings, and CI installs that with the extra ``build``, a page by pip or
+    conda, or the conda environment has it that a page makes or that stands at the root.
     """
     wheels = _asked(evidence, folder_name) if kind == "cpp" else {}
     brought = frozenset(name for pip in wheels for name in cmeel_wheels()[pip])
@@ -65,7 +68,7 @@ def _asked(evidence: Evidence, folder_name: str) -> Mapping[str, tuple[Dependenc
             if each.namespace == "cmake":
                 required.setdefault(canonicalize_name(each.name), each)
     found: dict[str, tuple[Dependency, str]] = {}
-    for said in evidence.prose_pip:
+    for said in (*evidence.prose_pip, *_of_environments(evidence)):
         pip = _wheel_of(said)
         names = sorted(cmeel_wheels().get(pip, frozenset()) & required.keys())
         if names and own.isdisjoint((pip, *names)):
@@ -73,6 +76,17 @@ def _asked(evidence: Evidence, folder_name: str) -> Mapping[str, tuple[Dependenc
             if not found.get(pip, ("", ""))[1]:
                 found[pip] = required[names[0]], version
     return found
+
+
+def _of_environments(evidence: Evidence) -> Iterator[Requirement]:
+    """Yield what the environments have that a page makes, and those at the root, each as conda calls it."""
+    if evidence.pip_day and evidence.pip_day < _SINCE:
+        return
+    made = {each.written.removeprefix("./") for each in evidence.prose_pip if each.role == "environment"}
+    for each in evidence.conda:
+        meant = each.file in made or "/" not in each.file
+        if meant and not each.system and not OF_OTHER_SYSTEM.search(each.file):
+            yield from (stated(of.name, "conda", each.file, role="conda") for of in each.packages)
 
 
 def _wheel_of(said: Requirement) -> str:
