@@ -1,4 +1,4 @@
-"""Calls of a task on pages (``just run``, ``make run``), with what it runs in their place.
+"""Calls of a task on pages (``just run``, ``make run``, ``./run.sh``), with what it runs in their place.
 
 The image then needs none of these runners.
 """
@@ -9,7 +9,7 @@ import posixpath
 import re
 from collections.abc import Callable, Mapping
 
-from roslab.evidence.prose import just_recipes, make_recipes, manager_tasks
+from roslab.evidence.prose import just_recipes, make_recipes, manager_tasks, venv_scripts
 from roslab.evidence.prose.headings import MAX_LINE, fence
 from roslab.evidence.prose.task_calls import TaskCalls
 from roslab.repository.checkout import File, Repository
@@ -50,6 +50,7 @@ _RUNNERS = (
     _runner("just ", just_recipes.calls, just_recipes.WORDS),
     _runner("make ", make_recipes.calls, make_recipes.WORDS),
     *(_runner(word, manager_tasks.calls, words) for word, words in manager_tasks.WORDS),
+    _runner("sh", venv_scripts.calls, venv_scripts.WORDS),
 )
 
 

@@ -6,6 +6,9 @@ from collections.abc import Iterable, Iterator
 
 from roslab.repository.checkout import Repository
 
+ENTRIES = ("console_scripts", "gui_scripts")
+"""Groups of entry points of which pip makes a program each; on Linux those with windows are like the others:
+https://packaging.python.org/en/latest/specifications/entry-points/#use-for-scripts, 2026-11-29"""
 _CODE = (".py", ".pyx", ".so", ".c", ".cpp", ".rs")
 
 

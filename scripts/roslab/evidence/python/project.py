@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from roslab.evidence.python import pipfile, requirements
-from roslab.evidence.python.console_scripts import modules_of, startable
+from roslab.evidence.python.console_scripts import ENTRIES, modules_of, startable
 from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python_project import PythonProject
 from roslab.repository.checkout import Repository
@@ -207,7 +207,7 @@ def _setup_cfg(repository: Repository, path: str, folder: str, text: str) -> Pyt
     if parser.has_section("options.extras_require"):
         for extra in parser.options("options.extras_require"):
             asked += _listed(words("options.extras_require", extra), path, line_of, extra=extra)
-    entries = words("options.entry_points", "console_scripts")
+    entries = [line for kind in ENTRIES for line in words("options.entry_points", kind)]
     scripts = tuple((name, line_of(name)) for name in startable(repository, folder, entries))
     return PythonProject(
         file=path,
@@ -254,7 +254,7 @@ def _pyproject(repository: Repository, path: str, folder: str, text: str) -> Pyt
     for extra, names in _table(of_poetry, "extras").items():
         lines = poetry.lines(own, extra=frozenset(map(str, names)) if isinstance(names, list) else frozenset())
         asked += _listed(lines, path, poetry.finder_of_keys(text), extra=extra)
-    scripts = {**_table(of_poetry, "scripts"), **_table(project, "scripts")}
+    scripts = {**_table(of_poetry, "scripts"), **_table(project, "scripts"), **_table(project, "gui-scripts")}
     build = _listed(_list(_table(data, "build-system"), "requires"), path, line_of)
     name = project.get("name") or of_poetry.get("name")
     backend = _table(data, "build-system").get("build-backend", "")

@@ -9,6 +9,7 @@ from collections.abc import Collection
 from functools import cache
 
 from roslab.evidence.python import asked_history
+from roslab.evidence.python.console_scripts import ENTRIES
 from roslab.evidence.python.parsed import parsed
 from roslab.values.dataclass import dataclass, field
 from roslab.values.pattern import pattern
@@ -94,8 +95,8 @@ def read(text: str) -> SetupScript:
     script.build_requires = tuple(given("setup_requires"))
     script.classifiers = tuple(given("classifiers"))
     script.packages = () if _finds(keywords.get("packages"), names) else tuple(given("packages"))
-    entries = _dictionary(keywords.get("entry_points"), names).get("console_scripts")
-    script.scripts = tuple(reader.strings(entries)) if entries else ()
+    entries = _dictionary(keywords.get("entry_points"), names)
+    script.scripts = tuple(line for kind in ENTRIES if kind in entries for line in reader.strings(entries[kind]))
     script.script_files = tuple(given("scripts"))
     script.commands = tuple(_dictionary(keywords.get("cmdclass"), names))
     return script
