@@ -47,6 +47,7 @@ def test_a_docstring_uses_nothing(tmp_path: Path, code: str, found: dict[str, in
         ("x = np.zeros(3, dtype=np.float)", "numpy<1.24"),
         ("limit = np.Inf", "numpy<2"),
         ("from scipy.misc import imread, toimage", "scipy<1.2"),
+        ("from scipy.misc import derivative", "scipy<1.15"),
         ("from sklearn.externals import joblib", "scikit-learn<0.23"),
         ("cfg = yaml.load(open('a.yaml'))", "PyYAML<6"),
         ("df = df.append({'a': 1}, ignore_index=True)", "pandas<2"),

@@ -32,6 +32,25 @@ def test_a_list_of_a_machine_with_ros_is_not_given_to_pip(tree: Tree, text: str,
     assert any("is not installed" in message for message in told) == (not files)
 
 
+ANACONDA = "anaconda-client==1.7.2\nanaconda-navigator==2.0.3\nconda-build==3.21.4\nspyder @ file:///tmp/build/work\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "files"),
+    [
+        (f"{ANACONDA}numpy==1.21.0\ntensorflow==2.4.0\n", ()),
+        ("anaconda-client\nconda-build\nconda-verify\nnumpy==1.21.0\n", ("requirements.txt",)),
+        ("anaconda-client==1.7.2\nconda-build==3.21.4\nnumpy==1.21.0\n", ("requirements.txt",)),
+    ],
+)
+def test_a_list_of_an_anaconda_is_not_given_to_pip(tree: Tree, text: str, files: tuple[str, ...]) -> None:
+    decision = tree({"main.py": "import numpy\nif __name__ == '__main__':\n    pass\n", "requirements.txt": text})
+    assert decision.python.requirements == files
+    assert decision.kind == "python"
+    told = [w.message for w in decision.warnings if "what an Anaconda had installed" in w.message]
+    assert len(told) == (not files)
+
+
 def test_what_the_code_imports_is_still_guessed(tree: Tree) -> None:
     decision = tree({"main.py": "import cvxopt\nif __name__ == '__main__':\n    pass\n", "requirements.txt": FROZEN})
     assert decision.python.requirements == ()

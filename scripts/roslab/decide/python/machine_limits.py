@@ -1,4 +1,4 @@
-"""Limits for what is guessed, from a list of what a whole machine with ROS had installed."""
+"""Limits for what is guessed, from a list of what a whole machine with ROS, or an Anaconda, had installed."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def machine_limits(evidence: Evidence, chosen: Chosen, asked: Iterable[Requireme
 
 
 def _entries(evidence: Evidence, path: str) -> Iterator[Requirement]:
-    other = tooling("ros") | tooling("installers") | not_on_index().keys()
+    other = tooling("ros") | tooling("anaconda") | tooling("installers") | not_on_index().keys()
     other |= {name for names in released_together().values() for name in names} | {_MADE_BY_DEBIAN}
     listed = (asked for file in evidence.requirements if file.file == path for asked in file.requirements)
     for each in listed if not places.aside(path) else ():

@@ -1,8 +1,9 @@
-"""Requirement files that list what a whole machine with ROS had installed: no index has ROS's own packages."""
+"""Requirement files that list what a machine with ROS or an Anaconda had installed, whose own packages no index has."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from typing import Literal
 
 from roslab.decide.decision import Warning_
 from roslab.decide.reasons import warn
@@ -10,23 +11,40 @@ from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.knowledge.guesses import tooling
 
 FEWEST = 3
-"""Fewest of ROS's own packages, each of one version, that only such a list has: one or two may be a reader's wish."""
+"""Fewest of ROS's own packages, or Anaconda's, each of one version, that only such a list has.
+
+One or two may be a reader's wish.
+"""
+_OF: dict[Literal["ros", "anaconda"], str] = {"ros": "a machine with ROS", "anaconda": "an Anaconda"}
 
 
 def of_machines(evidence: Evidence) -> frozenset[str]:
     """Return the paths of the lists that ``pip freeze`` made on such a machine, not a hand for the code."""
-    own = tooling("ros")
-    pinned = {
-        file.file: [asked for asked in file.requirements if asked.written.startswith(f"{asked.name}==")]
-        for file in evidence.requirements
-    }
-    return frozenset(path for path, found in pinned.items() if sum(asked.key in own for asked in found) >= FEWEST)
+    return frozenset(path for path, _ in _found(evidence))
+
+
+def of_anacondas(evidence: Evidence) -> frozenset[str]:
+    """Return the paths of such lists of an Anaconda, with hundreds of packages and frameworks that no code may need."""
+    return frozenset(path for path, asked_by in _found(evidence) if asked_by == "anaconda")
 
 
 def machine_lists(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
     """Yield a warning for each of the lists that is not among the chosen files."""
-    why = "it lists what a machine with ROS had installed, ROS's own packages too, which pip cannot install"
-    return not_installed(evidence, of_machines(evidence), chosen, why)
+    for path, asked_by in _found(evidence):
+        whose = "ROS's" if asked_by == "ros" else "conda's"
+        why = f"it lists what {_OF[asked_by]} had installed, {whose} own packages too, which pip cannot install"
+        yield from not_installed(evidence, {path}, chosen, why)
+
+
+def _found(evidence: Evidence) -> Iterator[tuple[str, Literal["ros", "anaconda"]]]:
+    """Yield each such list, and whose own packages it has."""
+    for path in dict.fromkeys(file.file for file in evidence.requirements):
+        listed = (asked for file in evidence.requirements if file.file == path for asked in file.requirements)
+        pinned = [asked.key for asked in listed if asked.written.startswith(f"{asked.name}==")]
+        for asked_by in _OF:
+            if sum(key in tooling(asked_by) for key in pinned) >= FEWEST:
+                yield path, asked_by
+                break
 
 
 def not_installed(

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 
 from roslab.config.model import Config
 from roslab.decide.decision import Warning_
-from roslab.decide.python.machine_lists import not_installed
+from roslab.decide.python.machine_lists import not_installed, of_anacondas
 from roslab.decide.python.manifests import resolve
 from roslab.decide.without_optional_ros import without_optional_ros
 from roslab.evidence.facts import Evidence, RequirementFile
@@ -49,10 +49,11 @@ def _environment(evidence: Evidence, page: str, line: int) -> str | None:
 def of_one_environment(evidence: Evidence, config: Config) -> Evidence:
     """Return the evidence in which the lists of other environments are no part of what the program needs.
 
-    Nor is the robot's environment, where only that needs ROS. What roslab.yaml chooses is, whatever a page says.
+    Nor is the robot's environment, where only that needs ROS, or what an Anaconda had installed. What roslab.yaml
+    chooses is, whatever a page says.
     """
     evidence = without_optional_ros(evidence, config)
-    others = of_other_environments(evidence)
+    others = of_other_environments(evidence) | of_anacondas(evidence)
     if not others or config.requirements is not None:
         return evidence
     files = (replace(file, purpose="dev") if file.file in others else file for file in evidence.requirements)
