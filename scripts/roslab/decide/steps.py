@@ -23,6 +23,7 @@ from roslab.decide.system.stated_pythons import only_python
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence, Mention
+from roslab.knowledge.distros import ubuntus
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.libraries import library
 from roslab.knowledge.released import ever_released
@@ -177,7 +178,7 @@ def _cloned(
     told: dict[str, Warning_] = {}
     authored = [git for each in evidence.dockerfiles if each.purpose == "project" for git in each.clones]
     asks = (each for project in evidence.cmake for each in project.dependencies if each.required)
-    alike = {_stem(each.name): each for each in asks if not _by_ubuntu(each.name)}
+    alike = {_stem(each.name): each for each in asks if not _by_ubuntu(each.name, system.installed)}
     unknown = [each for each in evidence.code if each.namespace == "import" and _nobody_has(each, names)]
     copied = {plain(part) for manifest in evidence.manifests for part in manifest.file.split("/")[:-1]}
     there = there | {address(git.url) for git in evidence.sources if git.kind == "submodule" and not git.absent}
@@ -186,7 +187,7 @@ def _cloned(
         aside = aside or not (git.file.endswith(PAGES) or git in authored)
         if git.kind != "clone" or git.strength != "prose" or aside or itself_in(git, itself):
             continue
-        if address(git.url) in there or plain(git.name) in names | copied or _by_ubuntu(git.name):
+        if address(git.url) in there or plain(git.name) in names | copied or _by_ubuntu(git.name, system.installed):
             continue
         asked = alike.get(_stem(git.name))
         why = f"though {asked.file}:{asked.line} requires {asked.name}, which it may be" if asked else _UNASKED
@@ -210,6 +211,10 @@ def _stem(name: str) -> str:
     return plain(name).removeprefix("lib").rstrip("0123456789")
 
 
-def _by_ubuntu(name: str) -> bool:
+def _by_ubuntu(name: str, installed: Collection[str]) -> bool:
+    """Tell whether every Ubuntu packages what CMake calls so, or the image has the packages that one has for it."""
     found = library("cmake", name, None)
-    return bool(found and found.apt)
+    if found is None or found.apt:
+        return found is not None
+    rows = (library("cmake", name, codename) for codename in ubuntus().values())
+    return any(row and row.apt and {*row.apt} <= {*installed} for row in rows)

@@ -333,6 +333,15 @@ def test_a_clone_that_may_be_what_cmake_requires_is_told_with_that(tree: Tree) -
         assert said[0].startswith(f"not cloned: https://github.com/them/libodd.git, {why}")
 
 
+def test_a_clone_of_what_apt_brings_for_this_ubuntu_is_not_told(tree: Tree) -> None:
+    page = "```\ngit clone https://github.com/pybind/pybind11.git\n```\n"
+    cmake = "project(demo)\nfind_package(pybind11 REQUIRED)\npybind11_add_module(demo demo.cpp)\n"
+    files = {"CMakeLists.txt": cmake, "demo.cpp": "#include <pybind11/pybind11.h>\n", "bindings/README.md": page}
+    decision = tree(files)
+    assert "pybind11-dev" in (*decision.apt, *decision.apt_guessed)
+    assert not [each for each in decision.warnings if "not cloned" in each.message]
+
+
 @pytest.mark.parametrize(
     ("code", "said"),
     [
