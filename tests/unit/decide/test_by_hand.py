@@ -436,7 +436,8 @@ def test_a_library_that_is_the_repository_itself_is_not_built_beside_it(tree: Tr
 
 
 def test_a_library_that_is_only_linked_may_be_compiled_beside_it(tree: Tree) -> None:
-    assert tree({**SOCKETS, "README.md": "Run `./demo`\n"}).source == ()
+    alone = {**SOCKETS, "main.cpp": "int main() {}\n", "README.md": "Run `./demo`\n"}
+    assert tree(alone).source == ()
     own = SOCKETS["CMakeLists.txt"].replace("add_executable", "add_library(uWS all.cpp)\nadd_executable")
     assert tree({**SOCKETS, "CMakeLists.txt": own, "README.md": PAGE}).source == ()
 

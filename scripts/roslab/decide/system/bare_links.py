@@ -12,8 +12,8 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.built import Built
-from roslab.decide.system.not_found import headers_by_name, shown_by
 from roslab.decide.system.required import reached, similar
+from roslab.decide.system.shown_headers import headers_by_name, shown_by
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.libraries import header

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 
 from roslab.config.model import BuildTool
 from roslab.decide.decision import Warning_
@@ -13,8 +13,8 @@ from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.names import Target, resolve
 from roslab.decide.system.needs import code_needs
 from roslab.decide.system.required import similar
+from roslab.decide.system.shown_headers import headers_by_name, shown_by
 from roslab.evidence import places
-from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.searched import SEARCHED
 from roslab.knowledge.shared_objects import given
@@ -71,23 +71,6 @@ def not_found(
                 what = f"CMake looks for the header {asked.name} and stops without it, and nothing is known to bring it"
             then = "install it under `custom` or give its repository under `source` in roslab.yaml"
             yield asked.file, warn(f"{what}: {_tool(build_tool)} will stop there; {then}", asked)
-
-
-def headers_by_name(evidence: Evidence) -> dict[str, tuple[int, str]]:
-    """Return the headers that the code includes by how their names begin, ``box2d``: the first, with its number."""
-    found: dict[str, tuple[int, str]] = {}
-    for number, each in enumerate(evidence.code):
-        if each.namespace == "include" and each.strength == "used" and not places.aside(each.file):
-            found.setdefault(re.split(r"[/.]", each.name.lower(), maxsplit=1)[0], (number, each.name))
-    return found
-
-
-def shown_by(asked: Dependency, headers: Mapping[str, tuple[int, str]]) -> str:
-    """Return a header that has the name of a library which is always linked: ``Box2D/Box2D.h`` of ``Box2D``."""
-    if asked.namespace != "link" or asked.strength != "used" or asked.role == "test":
-        return ""
-    names = (asked.name.lower(), f"lib{asked.name.lower()}")
-    return min((headers[name] for name in names if name in headers), default=(0, ""))[1]
 
 
 def _joined(name: str) -> str:

@@ -11,6 +11,7 @@ from roslab.decide.reasons import warn
 from roslab.decide.ros.source_names import itself_in, plain
 from roslab.decide.system.names import Target
 from roslab.decide.system.page_releases import built_older
+from roslab.decide.system.shown_headers import headers_by_name, shown_by
 from roslab.evidence.code_limit import CodeLimit
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
@@ -89,23 +90,25 @@ def linked(
     And those that are linked by a file below /usr/local, where no package of Ubuntu puts its own.
     A name that is only linked may be a library that is compiled beside it: the clone tells, where it is not one of the
     repository itself. What installs no package of CMake can only be linked, and what archives bring is unpacked:
-    nothing else is called so where the tree and its submodules do not make it. ``needed`` are names, each with whether
-    it may be taken for more than a guess.
+    nothing else is called so where the tree and its submodules do not make it. A header of the same name that the tree
+    lacks tells, too. ``needed`` are names, each with whether it may be taken for more than a guess.
     """
     names = (*(manifest.name for manifest in evidence.manifests), *(each.name for each in evidence.cmake))
     own = {name for name in names if name}
     cloned = {plain(git.name) for git in evidence.sources if git.kind == "clone" and not itself_in(git, own)}
     made = {name for project in evidence.cmake for name in project.made}
     unread = any(git.kind == "submodule" and git.absent for git in evidence.sources)
+    headers = headers_by_name(evidence)
     for dependency, trusted in needed:
         if trusted and _by_file(dependency) and recipe(dependency.name, ubuntu):
             yield dependency.name, dependency
-        if not trusted or dependency.namespace != "link" or library("link", dependency.name, ubuntu):
+        shown = bool(shown_by(dependency, headers))
+        if not (trusted or shown) or dependency.namespace != "link" or library("link", dependency.name, ubuntu):
             continue
         found = library("cmake", dependency.name, ubuntu)
         if not (found and found.recipe) or found.apt:
             continue
-        only = any(built.makefile_in or built.archives for built in recipe(found.recipe, ubuntu))
+        only = shown or any(built.makefile_in or built.archives for built in recipe(found.recipe, ubuntu))
         if plain(found.recipe) in cloned or (only and not unread and dependency.name not in made):
             yield found.recipe, dependency
 
