@@ -711,6 +711,34 @@ def test_an_authors_step_that_clones_has_the_heads_of_the_day(
     assert ran(step, tmp_path, index, f"cd {tmp_path} && {call}", before=f"({made})", start=":").strip() == got
 
 
+@pytest.mark.parametrize(
+    ("asked", "got"),
+    [
+        ("git clone --quiet --no-checkout {origin} got && git -C got checkout --quiet master --", "of the day"),
+        ("git clone --quiet --branch master {origin} got", "of the day"),
+        ("git clone --quiet --depth 1 --branch=master file://{origin} got && git -C got checkout -q master --", "of the day"),
+        ("git clone --quiet -bmaster {origin} got", "of the day"),
+        ("git clone --quiet {origin} got && git -C got checkout --quiet origin/master", "of the day"),
+        ("git init --quiet got && git -C got fetch -q {origin} master && git -C got checkout -q FETCH_HEAD", "of the day"),
+        ("git clone --quiet {origin} got && cd got && git fetch --quiet --prune && git checkout --quiet master", "of the day"),
+        ("git clone --quiet {origin} got && git -C got checkout --quiet main", "of the day"),
+        ("git clone --quiet --branch masters {origin} got", "failed with 128"),
+        ("git clone --quiet --branch master {origin}-gone got", "failed with 128"),
+    ],
+)
+def test_a_branch_that_a_host_renamed_is_found_by_its_old_name(
+    step: list[subprocess.Popen[str]], tmp_path: Path, index: str, asked: str, got: str
+) -> None:
+    origin = tmp_path / "origin"
+    made = f"git init --quiet --initial-branch=main {origin} && cd {origin} && git config user.name a"
+    made += " && git config user.email a@b.c"
+    for day, what in (("2020-01-02", "of the day"), ("2026-01-02", "newest")):
+        made += f" && GIT_COMMITTER_DATE={day}T12:00:00Z git commit --quiet --allow-empty --message '{what}'"
+    call = f"{asked.format(origin=origin)} && git -C {tmp_path}/got log -1 --format=%s"
+    run = f"shell-as-of {DAY} {shlex.quote(call)} 2>/dev/null || echo failed with $?"
+    assert ran(step, tmp_path, index, f"cd {tmp_path} && {run}", before=f"({made})", start=":").strip() == got
+
+
 def test_a_step_that_may_call_pip_is_known_alike_to_the_plan_and_to_the_shell() -> None:
     text = (SCRIPTS / "shell-as-of.sh").read_text(encoding="utf-8")
     assert f"grep --quiet --extended-regexp '{MAY_CALL_PIP.pattern}' " in text

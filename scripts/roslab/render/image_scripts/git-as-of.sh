@@ -3,7 +3,7 @@
 # Comes before git itself in PATH for the rest of this step, under its name. It is git, but brings each clone, what it
 # pulls, FETCH_HEAD, and each branch of its remote, to the last commit of a day (UTC): pip, CMake and scripts fetch
 # repositories and know no days. CMake fetches once more after each clone, and goes to where the remote's branch then is.
-# A tag or a commit that they are told to take is checked out afterwards, as ever.
+# A tag or a commit that they are told to take is checked out afterwards, as ever; master is main where a host renamed it.
 set -euo pipefail
 
 # CMake writes down where git was, and is called again in later steps: there it is git, and nothing else. Else the name
@@ -43,7 +43,23 @@ done
 if [ -z "${GIT_AS_OF:-}" ] || [[ ! "${command}" =~ ^(clone|fetch|pull)$ ]]; then
   exec git "$@"
 fi
-git "$@"
+# master and main are names of one branch, which hosts renamed after many files had been written: where git fails for one
+# of them, it is asked for the other
+renamed=()
+asked=''
+for word in "$@"; do
+  case "${word}" in
+    master | -bmaster | --branch=master) renamed+=("${word%master}main") asked=master ;;
+    main | -bmain | --branch=main) renamed+=("${word%main}master") asked=main ;;
+    *) renamed+=("${word}") ;;
+  esac
+done
+status=0
+git "$@" || status=$?
+if [ "${status}" != 0 ]; then
+  if [ -z "${asked}" ] || ! git "${renamed[@]}"; then exit "${status}"; fi
+  echo "roslab: taken in its place: git ${renamed[*]}" >&2
+fi
 
 # The last commit of the day that was on a branch
 of_day() { # BRANCH
@@ -56,6 +72,17 @@ deepen() { # BRANCH
     deepened=yes
     "${here[@]}" fetch --quiet --unshallow >&2 || true
   fi
+}
+# A later checkout finds a remote's branch by either name
+both_names() {
+  local branch other
+  while read -r branch; do
+    case "${branch##*/}" in
+      main) other="${branch%main}master" ;;
+      *) other="${branch%master}main" ;;
+    esac
+    if ! "${here[@]}" show-ref --verify --quiet "${other}"; then "${here[@]}" update-ref "${other}" "${branch}"; fi
+  done < <("${here[@]}" for-each-ref --format='%(refname)' 'refs/remotes/*/main' 'refs/remotes/*/master')
 }
 
 if [ "${command}" = clone ]; then
@@ -81,6 +108,7 @@ if [ "${command}" = clone ]; then
   if [ "$("${here[@]}" rev-parse --is-inside-work-tree 2>/dev/null)" != true ]; then exit 0; fi
   # A tag that was asked for has no branch, and nothing more is asked of its clone
   if ! "${here[@]}" symbolic-ref --quiet HEAD >/dev/null; then exit 0; fi
+  both_names
   deepen HEAD
   commit="$(of_day HEAD)"
   if [ -n "${commit}" ]; then
@@ -93,8 +121,11 @@ if [ "${command}" = clone ]; then
   else
     echo "roslab: ${folder##*/} has no commit of ${GIT_AS_OF} or before: its newest one is taken" >&2
   fi
+  # A clone of one branch knows no other one's name
+  if [ "${status}" != 0 ]; then "${here[@]}" branch --quiet --no-track "${asked}" HEAD; fi
 fi
 if ! "${here[@]}" rev-parse --git-dir >/dev/null 2>&1; then exit 0; fi
+if [ "${command}" = fetch ]; then both_names; fi
 fetched="$("${here[@]}" rev-parse --absolute-git-dir)/FETCH_HEAD"
 heads="$(cat "${fetched}" 2>/dev/null || true)" # to deepen writes it anew
 if [ "${command}" = pull ]; then
