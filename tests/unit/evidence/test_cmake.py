@@ -143,7 +143,8 @@ def test_what_is_fetched_while_configuring(tmp_path: Path) -> None:
         ("if(WITH_MAPS)\ninclude(cmake/Needs.cmake)\nendif()", "cmake/Needs.cmake", "optional"),
         ("include(${SOMEWHERE}/Needs.cmake)", "cmake/Needs.cmake", ""),
         ("include(Needs)", "third_party/lib/Needs.cmake", ""),
-        ("include(FindNeeds)", "cmake/FindNeeds.cmake", ""),
+        ("include(FindNeeds)", "cmake/FindNeeds.cmake", "declared"),
+        ("include(FindPackageNeeds)", "cmake/FindPackageNeeds.cmake", ""),
         ("message(Needs)", "cmake/Needs.cmake", ""),
     ],
 )

@@ -716,11 +716,20 @@ def test_an_authors_step_that_clones_has_the_heads_of_the_day(
     [
         ("git clone --quiet --no-checkout {origin} got && git -C got checkout --quiet master --", "of the day"),
         ("git clone --quiet --branch master {origin} got", "of the day"),
-        ("git clone --quiet --depth 1 --branch=master file://{origin} got && git -C got checkout -q master --", "of the day"),
+        (
+            "git clone --quiet --depth 1 --branch=master file://{origin} got && git -C got checkout -q master --",
+            "of the day",
+        ),
         ("git clone --quiet -bmaster {origin} got", "of the day"),
         ("git clone --quiet {origin} got && git -C got checkout --quiet origin/master", "of the day"),
-        ("git init --quiet got && git -C got fetch -q {origin} master && git -C got checkout -q FETCH_HEAD", "of the day"),
-        ("git clone --quiet {origin} got && cd got && git fetch --quiet --prune && git checkout --quiet master", "of the day"),
+        (
+            "git init --quiet got && git -C got fetch -q {origin} master && git -C got checkout -q FETCH_HEAD",
+            "of the day",
+        ),
+        (
+            "git clone --quiet {origin} got && cd got && git fetch --quiet --prune && git checkout --quiet master",
+            "of the day",
+        ),
         ("git clone --quiet {origin} got && git -C got checkout --quiet main", "of the day"),
         ("git clone --quiet --branch masters {origin} got", "failed with 128"),
         ("git clone --quiet --branch master {origin}-gone got", "failed with 128"),

@@ -24,8 +24,8 @@ _ASKS = frozenset({"cmake_minimum_required"})
 _BY_FUNCTIONS = BRINGING | {"add_library"}
 _SOURCE = pattern(r"^\$\{(?:CMAKE(?:_CURRENT)?|PROJECT)_(?:SOURCE|LIST)_DIR\}/|^\./")
 _NAME = pattern(r"[A-Za-z][\w.+-]*$")
-OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "Find", "Google", "Use", "Generate", "Write")
-"""How names of CMake's own modules begin."""
+OF_CMAKE = ("Check", "CMake", "CPack", "External", "Fetch", "GNU", "FindP", "Google", "Use", "Generate", "Write")
+"""How names of CMake's own modules begin that are included by their names (FindPkgConfig, FindPackageMessage)."""
 
 
 def needing(
