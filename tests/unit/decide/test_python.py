@@ -371,6 +371,23 @@ def test_scripts_beside_cpp_run_on_the_python_of_its_ubuntu(
 
 
 @pytest.mark.parametrize(
+    ("more", "python"),
+    [
+        ({"docs/INSTALLATION.md": "- Python 3.12\n"}, ("3.10", "venv")),
+        ({".github/workflows/a.yml": "jobs: {a: {steps: [{with: {python-version: '3.12'}}]}}\n"}, ("3.10", "venv")),
+        ({"docs/INSTALLATION.md": "- Python 3.12\n", "requirements.txt": "numpy\n"}, ("3.12", "conda")),
+    ],
+)
+def test_a_python_that_is_named_aside_is_no_other_one_for_cpp(
+    tmp_path: Path, more: dict[str, str], python: tuple[str, str]
+) -> None:
+    script = "import numpy\n\nif __name__ == '__main__':\n    print(numpy)\n"
+    files = {"README.md": "Compile it.", "CMakeLists.txt": "project(x)\n", "plot.py": script, **more}
+    found = chosen(evidence_of(tmp_path, files), Config(), "cpp", "jammy")
+    assert (found.version, found.manager) == python
+
+
+@pytest.mark.parametrize(
     ("pin", "ubuntu", "python"),
     [
         ("numpy==1.26.4", "noble", ("3.12", "venv")),

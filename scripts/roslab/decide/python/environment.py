@@ -85,7 +85,7 @@ def decide_python(
 
     ``ubuntu`` is the base's, ``None`` on Debian; ``cuda`` is the version that the frameworks need.
     """
-    own = of_ubuntu(own, kind, ubuntu)
+    own = of_ubuntu(evidence, own, kind, ubuntu)
     chosen, number = _chosen(evidence, config, kind, own.answer, ubuntu, ros_distro=ros_distro), own.answer.version
     alone = conda_alone(evidence, own.answer)
     by_conda = {each.key for each in alone.asked}

@@ -15,6 +15,7 @@ from roslab.decide.python.weights import VersionWeight
 from roslab.decide.reasons import because, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
+from roslab.evidence.python import version_file
 from roslab.knowledge.days import existed, usual
 from roslab.knowledge.distros import distro, python_of_ubuntu, ubuntus_with_python2
 from roslab.values.dataclass import dataclass, replace
@@ -71,17 +72,32 @@ def decide_version(
     return Choice(answer=own, reasons=(why, *said.reasons))
 
 
-def of_ubuntu(own: Choice[OwnPython], kind: Kind, ubuntu: str | None) -> Choice[OwnPython]:
-    """Return the Ubuntu's own Python where C++ chose the Ubuntu and nothing names another: CMake finds no other."""
+def of_ubuntu(evidence: Evidence, own: Choice[OwnPython], kind: Kind, ubuntu: str | None) -> Choice[OwnPython]:
+    """Return the Ubuntu's own Python where C++ chose the Ubuntu and nothing names another: CMake finds no other.
+
+    A version that a page below the root, CI or a script names is another machine's where nothing is declared for it.
+    """
     number = python_of_ubuntu().get(ubuntu or "")
     if kind != "cpp" or number is None or own.answer.system or own.answer.chosen.conda:
         return own
     why = because("python", number, f"nothing names a version: that of {ubuntu}", weight=VersionWeight.DEFAULT)
+    if own.answer.wanted and _said_aside(evidence, own):
+        why = because("python", number, f"that of {ubuntu}, for which CMake compiles", weight=_SURE)
+        return Choice(answer=replace(own.answer, version=number), reasons=(why, *own.reasons))
     if own.answer.wanted:
         if number not in own.answer.fitting:
             return own
         why = because("python", number, f"that of {ubuntu}, and it fits every pin below", weight=VersionWeight.PINS)
     return Choice(answer=replace(own.answer, version=number), reasons=(why, *own.reasons[1:]))
+
+
+def _said_aside(evidence: Evidence, own: Choice[OwnPython]) -> bool:
+    """Tell whether a Python 3 is only named beside a program, in which nothing is declared for it."""
+    chosen, best = own.answer.chosen, next(iter(own.reasons), None)
+    if best is None or best.weight >= _SURE or chosen.files or chosen.projects or chosen.declared:
+        return False
+    said = {(m.file, m.line) for m in evidence.mentions if m.topic == "python" and m.value.startswith("3.")}
+    return (best.file, best.line) in said and best.file != version_file.NAME
 
 
 def manager_of(config: Config, kind: Kind, own: OwnPython, ubuntu: str | None) -> Manager:
