@@ -57,3 +57,21 @@ def test_so_do_those_of_the_ubuntu_of_ros(tree: Tree, names: tuple[str, ...], cl
     listed = "repositories:\n  acme: {{type: git, url: 'https://github.com/lab/acme.git', version: v-{}}}\n"
     files |= {name: listed.format(name) for name in names}
     assert [source.ref for source in tree(files).source] == cloned
+
+
+@pytest.mark.parametrize(
+    ("folders", "built"),
+    [
+        (("ci/fedora35", "ci/ubuntu22"), "v-ubuntu22"),
+        (("ci/ubuntu20", "ci/ubuntu2204"), "v-ubuntu2204"),
+        (("ci/focal", "ci/other"), "v-other"),
+        (("ci/centos7", "ci/fedora35"), "v-centos7"),
+    ],
+)
+def test_so_does_the_script_of_the_images_ubuntu(tree: Tree, folders: tuple[str, ...], built: str) -> None:
+    script = "git clone https://github.com/lab/acme.git\ncd acme\ngit checkout {}\nmkdir build\ncd build\ncmake ..\n"
+    script += "make install\n"
+    files = {f"{folder}/install_acme.sh": script.format(f"v-{folder[3:]}") for folder in folders}
+    files["CMakeLists.txt"] = "project(demo CXX)\nfind_package(Acme REQUIRED)\nadd_executable(demo a.cpp)\n"
+    files |= {"a.cpp": "int main() {}\n", "README.md": "For Ubuntu 22.04\n"}
+    assert [source.ref for source in tree(files).source] == [built]
