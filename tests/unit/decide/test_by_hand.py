@@ -60,6 +60,39 @@ def test_an_archive_of_a_projects_site_is_the_tag(tree: Tree) -> None:
     assert (source.name, source.ref, source.place and source.place.line) == ("ceres", "2.0.0", 3)
 
 
+UNPACKED = """\
+root="$HOME/wire"
+source="$root/src"
+curl -OL "https://github.com/lab/libwire/archive/refs/tags/v1.4.tar.gz"
+mkdir -p "$source"
+tar -xf v1.4.tar.gz {} "$source" --strip-components 1
+cmake -S "$source" -B "$root/build" -DWIRE_TESTS=OFF
+cmake --build "$root/build" --target install
+"""
+
+
+@pytest.mark.parametrize(
+    ("into", "module", "built"),
+    [
+        ("-C", "find_package(libwire REQUIRED)\n", [("v1.4", "-DWIRE_TESTS=OFF")]),
+        (
+            "--directory",
+            "find_package(PkgConfig)\nfind_package(libwire 1.2 REQUIRED)\n",
+            [("v1.4", "-DWIRE_TESTS=OFF")],
+        ),
+        ("-X", "find_package(libwire REQUIRED)\n", []),
+        ("-C", "if(WIN32)\nfind_package(libwire REQUIRED)\nendif()\n", []),
+        ("-C", "find_package(libwire)\n", []),
+    ],
+)
+def test_an_archive_that_is_unpacked_into_another_folder_is_compiled_there(
+    tree: Tree, into: str, module: str, built: list[tuple[str, str]]
+) -> None:
+    files = {"CMakeLists.txt": "project(demo)\nfind_package(Cable REQUIRED)\nadd_executable(demo a.cpp)\n"}
+    files |= {"cmake/FindCable.cmake": module, "a.cpp": "int main() {}\n", "ci/install_wire.sh": UNPACKED.format(into)}
+    assert [(source.ref, source.cmake_options) for source in tree(files).source] == built
+
+
 @pytest.mark.parametrize(("page", "ref"), [("", "4.0.3"), (ARCHIVE, "4.1.1"), (CLONE, "4.0.2")])
 def test_a_library_is_built_as_the_page_builds_it(tree: Tree, page: str, ref: str) -> None:
     decision = tree(ros1("find_package(GTSAM REQUIRED)\n", page))

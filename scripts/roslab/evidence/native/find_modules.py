@@ -8,11 +8,13 @@ from functools import lru_cache
 
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.cmake import Call, calls
-from roslab.evidence.native.linker_flags import module_of
+from roslab.evidence.native.cmake_needs import needs
+from roslab.evidence.native.linker_flags import module_of, of_module
 from roslab.evidence.native.searched import SEARCHED, held, known
 from roslab.evidence.native.x86_searched import wanted
 from roslab.knowledge.libraries import library
 from roslab.repository.checkout import File, Repository
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 _FINDS = frozenset({"find_library", "find_path"})
@@ -22,6 +24,15 @@ _OPTION = pattern(r"(?:VERSION_VAR|HANDLE_\w+|CONFIG_MODE|REASON_\w+|FAIL_MESSAG
 _WORD = pattern(r"\w+")
 _STOPS = pattern(r"handle_standard_args|(?:FATAL|SEND)_ERROR", re.IGNORECASE)
 _WAYS = frozenset({"find_package", "find_library", "pkg_check_modules"})
+
+
+def by_module(call: Call, repository: Repository, file: File) -> Iterator[Dependency]:
+    """Yield what the tree's own module for what ``find_package`` asks for needs itself, nothing for another call."""
+    if call.name != "find_package":
+        return
+    yield from of_module(call, repository, file)
+    yield from searched_by_module(call, repository, file)
+    yield from required_by_module(call, repository, file)
 
 
 def searched_by_module(call: Call, repository: Repository, file: File) -> Iterator[Dependency]:
@@ -55,6 +66,19 @@ def searched_by_module(call: Call, repository: Repository, file: File) -> Iterat
                 namespace="link", name=names[0], strength="used", file=file.path, line=call.line, role=SEARCHED
             )
             return
+
+
+def required_by_module(call: Call, repository: Repository, file: File) -> Iterator[Dependency]:
+    """Yield what such a module itself requires, whatever it finds: another package that it wraps."""
+    required = call.name == "find_package" and "REQUIRED" in call.words and not call.in_function
+    module = module_of(call, repository, file) if required else None
+    text = repository.read(module) if module else ""
+    if module is None or text.count("find_package") <= text.count("find_package_"):
+        return
+    for inner in calls(text, frozenset({"find_package"})):
+        own = inner.words[:1] == call.words[:1] or inner.conditions or inner.in_function
+        if not own and "REQUIRED" in inner.words:
+            yield from needs(replace(inner, conditions=call.conditions), module.path, None)
 
 
 def goes_on(call: Call, text: str, repository: Repository, file: File) -> bool:

@@ -243,8 +243,8 @@ class Collector:
         from roslab.evidence.prose.found_where_built import with_found  # noqa: PLC0415 - as above
 
         words, here = command.words, workspaces.longer(self.folder, self.place)
-        if program in {"wget", "curl"}:
-            self.sources += archives(command, self.file)
+        if program in {"wget", "curl", "tar"}:
+            self.sources = archives(command, self.file, self.sources, self.cloned)
             return
         if program == "cmake":
             self.sources = with_found(words, self.sources, self.mentions)
@@ -278,7 +278,7 @@ class Collector:
             self._mention("build_tool", program, command)
         elif program == "catkin" and words[1:2] in {("build",), ("init",), ("config",), ("b",)}:
             self._mention("build_tool", "catkin_tools", command)
-        elif program in {"cmake", "make", "ninja", "dpkg", "wget", "curl"}:
+        elif program in {"cmake", "make", "ninja", "dpkg", "wget", "curl", "tar"}:
             self._by_hand(program, command)
         elif by_ros(program, words):
             self._run(command)

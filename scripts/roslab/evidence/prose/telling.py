@@ -52,6 +52,7 @@ SIGNS: Signs = tuple(
         (".patch", r"\b(?:git|patch)\s"),
         (".diff", r"\b(?:git|patch)\s"),
         (".t", r"\.t(?:ar|gz)\b"),
+        (" -C ", r"\btar\s[^\n]{0,200}\s-C\s"),
         ("wget", r"\bwget\s"),
         ("gdown", r"\bgdown\s"),
         ("curl", r"\bcurl\s[^|\n]*?\s?(?:-\w*[oO]|--output|--remote-name)\b"),
