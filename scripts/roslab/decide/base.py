@@ -113,7 +113,7 @@ def of_dockerfile(
 def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: Cuda) -> Choice[BaseImage]:
     variant = config.base.ros.partition("-")[2] if config.base.ros else ""
     on_top = (f"ros-{distro.name}-{variant}",) if variants().get(variant) is False else ()
-    authored = _nvidia_dockerfile(evidence)
+    authored = nvidia_dockerfile(evidence)
     if cuda.version and (config.base.cuda or authored or cuda.compiled):
         image, _, reasons = base_for(
             "cuda", cuda.version, cuda.cudnn if cuda.cudnn_named else None, distro.ubuntu, None
@@ -141,7 +141,7 @@ def _ros(evidence: Evidence, config: Config, distro: Distro, why: Reason, cuda: 
     return Choice(answer=BaseImage(image=image, ubuntu=distro.ubuntu, ros_packages=on_top), reasons=reasons)
 
 
-def _nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
+def nvidia_dockerfile(evidence: Evidence) -> AuthorDockerfile | None:
     """Return the project's Dockerfile that starts from CUDA: the plainest one, nearest to the root.
 
     A base that the author built (``lab/robot:base``) tells nothing: another Dockerfile makes it.

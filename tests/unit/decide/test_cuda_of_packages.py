@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from roslab.config.model import Base, Config
 from roslab.decide.decision import Decision
 from trees import decided
 
@@ -147,3 +148,33 @@ def test_the_toolkit_whose_folder_cmake_names(tmp_path: Path, line: str, page: s
     found = _decided(tmp_path, page, f"{MADE}{line}\n", ros="kinetic")
     assert found.base_image == image
     assert found.author_folders == ((("/usr/local/cuda-10.2", "/usr/local/cuda"),) if link else ())
+
+
+@pytest.mark.parametrize(
+    ("ros", "base", "image"),
+    [
+        ("jazzy", "nvidia/cuda:12.1.0-devel-ubuntu22.04", "nvidia/cuda:12.6.3-devel-ubuntu24.04"),
+        ("humble", "nvidia/cuda:12.1.0-devel-ubuntu22.04", "nvidia/cuda:12.1.1-devel-ubuntu22.04"),
+        ("humble", "nvidia/cuda:11.4.0-devel-ubuntu20.04", "nvidia/cuda:11.7.1-devel-ubuntu22.04"),
+        ("noetic", "nvidia/cuda:13.0.0-devel-ubuntu22.04", "nvidia/cuda:12.9.1-devel-ubuntu20.04"),
+        ("lyrical", "nvidia/cuda:12.1.0-devel-ubuntu22.04", "ros:lyrical-ros-base"),
+    ],
+)
+def test_ros_is_installed_on_its_own_ubuntu(tmp_path: Path, ros: str, base: str, image: str) -> None:
+    """Packages of one Ubuntu cannot be installed on another, whichever CUDA the author's image or a page names."""
+    built = MANIFEST if ros == "noetic" else MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
+    version = base.partition(":")[2].partition("-")[0]
+    files = {"package.xml": built, "README.md": f"ROS {ros}, CUDA {version}\n", "docker/Dockerfile": f"FROM {base}\n"}
+    found = decided(tmp_path, files)
+    assert (found.ros_distro, found.base_image) == (ros, image)
+    told = [each.message for each in found.warnings if "has no image for" in each.message]
+    assert len(told) == (ros == "lyrical")
+
+
+def test_a_version_that_was_asked_for_is_told(tmp_path: Path) -> None:
+    manifest = MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
+    config = Config(base=Base(ros="jazzy", cuda="12.1"))
+    found = decided(tmp_path, {"package.xml": manifest}, config=config)
+    assert found.base_image == "nvidia/cuda:12.6.3-devel-ubuntu24.04"
+    said = "CUDA 12.1 has no image for noble, which ROS jazzy is packaged for: 12.6 is taken"
+    assert [each.message.partition(";")[0] for each in found.warnings if "has no image" in each.message] == [said]

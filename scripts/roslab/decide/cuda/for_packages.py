@@ -96,8 +96,9 @@ def for_packages(choice: Choice[Cuda], evidence: Evidence, config: Config, ros: 
 
 
 def in_no_image(choice: Choice[Cuda]) -> Choice[Cuda]:
-    """Return the choice of an image without NVIDIA's CUDA: none, but that packages ask for one is told."""
-    return replace(NO_CUDA, warnings=choice.warnings) if choice.answer.compiled else NO_CUDA
+    """Return the choice of an image without NVIDIA's CUDA: none; that one without an image is asked for is told."""
+    told = choice.answer.compiled or choice.answer.version is None
+    return replace(NO_CUDA, warnings=choice.warnings) if told else NO_CUDA
 
 
 def _best(images: list[CudaImage], asked: _Asked | None) -> CudaImage:

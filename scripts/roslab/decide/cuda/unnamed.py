@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslab.config.model import Config, Kind
+from roslab.decide.cuda.for_distro import with_an_image_for_distro
 from roslab.decide.cuda.for_extensions import for_extensions
 from roslab.decide.cuda.for_packages import for_packages
 from roslab.decide.cuda.for_ubuntu import with_an_image_for
@@ -19,8 +20,8 @@ def where_unnamed(  # noqa: PLR0917 - the order in which the questions are answe
 ) -> Choice[Cuda]:
     """Return the CUDA, also where nothing names one: of a named Ubuntu, of extensions of torch, of its wheel.
 
-    For packages of ROS it is one that Ubuntu's toolkit does not have.
+    For packages of ROS it is one that Ubuntu's toolkit does not have, and that has an image for their Ubuntu.
     """
     with_image = with_an_image_for(cuda, evidence, config, kind, own.version)
     of_wheels = for_wheels(for_extensions(with_image, evidence, config, kind, own), evidence, config, kind, own)
-    return for_packages(of_wheels, evidence, config, ros)
+    return with_an_image_for_distro(for_packages(of_wheels, evidence, config, ros), evidence, config, ros)

@@ -10,6 +10,7 @@ from roslab.decide.reasons import because
 from roslab.decide.ros.addresses import only_general, only_read, released_for
 from roslab.decide.ros.distro_dates import dated, later
 from roslab.decide.ros.distro_weights import Weight
+from roslab.decide.ros.equal_dockerfiles import of_equal_dockerfiles
 from roslab.decide.ros.listed_branches import listed_branches
 from roslab.decide.ros.lower_bounds import bounds, least
 from roslab.decide.ros.of_ubuntus import of_ubuntu, weight_of_ubuntu
@@ -56,12 +57,10 @@ _WHAT = {"filename": "a file is named", "ci": "CI:", "dockerfile": "the author's
 def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
     """Return the best reason for each distribution of a ROS version that is named anywhere."""
     found: dict[str, Reason] = {}
-    read = (*_dockerfiles(evidence), *_mentions(evidence, ros), *_branches(evidence, ros), *_channels(evidence))
-    read = (*read, *listed_branches(evidence, ros))
+    read = [*_dockerfiles(evidence), *_mentions(evidence, ros), *_branches(evidence, ros), *_channels(evidence)]
+    read += listed_branches(evidence, ros)
+    read = [reason for reason in read if (known := distros().get(reason.answer)) and known.ros == ros]
     for reason in read:
-        known = distros().get(reason.answer)
-        if known is None or known.ros != ros:
-            continue
         if reason.answer not in found or reason.weight > found[reason.answer].weight:
             found[reason.answer] = reason
     said = {
@@ -73,7 +72,7 @@ def reasons_for(evidence: Evidence, ros: int) -> list[Reason]:
     for reason in least(evidence, firm, ros, said):
         found[reason.answer] = max(reason, found.get(reason.answer, reason), key=lambda each: each.weight)
     tested = _tested(evidence, ros)
-    return [_untested(reason, tested) for reason in found.values()]
+    return [_untested(reason, tested) for reason in of_equal_dockerfiles(found.values(), read, evidence)]
 
 
 def _tested(evidence: Evidence, ros: int) -> set[str]:
