@@ -455,8 +455,13 @@ def test_a_project_that_another_one_finds_is_installed_before_it(tree: Tree) -> 
 @pytest.mark.parametrize(
     ("code", "page", "distro"),
     [
-        ("void goal_response_callback(std::shared_future<GoalHandle::SharedPtr> future)", "", "galactic"),
+        ("void goal_response_callback(std::shared_future<GoalHandle::SharedPtr> future)", "", "foxy"),
         ("void goal_response_callback(std::shared_future<G> future)", "Tested with ROS 2 Foxy\n", "foxy"),
+        (
+            "void goal_response_callback(std::shared_future<GoalHandle::SharedPtr> future)",
+            "Tested with ROS 2 Foxy\n",
+            "foxy",
+        ),
         ("void goal_response_callback(const GoalHandle::SharedPtr & goal)", "", "humble"),
         ("void goal_response_callback(const GoalHandle::SharedPtr & goal)", "Tested with ROS 2 Jazzy\n", "jazzy"),
         ("// void goal_response_callback(std::shared_future<G> future)", "", "humble"),
