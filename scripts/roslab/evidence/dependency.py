@@ -119,6 +119,8 @@ class GitSource:
 
     forked: bool = False
     """A link to what a page calls a fork, or a version of its author's own: what others released is not the same."""
+    fork_of: str = ""
+    """What the link's own words say that it is a fork of: ``nav2`` in ``[our fork of Nav2](https://…)``."""
     release: str = ""
     """The one release that a page names where it links to it; ``ref`` is its tag where the link leads to that."""
     doubt: str = ""

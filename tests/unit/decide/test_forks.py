@@ -88,6 +88,31 @@ def test_what_cmake_alone_requires_is_taken_from_a_fork(tree: Tree) -> None:
     assert _sought(tree(files)) == {f"{LAB}/octomap": ("octomap_ros", "octomap")}
 
 
+@pytest.mark.parametrize(
+    ("sentence", "taken"),
+    [
+        ("Make sure that Grid is there (highly suggested to use [this forked version of Grid_Map]({}/maps)).", True),
+        ("You need [our fork of the original Grid Map]({}/maps) for it.", False),
+        ("You need [our fork of `grid_map`]({}/maps) for it.", True),
+        ("Please install [the modified version of grid_map]({}/maps).", True),
+        ("Use apt. You need not use [this forked version of grid_map]({}/maps).", False),
+        ("If you want labels, use [this forked version of grid_map]({}/maps).", False),
+        ("There is also [this forked version of grid_map]({}/maps).", False),
+        ("Use [this forked version of the]({}/maps) planner.", False),
+        ("Use [this fork of ros]({}/maps).", False),
+    ],
+)
+def test_a_sentence_may_have_the_reader_use_a_fork_of_another_name(tree: Tree, sentence: str, taken: bool) -> None:
+    """What the launch files start of its family is compiled with it: apt's would be for what was released."""
+    files = _files("* Boost", "grid_map_core", "grid_map_msgs", "ros_control")
+    files["README.md"] = f"# Mapper\nROS Noetic\n\n## Requirements\n{sentence.format(LAB)}\n"
+    files["launch/a.launch"] = (
+        '<launch><node pkg="grid_map_visualization" type="grid_map_visualization" name="a"/></launch>'
+    )
+    holding = ("grid_map_core", "grid_map_msgs", "grid_map_visualization")
+    assert _sought(tree(files)) == ({f"{LAB}/maps": holding} if taken else {})
+
+
 def test_a_fork_in_which_the_build_looks_for_another_package_is_cloned_once(tree: Tree) -> None:
     files = _files(f"* [grid_map]({LAB}/customized_grid_map)", "grid_map_core", "mapper_x")
     assert _sought(tree(files | GIT))[f"{LAB}/customized_grid_map.git"] == ("grid_map_core", "mapper_x")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 
 from roslab.config.model import BuildTool, Config, Source, workspace_tool
@@ -11,7 +11,7 @@ from roslab.decide.reasons import because, warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.sought import folder_for
-from roslab.decide.ros.source_names import address, day_of_clone, fixed, plain
+from roslab.decide.ros.source_names import SHORTEST, address, day_of_clone, fixed, plain
 from roslab.decide.ros.weights import Weight
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
@@ -82,10 +82,22 @@ def _listed(evidence: Evidence, ros_distro: str) -> Iterator[tuple[GitSource, li
             needed.setdefault(each.name, each)
     for git in evidence.sources:
         if git.kind == "link" and (git.holds or git.told) and not git.private:
-            name = plain(_forked_from(git.name, there))
-            found = [each for each in needed.values() if f"{plain(each.name)}_".startswith(f"{name}_")]
+            names = {plain(_forked_from(git.name, there)), plain(git.fork_of) if len(git.fork_of) >= SHORTEST else ""}
+            found = [each for each in needed.values() if _of_family(each.name, names)]
             if found:
-                yield git, found
+                more = [each for each in _started(evidence) if _of_family(each.name, names)] if git.forked else []
+                yield git, list({each.name: each for each in (*found, *more)}.values())
+
+
+def _started(evidence: Evidence) -> Iterator[Dependency]:
+    """Yield the packages of ROS that launch files and nodes start something of, or find."""
+    launched = (each for launch in evidence.launch for each in launch.dependencies)
+    yield from (each for each in (*launched, *evidence.code) if each.namespace == "ros" and each.role == "exec")
+
+
+def _of_family(package: str, names: Iterable[str]) -> bool:
+    """Tell whether a package is called like one of some names, or begins with it: ``nav2_core`` is of ``nav2``."""
+    return any(name and f"{plain(package)}_".startswith(f"{name}_") for name in names)
 
 
 def _forked_from(name: str, packages: AbstractSet[str]) -> str:

@@ -9,7 +9,7 @@ from roslab.evidence.dependency import GitSource
 from roslab.evidence.prose import release_links
 from roslab.evidence.prose.headings import lines_of
 from roslab.evidence.prose.needed_items import LISTS, needed_items
-from roslab.evidence.prose.said_of_links import doubt, forked
+from roslab.evidence.prose.said_of_links import doubt, fork_of, forked, used
 from roslab.repository.checkout import File
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -177,7 +177,11 @@ def _judged(git: GitSource, before: str, text: str, end: int) -> GitSource:
     behind = _behind(text, end)
     if doubted := doubt(behind):
         return replace(git, doubt=doubted)
-    return replace(git, forked=True) if forked(before.rpartition("\n")[2], behind, git.name) else git
+    line = before.rpartition("\n")[2]
+    named = fork_of(line)
+    if not named and not forked(line, behind, git.name):
+        return git
+    return replace(git, forked=True, fork_of=git.fork_of or named, told=git.told or used(line))
 
 
 def _pinned(text: str, end: int) -> str | None:

@@ -22,6 +22,20 @@ _CALLED_CHANGED = pattern(
     re.IGNORECASE,
 )
 """The name of a repository that says so itself: ``customized_grid_map``."""
+_NAMED = pattern(
+    r"\b(?:forked|modified|patched|customi[sz]ed|adapted|own)\b[^\]\n]{0,30}\b(?:version|copy) of "
+    r"(?:the )?(?:official |original )?[`*]{0,3}([\w-]+)[`*]{0,3}\]\(<?$"
+    r"|\bfork of (?:the )?(?:official |original )?[`*]{0,3}([\w-]+)[`*]{0,3}\]\(<?$",
+    re.IGNORECASE,
+)
+"""What a link's own words, up to its address, say that it is a fork of."""
+_USED = pattern(
+    r"\b(?:us(?:e|ing)|need(?:ed|s)?|requires?|install(?:ing)?)\s+(?:(?:the|our|my|this|an?|following)\s+){0,3}"
+    r"\[[^\]\n]{1,80}\]\(<?$",
+    re.IGNORECASE,
+)
+"""A sentence that has the reader use what it links to, up to the address."""
+_NOT_USED = pattern(r"\b(?:not|never|instead of|rather than|if|optional\w*|alternativ\w*)\b|n't\b", re.IGNORECASE)
 _ASKS = pattern(r"\b(?:to|please|can|could|may|should|you|and|or)\s+(?:also\s+)?$", re.IGNORECASE)
 _UNAVAILABLE = pattern(
     r"(?:\bnot|n't|\bno longer)(?: (?:yet|currently|be|been|made|still))*"
@@ -61,6 +75,19 @@ def forked(before: str, after: str, name: str) -> bool:
         if any(_spelled(each) == _spelled(name) for each in changed):
             return True
     return unchanged(name) != name
+
+
+def fork_of(before: str) -> str:
+    """Return what a link's own words say that it is a fork of, else ``""``; ``before``: up to its address."""
+    found = _NAMED.search(before)
+    return (found[1] or found[2]) if found else ""
+
+
+def used(before: str) -> bool:
+    """Tell whether the sentence of a link has the reader use what it leads to; ``before``: up to its address."""
+    found = _USED.search(before)
+    sentence = _SENTENCE.split(before[: found.start()])[-1] if found else ""
+    return found is not None and not _NOT_USED.search(sentence)
 
 
 def unchanged(name: str) -> str:
