@@ -42,6 +42,17 @@ def test_all_of_a_release_is_there_for_ros_gz_from_its_source(tree: Tree) -> Non
     assert "gz-harmonic" in tree({**ros2(HARMONIC), "demo.repos": listed}).apt
 
 
+@pytest.mark.parametrize("listed", [True, False])
+def test_what_is_cloned_brings_no_ros_gz_of_the_distributions_release(tree: Tree, listed: bool) -> None:
+    """The two cannot be installed together: https://github.com/gazebosim/ros_gz/issues/755."""
+    clone = "repositories:\n  worlds:\n    type: git\n    url: https://github.com/lab/worlds\n" if listed else ""
+    needs = "<depend>gz-transport13</depend><exec_depend>ros_gz_bridge</exec_depend>"
+    decision = tree({**ros2(HARMONIC, needs), "demo.repos": clone})
+    assert {"ros_gz", "ros_gz_bridge", "ros_gz_sim", "ros_gz_image"} <= {*decision.skip_keys}
+    assert ("ros-humble-ros-gzharmonic" in decision.apt_guessed) == listed
+    assert "ros_gz_sim" not in tree(ros2("", "<exec_depend>ros_gz_bridge</exec_depend>")).skip_keys
+
+
 @pytest.mark.parametrize(
     ("cmake", "page", "source"),
     [

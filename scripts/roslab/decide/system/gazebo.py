@@ -16,6 +16,16 @@ from roslab.values.dataclass import replace
 WEIGHT = 400
 """Weight of the reasons; nothing competes with them."""
 _OWN = "ros_gz"
+_FAMILY = (
+    "ros_gz",
+    "ros_gz_bridge",
+    "ros_gz_image",
+    "ros_gz_interfaces",
+    "ros_gz_point_cloud",
+    "ros_gz_sim",
+    "ros_gz_sim_demos",
+)
+"""Its packages, of which what is cloned may ask for others than the repository: https://github.com/gazebosim/ros_gz"""
 
 
 def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Target) -> Choice[SystemPackages]:
@@ -40,11 +50,12 @@ def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Tar
     keyed = tuple(renamed(target.ros(key)) for key in keys)
     sources = {git.name.rpartition("/")[2] for git in evidence.sources if git.kind != "link"}
     whole = (f"gz-{release}",) if _OWN in sources else ()
-    guessed = sorted({renamed(name) for name in system.apt_guessed} - {*keyed, *whole})
+    more = (named,) if sources and not whole else ()  # what is cloned may ask for any of them
+    guessed = sorted({*map(renamed, system.apt_guessed), *more} - {*map(renamed, system.apt), *keyed, *whole})
     answer = replace(
         system,
         rosdep=tuple(key for key in system.rosdep if key not in keys),
-        skip_keys=tuple(dict.fromkeys((*system.skip_keys, *keys))),
+        skip_keys=tuple(dict.fromkeys((*system.skip_keys, *keys, *_FAMILY))),
         apt=tuple(dict.fromkeys((*map(renamed, system.apt), *keyed, *whole))),
         apt_guessed=tuple(guessed),
     )
