@@ -129,6 +129,18 @@ def test_the_module_of_cmake_for_an_old_lua_finds_its_package(tree: Tree) -> Non
     assert not any("Lua51" in warning.message for warning in decision.warnings)
 
 
+def test_a_lua_of_a_version_is_not_an_older_one(tree: Tree) -> None:
+    decision = tree(cpp("find_package(Lua 5.3 REQUIRED)\n"))
+    assert [name for name in (*decision.apt, *decision.apt_guessed) if "lua" in name] == ["liblua5.3-dev"]
+
+
+def test_the_bus_of_a_small_computer_is_a_library_of_the_system(tree: Tree) -> None:
+    files = cpp(LINK.replace("acme_line", "i2c"), **{"src/bus.cpp": "#include <i2c/smbus.h>\n"})
+    decision = tree(files)
+    assert "libi2c-dev" in (*decision.apt, *decision.apt_guessed)
+    assert not any("i2c" in warning.message for warning in decision.warnings)
+
+
 @pytest.mark.parametrize(
     ("linked", "package"),
     [

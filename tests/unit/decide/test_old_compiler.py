@@ -75,6 +75,26 @@ def test_the_compiler_that_a_page_installs_is_taken(tmp_path: Path) -> None:
     assert "g++-8" not in found.apt_guessed
 
 
+@pytest.mark.parametrize(
+    ("line", "version"),
+    [
+        ("add_compile_options(-std=c++20)", "10"),
+        ('set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -std=gnu++20 -O3")', "10"),
+        ("target_compile_options(demo PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-std=c++20>)", "10"),
+        ("set(CMAKE_CXX_STANDARD 20)", ""),
+        ("add_compile_options(-std=c++2a)", ""),
+        ("# add_compile_options(-std=c++20)", ""),
+        ('check_cxx_compiler_flag("-std=c++20" HAS_20)\nif(HAS_20)\nadd_compile_options(-std=c++20)\nendif()', ""),
+    ],
+)
+def test_an_option_names_a_standard_as_a_newer_compiler_does(tmp_path: Path, line: str, version: str) -> None:
+    """GCC 9 knows c++2a alone, which is what CMake asks of it for the variable."""
+    files = {"main.cpp": "int main() {}\n", "roslab.yaml": "format: 3\nbase: {ros: foxy}\n"}
+    found = plan(tmp_path, {**files, "CMakeLists.txt": f"{CMAKE}{line}\n"})
+    assert found.workspace is not None
+    assert found.workspace.variables == ((("CC", f"gcc-{version}"), ("CXX", f"g++-{version}")) if version else ())
+
+
 def test_where_none_is_known_it_is_told(tmp_path: Path) -> None:
     lines = "format: 3\nbase: {ros: foxy}\n"
     cmake = CMAKE.replace("(demo)\n", "(demo)\nset(CMAKE_CXX_STANDARD 23)\n", 1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslab.knowledge.ros_sources import held_by, packages_at
+from roslab.knowledge.ros_sources import held_by, packages_at, ros_sources
 
 ARM = "https://github.com/xArm-Developer/xarm_ros"
 
@@ -28,3 +28,11 @@ def test_a_distribution_that_has_the_package_or_is_not_meant_finds_none_there() 
 
 def test_of_a_repository_that_it_does_not_name_it_finds_nothing() -> None:
     assert packages_at("https://github.com/nobody/nothing") == set()
+
+
+def test_a_package_that_left_a_distribution_comes_from_its_last_commit_there() -> None:
+    """Every other package of the repository is still released, or lacks what the Ubuntu no longer has."""
+    found = ros_sources("ps3joy", 1, "noetic")
+    assert [source.repo for source in found] == ["https://github.com/ros-drivers/joystick_drivers.git"]
+    assert found[0].prepare.count("CATKIN_IGNORE") == 4
+    assert ros_sources("ps3joy", 1, "melodic") == ()

@@ -25,6 +25,9 @@ from roslab.values.pattern import pattern
 _STANDARD = pattern(
     r"^[^#\n]*?(?:\bCMAKE_CXX_STANDARD[ \t]+|-std=(?:c|gnu)\+\+|\bcxx_std_|\bCXX_STANDARD[ \t]+)(\d\w)\b", re.MULTILINE
 )
+_OPTION = pattern(r"-std=(?:c|gnu)\+\+(\w{2})(?!\w)")
+_OF_OPTIONS = frozenset({"add_compile_options", "add_definitions", "target_compile_options"})
+_OF_FLAGS = frozenset({"list", "set", "string"})
 _DIRECTIVE = pattern(r"#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)")
 """It begins with a letter of its own, which is found much faster than the beginning of a line."""
 _GUARDS = {"_VERSION": {"CV_VERSION": "OpenCV", "CV_MAJOR_VERSION": "OpenCV", "CERES_VERSION": "Ceres"}}
@@ -127,6 +130,8 @@ class Signs:
                 for match in matching_lines(_STANDARD, text, "CXX_STANDARD", "-std=", "cxx_std_"):
                     for sign in _signs("standard", match[1]):
                         self._add(sign, file.path, text.count("\n", 0, match.start(1)) + 1)
+                if "-std=" in text:
+                    self._options(file.path, text)
                 for sign in _search("cmake").possible(text):
                     self._command(sign, file.path, text)
         if self.commands:
@@ -138,6 +143,22 @@ class Signs:
         places_of = (sorted(each, key=lambda p: not p[1].file.startswith(packages)) for each in self.found.values())
         first = (next((limit for limit in self._meant(each, kept, unlisted)), None) for each in places_of)
         return tuple(limit for limit in first if limit)
+
+    def _options(self, path: str, text: str) -> None:
+        """Read the names of standards in options that every machine's compiler gets: one may not know such a name."""
+        if not any(_signs("option", match[1]) for match in _OPTION.finditer(text)):
+            return
+        for call in calls(text, _OF_OPTIONS | _OF_FLAGS):
+            words = " ".join(call.words)
+            named = call.name in _OF_OPTIONS or "CXX" in words
+            if (
+                (found := _OPTION.search(words))
+                and named
+                and not call.in_function
+                and all(map(_always, call.conditions))
+            ):
+                for sign in _signs("option", found[1]):
+                    self._add(sign, path, call.line)
 
     def _command(self, sign: Limit, path: str, text: str) -> None:
         """Read the calls of a command of CMake that are made on every machine."""
