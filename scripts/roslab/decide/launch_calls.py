@@ -97,11 +97,11 @@ def _below(written: str, files: Collection[str]) -> str:
     return max((file for file in files if "/" in file and written.endswith(f"/{file}")), key=len, default="")
 
 
-def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collection[str]) -> tuple[str, ...]:
+def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collection[str], page: str) -> tuple[str, ...]:
     """Return what follows ``roslaunch`` for a launch file that a page names by its path, ``()`` for none of the tree.
 
-    ``alone``: those that belong to no package, which both start by their paths alone. A path may begin above the
-    repository: ``ws/src/NAME/launch/a.launch``.
+    ``alone``: those that belong to no package, which both start by their paths alone; ``page``: that page. A path may
+    begin above the repository: ``ws/src/NAME/launch/a.launch``.
     """
     there = written in calls or written in alone
     path = written if there else _below(written, (*calls, *alone)) or written
@@ -110,18 +110,22 @@ def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collectio
     return (
         calls.get(path)
         or ((path,) if path in alone else ())
-        or (named[0] if len(named) == 1 else without_package(written, alone))
+        or (named[0] if len(named) == 1 else without_package(written, alone, page))
     )
 
 
-def without_package(written: str, alone: Collection[str]) -> tuple[str, ...]:
+def without_package(written: str, alone: Collection[str], page: str) -> tuple[str, ...]:
     """Return the path of a launch file of no package as it is from the root, ``()`` for none of the tree.
 
     A page may be in the workspace, of which the repository is ``src/NAME``, or have its reader go to a folder first:
-    then ``launch/a.launch.py`` is the only one whose path ends so.
+    then ``launch/a.launch.py`` is the only one whose path ends so. A name alone is that of the only one below the
+    folder of the ``page``, for the page at the root of one in ``launch``.
     """
     found = [file for file in alone if file == written or written.endswith(f"/{file}")]
-    below = [file for file in alone if "/" in written and file.endswith(f"/{written}")]
+    folder = page[: page.rfind("/") + 1]
+    beneath = [file for file in alone if file.endswith(f"/{written}")]
+    below = [file for file in beneath if file.startswith(folder or "launch/")]
+    below = below if len(below) == 1 or "/" not in written else beneath
     return (max(found, key=len),) if found else tuple(below) if len(below) == 1 else ()
 
 

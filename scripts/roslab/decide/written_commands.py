@@ -195,7 +195,7 @@ def _runnable(
     argv = with_a_launch_file(task_of(words, tree.tasks), tree.launched)
     if not argv or any(map(PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
-    direct = argv[:2] == ("ros2", "launch") and argv[2:3] and without_package(argv[2], tree.alone)
+    direct = argv[:2] == ("ros2", "launch") and argv[2:3] and without_package(argv[2], tree.alone, mention.file)
     if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv) - bool(direct):
         return None  # a sentence about the command
     if argv[0] in _WORDS or argv[0] in SIMULATORS:
@@ -230,8 +230,8 @@ def _of_ros(argv: tuple[str, ...], mention: Mention, tree: _Tree) -> tuple[str, 
         return _program_of_ros(argv, tree)
     package, *rest = words = of_own_package(argv[len(start) :], tree.launched)
     argv = (*start, *words)
-    if LAUNCH.search(package) or package in tree.alone:
-        call = call_of(package, tree.calls, tree.alone)
+    if LAUNCH.search(package) or without_package(package, tree.alone, mention.file):
+        call = call_of(package, tree.calls, tree.alone, mention.file)
         return (*start, *call, *rest) if call else None
     if package not in tree.packages:
         there = _somewhere(package, tree)

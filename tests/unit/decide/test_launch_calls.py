@@ -71,6 +71,7 @@ def test_what_nobody_runs_is_called_so_too(tree: Tree) -> None:
         ),
         ("roslaunch launch/twice.launch", ("bash",)),
         ("roslaunch maze.launch", ("bash",)),
+        ("cd launch && roslaunch all.launch", ("roslaunch", "launch/all.launch")),
     ],
 )
 def test_a_launch_file_of_no_package_by_its_path_from_the_workspace(
@@ -81,6 +82,44 @@ def test_a_launch_file_of_no_package_by_its_path_from_the_workspace(
     others |= {f"tools/{path}.launch": "<launch/>\n" for path in apart}
     files = {**FILES, **others, "launch/all.launch": "<launch/>\n"}
     assert tree({**files, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command == command
+
+
+@pytest.mark.parametrize(
+    ("page", "said", "command"),
+    [
+        ("maze/README.md", "going into launch and running `ros2 launch maze_launch.py`", "maze/launch/maze_launch.py"),
+        ("maze/README", "Launch it with `ros2 launch launch/launch.py`", "maze/launch/launch.py"),
+        ("maze/README.md", "Launch it with `ros2 launch hall_launch.py`", ""),
+        ("README.md", "Launch it with `ros2 launch maze_launch.py`", ""),
+        ("README.md", "Launch it with `ros2 launch top_launch.py`", "launch/top_launch.py"),
+    ],
+)
+def test_the_page_of_a_folder_names_its_launch_files_from_there(tree: Tree, page: str, said: str, command: str) -> None:
+    """They belong to no package, which lies deeper, and one may be called ``launch.py`` alone."""
+    node = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='demo', executable='drive')])\n"
+    )
+    manifest = (
+        "<package><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend></package>"
+    )
+    cmake = (
+        "project(demo)\nfind_package(ament_cmake REQUIRED)\nadd_executable(drive a.cpp)\nadd_executable(watch a.cpp)\n"
+    )
+    files = {
+        "maze/src/demo/package.xml": manifest,
+        "maze/src/demo/CMakeLists.txt": cmake,
+        page: f"# ROS 2 Humble\n\n{said}\n",
+    }
+    apart = (
+        "maze/launch/maze_launch.py",
+        "maze/launch/launch.py",
+        "hall/launch/hall_launch.py",
+        "launch/top_launch.py",
+    )
+    files |= dict.fromkeys((*apart, "hall/launch/launch.py"), node)
+    assert tree(files).command == (("ros2", "launch", command) if command else ("bash",))
 
 
 NODES = {
