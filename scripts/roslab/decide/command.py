@@ -49,6 +49,7 @@ from roslab.decide.ros.as_sources import as_mounted
 from roslab.decide.ros.in_tree import copied
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.scripts import ports_in, ports_of
+from roslab.decide.sections import about_running
 from roslab.decide.sessions import of_sessions
 from roslab.decide.shown_folders import first_shown
 from roslab.decide.skipped_commands import without_skipped
@@ -117,7 +118,9 @@ def decide_command(
     taken = taken_by(authored) if authored else "commands"
     for candidate in (_started_by(python, each, kind) for each in candidates_of(evidence, kind)):
         if not starts_one(candidate, lacking) and (authored is None or there_in(candidate, authored)):
-            by_argv.setdefault(candidate.argv, candidate)
+            known = by_argv.setdefault(candidate.argv, candidate)
+            if candidate.strong and about_running(known.heading) < 0 < about_running(candidate.heading):
+                by_argv[candidate.argv] = candidate  # the same, where the first page only tries it
     found = behind_whole(by_argv.values(), evidence)
     by_image = (listed_in(each, authored) if authored else each.argv for each in once(by_argv.values()))
     named = in_bin(evidence, kind) if authored is None else {}

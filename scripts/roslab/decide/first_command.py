@@ -9,7 +9,7 @@ from roslab.decide.absent import variant
 from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
 from roslab.decide.chores import without_chores
 from roslab.decide.equally_meant import of_whole, without_robot
-from roslab.decide.only_launched import only_launched, only_run
+from roslab.decide.only_launched import launched_alone, only_launched, only_run
 from roslab.decide.purposes import of_purpose, of_section
 from roslab.decide.reasons import of_readme
 from roslab.decide.sections import about_running, shows, starts
@@ -101,6 +101,7 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     """
     candidates = tuple(candidates)
     written = without_chores(c for c in candidates if c.strong and not helps(c) and not upkeep(c))
+    written = written or launched_alone(c for c in candidates if not upkeep(c))
     written = [c for c in written if not _explains(c)] or [c for c in written if c.argv[0] not in LAUNCHERS]
     rest = [c for c in written if not _after(c)] or [
         c for c in written if is_python(c) or (_meant(c) > 0 and not _named(c, _AFTER))

@@ -33,6 +33,17 @@ def only_launched(written: Sequence[Candidate]) -> list[Candidate]:
     return said[:1] if len(sections) == 1 and all(_TRIES.search(_name(c)) for c in launched) else []
 
 
+def launched_alone(candidates: Iterable[Candidate]) -> list[Candidate]:
+    """Return the launch file that all pages start, in a section about use, where they start nothing else.
+
+    Its name may say that it serves another program, ``gen_path.launch``: there is none.
+    """
+    written = [c for c in candidates if c.strong]
+    if len({program_of(c.argv) for c in written}) != 1 or not launched_by(written[0].argv):
+        return []
+    return [c for c in written if about_running(c.heading) > 0 and not _TESTS.search(c.heading)]
+
+
 def only_run(written: Sequence[Candidate], found: Iterable[Candidate]) -> list[Candidate]:
     """Return the node that the README runs in a section about use, where it runs nothing else: that is the use.
 

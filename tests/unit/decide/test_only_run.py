@@ -46,3 +46,32 @@ def test_one_that_steers_is_none(tree: Tree) -> None:
     page = PAGE.format(HEADING, "keyboard_teleop")
     cmake = CMAKE + COMPILED.replace("fit_calibrate", "keyboard_teleop")
     assert tree({**TREE, "README.md": page, "CMakeLists.txt": cmake}).command == ("bash",)
+
+
+USE = "# Lens\n\nROS Noetic\n\n## {}\n\n    roslaunch lens {}.launch\n"
+TRIED = "## Services\n\n### Test of the service\n\n    roslaunch lens gen_path.launch\n"
+
+
+@pytest.mark.parametrize(
+    ("pages", "taken"),
+    [
+        ({"README.md": USE.format("Usage", "gen_path")}, True),
+        ({"README.md": USE.format("License", "gen_path")}, False),
+        ({"README.md": USE.format("Usage", "gen_path") + "\n    roslaunch lens record.launch\n"}, False),
+        (
+            {
+                "README.md": "ROS Noetic\n",
+                "srv/README.md": TRIED,
+                "docs/use/installation.md": USE.format("Start", "gen_path"),
+            },
+            True,
+        ),
+        ({"README.md": "ROS Noetic\n", "srv/README.md": TRIED}, False),
+    ],
+)
+def test_a_launch_file_that_pages_alone_start_is_the_use(tree: Tree, pages: dict[str, str], taken: bool) -> None:
+    """Its name begins with what serves another, and a page above the other only tries it."""
+    launch = '<launch><node pkg="lens" type="fit_calibrate" name="a"/></launch>\n'
+    names = ("gen_path", "record", "show", "watch")
+    files = {**TREE, **{f"launch/{name}.launch": launch for name in names}, **pages}
+    assert (tree(files).command == ("roslaunch", "lens", "gen_path.launch")) is taken
