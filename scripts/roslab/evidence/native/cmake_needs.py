@@ -66,18 +66,19 @@ _LINK_WORDS = frozenset(
         "general",
     ]
 )
-_ROS_FINDERS = frozenset(
-    [
-        "catkin",
-        "catkin_simple",
-        "ament_cmake",
-        "ament_cmake_auto",
-        "ament_cmake_ros",
-        "ament_cmake_python",
-        "rosidl_default_generators",
-    ]
-)
-"""ROS packages whose components are packages themselves."""
+_CATKIN = frozenset({"catkin", "catkin_simple"})
+"""Packages of ROS whose components are packages themselves."""
+_ROS_FINDERS = _CATKIN | {
+    "ament_cmake",
+    "ament_cmake_auto",
+    "ament_cmake_ros",
+    "ament_cmake_python",
+    "rosidl_default_generators",
+}
+"""What ament made looks at no components: authors who come from catkin write some, of whatever name.
+
+https://github.com/ament/ament_cmake (ament_cmake_core/cmake/core/templates/nameConfig.cmake.in), 2026-11-29
+"""
 _TEST = pattern(r"CATKIN_ENABLE_TESTING|BUILD_TEST(?:S|ING)?|_TESTS?\b|GTEST", re.IGNORECASE)
 _OTHER = r"(?:WIN32|MSVC|APPLE|ANDROID|IOS|MINGW|CYGWIN|EMSCRIPTEN)"
 _SYSTEM = r"(?:\$\{)?CMAKE_SYSTEM_NAME\}? (?:STREQUAL|MATCHES)"
@@ -193,7 +194,7 @@ def _found(call: Call, path: str, project: str | None) -> Iterator[Dependency]:
         if call.name in _OF_GAZEBO and not name.startswith(_LIBRARIES_OF_GAZEBO):
             continue
         if name in _ROS_FINDERS:
-            for component in finder.components:
+            for component in finder.components if name in _CATKIN else ():
                 found = replace(_dependency("ros", component, strength, call, path), required=required)
                 yield replace(found, namespace="cmake", role=COMPONENT) if _no_ros_package(component) else found
         else:
