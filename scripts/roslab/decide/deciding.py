@@ -218,8 +218,9 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         linked=linked(sources.answer.sought),
         config=config,
     )
-    left_out = () if own.answer else missing.answer.packages
-    sources, system = as_tried(sources, system, packages, left_out, missing.answer.stops, none=own.answer is not None)
+    left_out, sources, system = as_tried(
+        sources, system, missing.answer, evidence, config, packages=packages, command=command.answer, own=own.answer
+    )
     steps = decide_steps(
         evidence,
         config,

@@ -15,7 +15,7 @@ from roslab.decide.ros.source_names import plain, telling_words
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.left_out import needing
 from roslab.decide.system.names import Target, resolve
-from roslab.decide.system.required import required
+from roslab.decide.system.required import asking, required
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.released import released, rosdep_keys
@@ -39,7 +39,9 @@ def may_fail(
         return ()
     found: dict[str, None] = {}
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
+    tried = (source.name for source in sources.sources if source.unasked and source.build == "cmake")
     stopped = [name for file in stopping if (name := owner(file, folders))]
+    stopped += (name for by in asking(evidence, packages, tried).values() for name in by)
     for package in dict.fromkeys((*_stopped(evidence, packages, _known(packages, target, sources), target), *stopped)):
         found |= dict.fromkeys(needing(package, packages))
     names = tuple(name for name in found if name not in left_out)

@@ -10,6 +10,7 @@ from roslab.decide.programs import top_of
 from roslab.decide.ros.own_configs import installing
 from roslab.decide.ros.source_names import SHORTEST, plain
 from roslab.decide.ros.workspace import Packages
+from roslab.decide.system.bare_names import bare, without_major
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.dependency import Dependency
@@ -33,6 +34,17 @@ def _of_packages(evidence: Evidence, packages: Packages) -> Iterator[tuple[str, 
             folder = folder.rpartition("/")[0]
         if package := named.get(folder):
             yield package, project
+
+
+def asking(evidence: Evidence, packages: Packages, libraries: Iterable[str]) -> dict[str, tuple[str, ...]]:
+    """Return the packages whose CMake asks for each of some libraries, by the library's name."""
+    names = {bare(name): name for name in libraries}
+    found: dict[str, dict[str, None]] = {}
+    for package, project in _of_packages(evidence, packages) if names else ():
+        asked = {bare(each.name) for each in project.dependencies}
+        for name in {*asked, *without_major(asked).values()} & names.keys():
+            found.setdefault(names[name], {})[package] = None
+    return {name: tuple(by) for name, by in found.items()}
 
 
 def programs(evidence: Evidence, packages: Packages, kind: Kind) -> Iterator[tuple[str, Dependency]]:

@@ -174,7 +174,7 @@ def _told(library: Source, commands: list[str], step: str) -> list[str]:
         return commands
     tried = " \\\n && ".join(commands)
     if library.unasked:
-        why = "cannot be built, which nothing that was read requires"
+        why = "cannot be built, which nothing that must be there requires"
         why = f"was looked for in {library.repo}, and cannot be cloned or built" if library.holding else why
         left_out = quote.shell(f"roslab: left out: {library.name} {why}")
         return [f"{{ ( {tried} ) || {{ rm -rf /installed; echo {left_out}; }}; }}"]
