@@ -171,8 +171,8 @@ def _before_all(written: Sequence[Candidate], rest: Sequence[Candidate]) -> list
 
 
 def _filled_in(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
-    """Return the command in which a page gives every value that the first leaves to the reader, else the first."""
-    blanks = set(first.blanks)
+    """Return the command in which a page gives all that the first leaves to the reader or lacks, else the first."""
+    blanks = {*first.blanks, *first.lacking}
     same = (c for c in candidates if program_of(c.argv) == program_of(first.argv) and not (c.cut or c.blanks))
     given = (c for c in same if blanks <= {word.partition(":=")[0] for word in c.argv if ":=" in word})
     return next(given, first) if blanks else first

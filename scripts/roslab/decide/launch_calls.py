@@ -11,6 +11,16 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.released import ever_released
 
+_OPTIONS = frozenset(
+    {"--screen", "--log", "--wait", "-v", "--local", "--core", "--no-summary", "--skip-log-check", "--disable-title"}
+    | {"-d", "--debug", "-n", "--noninteractive", "-a", "--show-all-subprocesses-output"}
+)
+"""Options without a value, with which both start something.
+
+https://github.com/ros/ros_comm (tools/roslaunch/src/roslaunch/__init__.py) and https://github.com/ros2/launch_ros
+(ros2launch/ros2launch/command/launch.py), 2026-11-29
+"""
+
 
 def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
     """Return what follows ``roslaunch`` or ``ros2 launch`` for each launch file of a package, by its path.
@@ -82,10 +92,15 @@ def of_own_package(words: tuple[str, ...], launched: Mapping[str, Collection[str
 def from_root(command: str, files: Collection[str]) -> str:
     """Return a command that starts a launch file by its path with the path from the root, as far as the tree has it.
 
-    A page may write one in the reader's home: ``roslaunch ~/ws/src/NAME/launch/a.launch``.
+    A page may write one in the reader's home: ``roslaunch ~/ws/src/NAME/launch/a.launch``. Options before the package
+    or the path come behind: ``roslaunch --screen a.launch``.
     """
     at = 1 if command.startswith("roslaunch ") else 2 if command.startswith("ros2 launch ") else 0
     words = command.split(" ")
+    if at and words[at] in _OPTIONS:
+        first = next((index for index in range(at, len(words)) if words[index] not in _OPTIONS), at)
+        words = [*words[:at], *words[first:], *words[at:first]]
+        command = " ".join(words)
     if not at or not words[at].startswith(("~", "/", "$")):
         return command
     path = _below(words[at], files)

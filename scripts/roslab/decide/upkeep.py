@@ -13,10 +13,12 @@ _UPKEEP = pattern(
     r"packaging|releases?|deploy\w*(?=/[^ ]*\.(?:ba)?sh$)|dev(?:[_-]?tools?)?|maint\w*|admin|debian|"
     r"conda(?:[._-]recipe)?|recipe)/|"
     r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set|sync|check)_(?:\w+_)?version|versioneer|publish|upload|"
-    r"coverage|codecov|stubgen|pre_?commit|git_?hook|noxfile|fabfile|conftest|setup|conf|gen_?docs?|make_?docs?)\.(?:py|(?:ba)?sh)$",
+    r"coverage|codecov|stubgen|pre_?commit|git_?hook|noxfile|fabfile|conftest|setup|conf|gen_?docs?|make_?docs?)\.(?:py|(?:ba)?sh)$|"
+    r"(?:^|/)(?:sync|deploy)_to_\w+\.(?:ba)?sh$",
     re.IGNORECASE,
 )
-"""A script that keeps the project itself: of its releases, its build, its documentation, its continuous integration."""
+"""A script that keeps the project itself: of its releases, its build, its documentation, its continuous integration,
+or one that copies it to other machines."""
 
 
 def upkeep(candidate: Candidate) -> bool:

@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from roslab.decide.candidate import Candidate
 from roslab.decide.decision import Decision
+from roslab.decide.upkeep import upkeep
 from roslab.pipeline import plan_repository
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -718,6 +720,15 @@ def test_what_keeps_the_project_itself_is_no_command(tree: Tree, script: str) ->
     files = {"setup.py": "from setuptools import setup\nsetup(name='demo')\n", "demo.pyx": "", script: guard}
     assert tree(files).command == ("bash",)
     assert tree(files | {"README.md": f"```\npython {script}\n```\n"}).command == ("bash",)
+
+
+@pytest.mark.parametrize(
+    ("script", "copies"),
+    [("sync_to_nodes.sh", True), ("tools/deploy_to_robot.bash", True), ("clock_sync_to_gps.sh", False)],
+)
+def test_what_copies_it_to_other_machines_is_no_command(script: str, copies: bool) -> None:
+    argv = ("bash", f"scripts/{script}")
+    assert upkeep(Candidate(argv=argv, why="", file="README.md", line=1, strong=True)) is copies
 
 
 def test_a_program_that_only_sounds_like_it_is_one(tree: Tree) -> None:

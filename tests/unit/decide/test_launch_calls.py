@@ -148,3 +148,45 @@ def test_a_package_that_nothing_has_starts_nothing(tree: Tree, lines: str, comma
     """A page may also name the wrong one of the tree's packages, or the source of a program."""
     found = tree({**NODES, "README.md": f"ROS Noetic\n```\n{lines}\n```\n"}).command
     assert " ".join(found) == command
+
+
+@pytest.mark.parametrize(
+    ("line", "command"),
+    [
+        ("roslaunch --screen demo side.launch a:=1", ("roslaunch", "demo", "side.launch", "a:=1", "--screen")),
+        ("roslaunch --wait -v demo/launch/flat/side.launch", ("roslaunch", "demo", "side.launch", "--wait", "-v")),
+        ("roslaunch --screen", ("bash",)),
+    ],
+)
+def test_options_may_stand_before_the_package(tree: Tree, line: str, command: tuple[str, ...]) -> None:
+    assert tree({**FILES, "README.md": f"ROS Noetic\n\n```\n{line}\n```\n"}).command == command
+
+
+@pytest.mark.parametrize(
+    ("demanded", "first", "given", "command"),
+    [
+        (
+            "host_name",
+            "demo plan.launch",
+            "demo plan.launch host_name:=10.1.2.3",
+            "demo plan.launch host_name:=10.1.2.3",
+        ),
+        (
+            "host_name",
+            "--screen demo/launch/flat/plan.launch",
+            "demo plan.launch host_name:=a",
+            "demo plan.launch host_name:=a",
+        ),
+        ("host_name", "demo plan.launch", "demo plan.launch other:=1", "demo side.launch"),
+    ],
+)
+def test_what_the_readme_starts_takes_the_arguments_of_another_page(
+    tree: Tree, demanded: str, first: str, given: str, command: str
+) -> None:
+    files = {**FILES, "demo/launch/flat/plan.launch": f'<launch><arg name="{demanded}"/></launch>\n'}
+    pages = {
+        "README.md": f"ROS Noetic\n\n## Installation\n```\nroslaunch {first}\n```\n",
+        "demo/README.md": f"## System setup\n```\nroslaunch {given}\n```\n",
+        "demo/launch/README.md": "## Usage\n```\nroslaunch demo side.launch\n```\n",
+    }
+    assert tree({**files, **pages}).command == ("roslaunch", *command.split())
