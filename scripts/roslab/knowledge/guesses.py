@@ -37,6 +37,12 @@ def ros_modules() -> frozenset[str]:
     return frozenset(row["module"] for row in rows("ros_modules"))
 
 
+@cache
+def successors() -> dict[str, str]:
+    """Return for modules that were given up those that took their place."""
+    return {row["module"]: row["by"] for row in rows("successors")}
+
+
 def same_module(name: str, other: str) -> bool:
     """Tell whether two packages bring the same module: the builds of OpenCV, the spellings of scikit-learn."""
     return not _rows_of(name).isdisjoint(_rows_of(other))

@@ -24,7 +24,7 @@ from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python_project import PythonProject
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.frameworks import imports, released_together, tabled
-from roslab.knowledge.guesses import ros_modules, same_module, tooling, tools_of_developers
+from roslab.knowledge.guesses import ros_modules, same_module, successors, tooling, tools_of_developers
 from roslab.knowledge.windows import shown_with
 from roslab.values.dataclass import replace
 from roslab.values.name import canonicalize_name, of_fork
@@ -162,12 +162,14 @@ def to_show(evidence: Evidence, known: Set[str]) -> Iterator[Requirement]:
 def _imported(evidence: Evidence, kind: Kind, *, manifests: bool) -> Iterator[Dependency]:
     """Yield the imports that count: those that may fail where no manifest is, or where the code says what to install.
 
-    A framework beside a manifest is not among these: it is another way to do the same.
+    A framework beside a manifest is not among these: it is another way to do the same. So is a module that is only
+    tried beside the one that took its place.
     """
+    used = {each.name for each in evidence.code if each.namespace == "import" and each.strength == "used"}
     compared = in_baselines(evidence, kind)
     for each in evidence.code:
         told = each.role == "told" and each.name not in FRAMEWORKS
-        tried = each.name == "torch" and _tries_torch(evidence)
+        tried = (each.name == "torch" and _tries_torch(evidence)) or successors().get(each.name) in used
         counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests) and not tried)
         if each.namespace == "import" and counts and not (places.test(each.file) or compared(each.file)):
             yield each
