@@ -25,4 +25,10 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
 
         if other := without_hopeless(decision, evidence, config):
             return answered(other, config, folder_name=folder_name)
+    if decision.left_out and decision.kind == "ros2":
+        from roslab.decide.hopeless import starts_whole, without_stopping  # noqa: PLC0415 - as above
+
+        if other := without_stopping(decision, evidence, config):
+            instead = answered(other, config, folder_name=folder_name)
+            return instead if starts_whole(instead, other) else decision
     return decision

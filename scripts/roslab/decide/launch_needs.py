@@ -193,9 +193,8 @@ def _not_built(launch: LaunchFile, left_out: Collection[str]) -> Iterator[Warnin
     for asked in (*launch.dependencies, *launch.reached):
         if asked.namespace == "ros" and asked.strength != "optional" and asked.name in {*left_out} - told:
             told.add(asked.name)
-            message = (
-                f"the default command needs {asked.name}, which is left out of the build: at most a part of it runs"
-            )
+            then = "it stops there" if launch.ros == 2 else "at most a part of it runs"
+            message = f"the default command needs {asked.name}, which is left out of the build: {then}"
             yield warn(f"{message}; give what the package lacks, or set `command` in roslab.yaml", asked)
 
 
