@@ -249,7 +249,8 @@ def _obvious(
         return argv, because("command", shlex.join(argv), why, only, weight=Weight.ONLY_ONE)
     programs = len({program_of(c.argv) for c in found})
     why = f"{programs} programs could be the default" if programs > 1 else "no program stands out"
-    if any(c.strong and c.lacking for c in found):
+    written = [c for c in found if c.strong]
+    if written and all(c.lacking for c in written):
         why = "what pages run lacks arguments that its launch file demands"
     said = because("command", "bash", f"{why}, so it is a shell; set `command` in roslab.yaml", weight=Weight.SHELL)
     return ("bash",), said

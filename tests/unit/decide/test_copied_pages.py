@@ -27,6 +27,13 @@ PACKED = {path.replace("camera/", "camera-main/", 1): text for path, text in COP
     "camera-main/io/CMakeLists.txt": CMAKE,
 }
 OWN = {"arm/package.xml": PACKAGE.format("arm"), "arm/CMakeLists.txt": CMAKE, "arm/launch/arm.launch.py": LAUNCH}
+MSGS = {"msgs/package.xml": PACKAGE.format("msgs"), "msgs/CMakeLists.txt": CMAKE}
+"""A package that starts nothing."""
+MORE = {
+    f"camera/{name}/{file}": text
+    for name in ("io", "view", "drawing", "tools")
+    for file, text in (("package.xml", PACKAGE.format(name)), ("CMakeLists.txt", CMAKE))
+}
 CAMERA = ("ros2", "launch", "driver", "camera.launch.py")
 
 
@@ -34,7 +41,9 @@ CAMERA = ("ros2", "launch", "driver", "camera.launch.py")
     ("files", "command"),
     [
         ({**COPY, **OWN}, ("ros2", "launch", "arm", "arm.launch.py")),
-        ({**COPY, "msgs/package.xml": PACKAGE.format("msgs"), "msgs/CMakeLists.txt": CMAKE}, ("bash",)),
+        ({**COPY, **MSGS}, ("bash",)),
+        ({**COPY, **MSGS, **MORE}, CAMERA),  # a workspace of copies, but for messages
+        ({**COPY, **OWN, **MORE}, ("ros2", "launch", "arm", "arm.launch.py")),
         ({**COPY, **OWN, "README.md": "    ros2 launch driver camera.launch.py\n"}, CAMERA),
         (COPY, CAMERA),  # all that there is
         ({**PACKED, **OWN}, ("ros2", "launch", "arm", "arm.launch.py")),
@@ -60,3 +69,24 @@ def test_what_the_pages_of_a_packed_repository_install_is_no_need(tree: Tree, fo
     files = {f"{folder}/LICENSE": "text", f"{folder}/README.md": "# Build\n\n    sudo apt-get install doxygen\n"}
     files[".git/config"] = '[remote "origin"]\n\turl = https://github.com/lab/demo.git\n'
     assert any(each.answer == "doxygen" for each in tree({**OWN, **files}).reasons) == needed
+
+
+def test_a_page_that_lacks_arguments_is_not_why_where_others_lack_none(tree: Tree) -> None:
+    asks = "from launch.actions import DeclareLaunchArgument\nDeclareLaunchArgument('model')\n" + LAUNCH
+    shown = {
+        "show/package.xml": PACKAGE.format("show"),
+        "show/CMakeLists.txt": CMAKE,
+        "show/launch/show.launch.py": asks,
+        "show/README.md": "# Usage\n\n    ros2 launch show show.launch.py\n",
+    }
+    why = "what pages run lacks arguments"
+    assert why in shell(tree(shown))
+    found = tree({**COPY, **shown})
+    said = {reason.answer for reason in found.reasons if reason.question == "command"}
+    assert "ros2 launch driver camera.launch.py" in said
+    assert why not in shell(found)
+
+
+def shell(decision: Decision) -> str:
+    """Return why the command is a shell."""
+    return next(each.reason for each in decision.reasons if (each.question, each.answer) == ("command", "bash"))

@@ -18,6 +18,9 @@ from roslab.evidence.ros.vcs import https
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 
+FEW = 4
+"""Of so many packages one is its own, at most, where those that start nothing count for nothing."""
+
 
 def in_tree(evidence: Evidence, config: Config, before: str) -> tuple[list[tuple[GitSource, Source]], list[Reason]]:
     """Return what the image clones there, each under its path, and a reason for each of these and other submodules.
@@ -96,9 +99,18 @@ def apart(evidence: Evidence, packages: Packages) -> tuple[str, ...]:
 
 
 def copied(evidence: Evidence, packages: Packages) -> tuple[str, ...]:
-    """Return the folders with copies of others' repositories, if there are packages of its own beside them."""
-    own = any(not below(manifest.file, evidence.repositories) for manifest in packages.built)
-    return evidence.repositories if own else ()
+    """Return the folders with copies of others' repositories, if there are packages of its own beside them.
+
+    A few that start nothing, as the messages beside the copies of a whole workspace, are no other thing to start.
+    """
+    whole = evidence.repositories
+    folders = [m.file.rpartition("/")[0] for m in packages.built if not below(m.file, whole)] if whole else []
+    if FEW * len(folders) >= len(packages.built):
+        return whole if folders else ()
+    own = tuple(f"{folder}/" for folder in folders)
+    files = [launch.file for launch in evidence.launch] + [program.file for program in evidence.programs]
+    files += [project.file for project in evidence.cmake if own and project.executables]
+    return whole if any(file.startswith(own) and not below(file, whole) for file in files) else ()
 
 
 def _source(git: GitSource, before: str) -> Source:
