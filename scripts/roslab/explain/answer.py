@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import IO
 
 from roslab.explain import matter, names, signatures, stages, steps
+from roslab.explain.attempts import attempts, lacks
 from roslab.explain.failed_packages import failed_packages
 from roslab.explain.reading import Line, lines
 from roslab.explain.steps import Log, Step
@@ -17,8 +18,6 @@ KEPT = 60_000
 """Characters of a failed step that are kept for its repair."""
 _AROUND = 40
 """Lines outside all steps, at the end of the log, that may say who stopped the build."""
-_AGAIN = pattern(r"roslab: .{1,300}: once more\b")
-"""What a script of a generated image says before it tries again: it failed by what comes after."""
 _LEFT_OUT = pattern(r"roslab: left out: (?:apt|rosdep) (\S{1,100})[ \t\r]*$")
 """What the image's scripts say of a package that apt does not have, or of a key that rosdep or apt does not know."""
 _IMAGE = pattern(r" ---> ([0-9a-f]{12})$")
@@ -78,9 +77,7 @@ def explain(stream: IO[bytes]) -> Answer:
     log = steps.read(lines(stream))
     failed = log.failed or ([] if log.succeeded and not log.rest.error else [log.rest])
     image = names.image(_context(log), "")
-    for step in failed:
-        step.lines = _last_attempt(step.lines)
-    found = tuple(_step(log, step, image) for step in failed)
+    found = tuple(_attempted(log, step, image) for step in failed)
     found = found if any(one.id for one in found) else (_stopped(log, image) or found)
     return Answer(
         explanations=_distinct(found),
@@ -110,10 +107,16 @@ def _context(log: Log) -> str:
     return "\n".join(parts)[:400_000]
 
 
-def _last_attempt(said: list[Line]) -> list[Line]:
-    """Return the lines of a step from its last attempt on."""
-    again = [index for index, line in enumerate(said) if _AGAIN.match(line.text)]
-    return said[again[-1] + 1 :] if again else said
+def _attempted(log: Log, step: Step, image: names.Image) -> Explanation:
+    """Return why the last attempt of a step failed, else why what it lacks was left out after an earlier one."""
+    *earlier, last = attempts(step.lines)
+    step.lines = list(last.lines)
+    found = _step(log, step, image)
+    for attempt in reversed(earlier):
+        if lacks(found.names, attempt):
+            step.lines = list(attempt.lines)
+            found = _step(log, step, image)
+    return found
 
 
 def _step(log: Log, step: Step, image: names.Image) -> Explanation:

@@ -16,6 +16,8 @@ MOST = 16_000
 _new = tuple.__new__
 """Makes a ``Line`` in a third of the time, for logs of a million lines."""
 _HEAD, _TAIL, _SAID = 400, 4000, 4000
+_OWN = "roslab: "
+"""What the scripts of a generated image say of themselves."""
 
 _SMALL = pattern(r"^(?i:run|copy|add|from|env|arg|user|workdir|label|cmd|entrypoint|shell|volume|expose)\b(?= )")
 """The first word of an instruction, which a Dockerfile may write in small letters."""
@@ -64,7 +66,7 @@ class Step:
 
     def drop(self, tail: int = _TAIL) -> None:
         """Drop unimportant lines between the beginning and the last lines."""
-        middle = [line for line in self.lines[_HEAD:-tail] if is_marked(line.text)]
+        middle = [line for line in self.lines[_HEAD:-tail] if line.text.startswith(_OWN) or is_marked(line.text)]
         self.lines = [*self.lines[:_HEAD], *middle[:_SAID], *self.lines[-tail:]]
 
 
