@@ -1060,6 +1060,20 @@ def test_programs_of_python_3_find_their_modules_beside_python_2(
     assert ("python-matplotlib" in guessed) == (not brought)
 
 
+def test_so_do_the_modules_of_the_tree_that_they_import(tmp_path: Path) -> None:
+    files = {
+        **package("a"),
+        "nodes/talk.py": "#!/usr/bin/env python3\nimport sys\nsys.path.append('shared')\nfrom driver import Driver\n",
+        "nodes/older.py": "#!/usr/bin/env python\nimport other\n",
+        "shared/driver/__init__.py": "from .port import Driver\n",
+        "shared/driver/port.py": "import serial\n",
+        "shared/other.py": "import termcolor\n",
+    }
+    guessed = decided(tmp_path, files, branch="melodic-devel").apt_guessed
+    assert "python3-serial" in guessed
+    assert "python3-termcolor" not in guessed
+
+
 def test_a_node_of_python_3_finds_what_ros_itself_imports(tmp_path: Path) -> None:
     files = {**package("a"), "nodes/talk.py": "#!/usr/bin/env python3\nimport rospy\n"}
     here = decided(tmp_path, files, branch="melodic-devel").apt_guessed

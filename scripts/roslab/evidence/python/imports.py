@@ -14,7 +14,7 @@ from roslab.evidence.python.compiled_modules import compiled_modules
 from roslab.evidence.python.foreign import foreign
 from roslab.evidence.python.modules import MAX_READ, Module, modules
 from roslab.evidence.python.namesakes import Namesakes, namesakes
-from roslab.evidence.python.of_python3 import of_python3
+from roslab.evidence.python.of_python3 import of_modules, of_python3
 from roslab.evidence.python.programs import read as programs
 from roslab.evidence.python.rendered import rendered
 from roslab.evidence.python.shown_by_imports import names, shown_by_imports
@@ -55,6 +55,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     said: dict[str, Dependency] = {}
     imported: dict[str, list[str]] = {}
     frameworks: dict[str, list[tuple[re.Match[str], list[str]]]] = {}
+    outside: dict[str, set[str]] = {}
     for module in modules(repository):
         file, text = module.file, module.text
         if "" not in found and (started := _started(file, text)):
@@ -71,8 +72,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         found_in = [(match, modules_of(match, sorted_in)) for match in module.statements]
         imported[file.path] = [name for match, _ in found_in for name in names(match)]
         said = {**_told(module, found_in), **said}
-        others = {top for _, tops in found_in for top in tops} - local
-        found = {f"{each.name} {each.role}": each for each in of_python3(module, others)} | found
+        outside[file.path] = {top for _, tops in found_in for top in tops} - local
+        found = {f"{each.name} {each.role}": each for each in of_python3(module, outside[file.path])} | found
         frameworks[file.path] = [each for each in found_in if not _OF_NODES.isdisjoint(each[1])]
         node = bool(frameworks[file.path]) and _of_node(module)
         stopped = starts(text) if any(match["indent"] for match, _ in found_in) else frozenset()
@@ -98,6 +99,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     calls = [each for each in found.values() if each.namespace == "call"]
     for call in shown_by_imports(imported, calls):
         found.setdefault(f"{call.name} {call.file}", call)
+    found = {f"{each.name} {each.role}": each for each in of_modules(repository, outside)} | found
     _add_of_nodes(repository, found, frameworks)
     _add_told(said, found)
     _add_notebooks(repository, local, sorted_in, found)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.python.modules import Module
+from roslab.evidence.python.modules import Module, modules
+from roslab.evidence.python.through_modules import of_tree
 from roslab.knowledge.frameworks import imports
+from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 ROLE = "python3"
@@ -36,6 +38,17 @@ def of_python3(module: Module, imported: Collection[str]) -> Iterator[Dependency
         kept = package_of(top)
         for name in filter(None, (kept, *_OF_MODULES.get(top, ()))):
             yield Dependency(namespace="apt", name=name, strength="used", file=module.file.path, line=1, role=role)
+
+
+def of_modules(repository: Repository, imported: Mapping[str, Collection[str]]) -> Iterator[Dependency]:
+    """Yield the same of the modules of the tree that such programs beside packages of ROS import at their tops.
+
+    They do so by whichever way. ``imported``: what each file of the tree imports from outside of it.
+    """
+    for module in modules(repository) if repository.named("package.xml", "manifest.xml") else ():
+        if asks_python3(module) and not places.test(module.file.path):
+            reached = of_tree(repository).reached((module.file.path,))
+            yield from of_python3(module, {top for file in reached for top in imported.get(file, ())})
 
 
 def _role(module: Module) -> str | None:
