@@ -7,16 +7,15 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.called_in_scripts import MAX_SIZE, calls_of
+from roslab.evidence.prose.first_lines import FIRST_LINE
 from roslab.evidence.python.called import programs_of
 from roslab.evidence.python.modules import modules
 from roslab.knowledge.authors_own import authors_own
 from roslab.repository.checkout import Repository, nearest
-from roslab.values.pattern import pattern
 
 MAX_FILES = 200
 """Most scripts that are searched, those nearest to the root first."""
 _SCRIPTS = (".sh", ".bash", ".zsh")
-_FIRST_LINE = pattern(r"#!\s*(?:\S*/)?(?:env\s+(?:-S\s+)?)?(?:\S*/)?([\w.+-]+)")
 
 
 def read(repository: Repository) -> tuple[Mention, ...]:
@@ -32,7 +31,7 @@ def _of_scripts(repository: Repository) -> Iterator[tuple[str, str, int]]:
     scripts = (file for file in repository.suffixed(*_SCRIPTS) if not places.vendored(file.path))
     for file in nearest(scripts)[:MAX_FILES]:
         text = repository.read(file, limit=MAX_SIZE)
-        if match := _FIRST_LINE.match(text):
+        if match := FIRST_LINE.match(text):
             yield match[1], file.path, 1
         yield from ((name, file.path, line) for name, line in calls_of(text))
 

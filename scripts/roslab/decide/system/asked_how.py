@@ -28,6 +28,7 @@ _HOW = {
     "python3": "a program whose first line asks for Python 3 imports what {} has",
     "python3 elsewhere": "a program whose first line asks for Python 3 imports what {} has",
     "shebang": "the first line of a program names {}",
+    "first_line": "the first line of a program that a page runs names one of {}",
     "named": "the page names {}",
     "linked": "a compiled file of the tree is linked with {}",
     "compiled": "a library compiled with the project needs {}",

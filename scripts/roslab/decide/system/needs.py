@@ -38,7 +38,10 @@ ON_CUDA = "cuda"
 """Role of what compiles for CUDA."""
 QMAKE = "qt5-qmake"
 _OF_CODE = frozenset(
-    {"backend", "called", "configure", "fetch", "in_script", "latex", "linked", "run", "session_script", "typelib"}
+    {
+        *("backend", "called", "configure", "fetch", "first_line", "in_script", "latex", "linked", "run"),
+        *("session_script", "typelib"),
+    }
 )
 """Roles of packages that the code itself shows."""
 _HEADERS = pattern(r"lib[a-z-]+-dev")

@@ -9,6 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.lines import blank
+from roslab.evidence.prose import first_lines
 from roslab.knowledge.compiled import programs
 from roslab.knowledge.unpackaged_programs import unpackaged_programs
 from roslab.repository.checkout import Repository
@@ -46,16 +47,20 @@ _ENTERS = pattern(r"\b(?:activate|(?:conda|mamba|poetry|pipenv|uv|pixi)\s+run)\b
 
 
 def read(repository: Repository, said: Iterable[Mention]) -> tuple[Dependency, ...]:
-    """Return the packages of apt with these programs, each once for a script."""
-    return tuple(
-        Dependency(namespace="apt", name=programs()[name], strength="used", file=file, line=line, role=IN_SCRIPT)
-        for name, file, line in _calls(repository, said)
-        if name in programs()
-    ) + tuple(
-        Dependency(namespace="apt", name=PYTHON, strength="used", file=file, line=line, role=IN_SCRIPT)
-        for file, script in _scripts(repository, said)
-        for name, line in calls_of(script)
-        if name == "python" and not _ENTERS.search(script)
+    """Return the packages of apt with these programs, each once for a script, and of those in a first line."""
+    return (
+        tuple(
+            Dependency(namespace="apt", name=programs()[name], strength="used", file=file, line=line, role=IN_SCRIPT)
+            for name, file, line in _calls(repository, said)
+            if name in programs()
+        )
+        + tuple(
+            Dependency(namespace="apt", name=PYTHON, strength="used", file=file, line=line, role=IN_SCRIPT)
+            for file, script in _scripts(repository, said)
+            for name, line in calls_of(script)
+            if name == "python" and not _ENTERS.search(script)
+        )
+        + tuple(first_lines.read(repository, said))
     )
 
 
