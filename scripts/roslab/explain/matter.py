@@ -17,7 +17,8 @@ _QUOTES = str.maketrans({0x2018: "'", 0x2019: "'", 0x201C: '"', 0x201D: '"'})
 """Compilers use curved quotation marks in a UTF-8 locale."""
 _FOREIGN = pattern(
     r"Fehler|nicht gefunden|erreur|fichier|introuvable|No existe|denegado|referencia a"
-    r"|kann nicht|Impossible de|No se ha podido"
+    r"|kann nicht|Impossible de|No se (?:ha podido|pudieron)|Impossibil|no encontrad|pero |aber |mais |non esistente"
+    r"|non (?:trovat|ha |sta )|Fehlschlag beim|Fallo al|no va a|negato|Dipende: |Depende: |No hay |nicht im "
 )
 _OTHER = pattern(
     r"error: (?:use of undeclared |unknown type name|no (?:type|template|member|matching|viable|instance)\b|static_?)"
