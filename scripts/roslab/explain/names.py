@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from roslab.explain import ros_names, worked
+from roslab.explain import cmake_age, ros_names, worked
 from roslab.knowledge import libraries
 from roslab.knowledge.distros import distro, ubuntus
 from roslab.knowledge.failures import compiled
@@ -239,6 +239,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "argument": _argument,
     "cmake-command": lambda names, _: worked.cmake_command(names),
     "cmake": _library("cmake", "name"),
+    "cmake-since": lambda names, _: cmake_age.since(names),
     "conflict": lambda names, where: worked.conflict(names, where.instruction),
     "apk": lambda names, _: worked.apk(names),
     "backend": lambda names, _: worked.backend(names),

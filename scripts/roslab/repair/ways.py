@@ -123,8 +123,8 @@ def jobs(_: Explanation, given: Given) -> Worked:
 
 def cmake(found: Explanation, _: Given) -> Worked:
     """Install the CMake that the project asks for."""
-    needs = dict(found.names).get("needs", "").strip(".").split(".")
-    return Worked(values=(".".join([*needs, "0", "0"][:3]),))
+    needs = dict(found.names).get("needs", "").strip(".")
+    return Worked(values=(".".join([*needs.split("."), "0", "0"][:3]),) if needs else (), why=found.fix)
 
 
 def standard(found: Explanation, _: Given) -> Worked:

@@ -136,6 +136,7 @@ def test_a_line_of_three_megabytes_is_read_in_time() -> None:
         "shared_objects_given",
         "api_changes",
         "cmake_commands",
+        "cmake_messages",
         "dropped_names",
         "headers",
         "package_advice",
@@ -154,7 +155,11 @@ def test_every_row_of_a_table_has_a_source_and_a_date(table: str) -> None:
 
 @pytest.mark.parametrize(
     "row",
-    [row for name in ("symbols", "localised", "other_wordings", "dropped_names") for row in rows(name)],
+    [
+        row
+        for name in ("symbols", "localised", "other_wordings", "dropped_names", "cmake_messages")
+        for row in rows(name)
+    ],
     ids=lambda row: row["pattern"][:30],
 )
 def test_a_pattern_of_a_table_is_bounded(row: dict[str, str]) -> None:
