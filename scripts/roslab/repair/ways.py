@@ -12,7 +12,7 @@ from roslab.knowledge.distros import default_distro, distro, distros, distros_of
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
-from roslab.repair import clones, flags, linked_packages, missing, releases
+from roslab.repair import clones, flags, keys, linked_packages, missing, releases
 from roslab.repair.change import Given, Worked
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -132,20 +132,6 @@ def standard(found: Explanation, _: Given) -> Worked:
     names = dict(found.names)
     said = names.get("standard", "") or ("17" if names.get("seventeen") else "14" if names.get("fourteen") else "")
     return Worked(values=(f"-DCMAKE_CXX_STANDARD={said}",)) if said.isdigit() else Worked(why="the compiler is too old")
-
-
-def key(found: Explanation, given: Given) -> Worked:
-    """Skip the rosdep key whose package apt does not have."""
-    names = dict(found.names)
-    packages = (names.get("package") or names.get("name", "")).replace(",", " ").split()
-    if "rosdep" not in found.step:
-        return Worked(why=found.fix)
-    keys = [
-        known
-        for known in given.plan.rosdep_keys
-        if any(each == known or each.endswith(f"-{known.replace('_', '-')}") for each in packages)
-    ]
-    return Worked(values=tuple(keys), why="" if keys else f"no key of a package.xml stands for {', '.join(packages)}")
 
 
 def ros(found: Explanation, given: Given) -> Worked:
@@ -278,7 +264,8 @@ WAYS: Mapping[str, Way] = {
     "dropped": releases.dropped,
     "flags": flags.flags,
     "jobs": jobs,
-    "key": key,
+    "key": keys.key,
+    "key-of-double": keys.of_double,
     "linked": flags.linked,
     "linked-package": linked_packages.linked,
     "module": missing.module,

@@ -404,6 +404,29 @@ def test_a_copied_part_of_a_repetition_loses_its_seconds() -> None:
     assert not found[0].error.startswith("20.2")
 
 
+def test_what_misses_a_package_that_was_left_out_has_the_cause_of_that_one() -> None:
+    log = """\
+#9 [5/5] RUN leave-out-failed -- catkin build
+#9 1.0 Errors     << arm_core:make /ws/logs/arm_core/build.make.000.log
+#9 1.1 /ws/src/arm_core/a.cpp:1:10: fatal error: glog/logging.h: No such file or directory
+#9 1.2 make: *** [all] Error 2
+#9 1.3 Failed     << arm_core:make                [ Exited with code 2 ]
+#9 1.4 roslab: the workspace does not build: once more without what failed
+#9 1.5 roslab: left out: arm_core
+#9 2.0 Errors     << arm:cmake /ws/logs/arm/build.cmake.000.log
+#9 2.1 CMake Error at /ws/src/arm/CMakeLists.txt:23 (find_package):
+#9 2.2   By not providing "Findarm_core.cmake" in CMAKE_MODULE_PATH this project has
+#9 2.3 -- Configuring incomplete, errors occurred!
+#9 2.4 Failed     << arm:cmake [ Exited with code 1 ]
+#9 ERROR: process "/bin/sh -c leave-out-failed -- catkin build" did not complete successfully: exit code: 1
+"""
+    (found,) = explain(io.BytesIO(log.encode())).explanations
+    assert (found.id, found.packages) == ("header-missing", ("arm_core",))
+    other = log.replace("Findarm_core", "FindCeres")
+    (found,) = explain(io.BytesIO(other.encode())).explanations
+    assert (found.id, dict(found.names)["name"]) == ("cmake-package", "Ceres")
+
+
 def test_what_an_earlier_attempt_of_a_step_said_is_not_its_cause() -> None:
     log = """\
 #9 [5/5] RUN reuse-build catkin_make
