@@ -13,6 +13,13 @@ WORKSPACES = (
     'do . "$setup" --extend; done; '
 )
 """An author's Dockerfile may leave it to its command, or to .bashrc, to make its workspace known."""
+_MASTER = (
+    'if [[ "${ROS_MASTER_URI:-}" =~ ^http://(localhost|127[.]0[.]0[.]1):([0-9]+) ]]; then port="${BASH_REMATCH[2]}"; '
+    'answers() { (: <"/dev/tcp/localhost/${port}") 2>/dev/null; }; '
+    'if ! answers; then roscore -p "${port}" >/dev/null 2>&1 & '
+    "for _ in {1..50}; do answers && break; sleep 0.2; done; fi; fi; "
+)
+"""What ``rosrun`` starts waits for a master, which no author's image starts beside it, as ours do."""
 _COMPILED = (
     'command -v "$1" >/dev/null || PATH="$PATH:$(dirname "$(find / -xdev -type f -perm -u+x -name "$1" -print -quit '
     '2>/dev/null)")"; '
@@ -56,6 +63,7 @@ def given(decision: Decision) -> Given | None:
         return None
     command, ros = decision.command, decision.kind in ("ros1", "ros2")
     before = WORKSPACES if ros else ""
+    before += _MASTER if decision.kind == "ros1" and command[:1] == ("rosrun",) else ""
     if command == ("bash",):
         argv: tuple[str, ...] = command
     elif isinstance(command, str):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -134,6 +135,21 @@ def test_the_command_of_roslab_yaml_runs_beside_an_own_dockerfile(tmp_path: Path
     assert plan.run.given
     assert "other.launch" in " ".join(plan.run.given.command)
     assert (plan.proofs[-1].command, plan.proofs[-1].required) == (plan.run.given.command, True)
+
+
+@pytest.mark.parametrize("runs", ["rosrun demo node", "roslaunch demo demo.launch"])
+def test_a_node_has_a_master_in_the_author_s_image(tmp_path: Path, runs: str) -> None:
+    page = {"README.md": RUN.format(runs)}
+    plan = planned(tmp_path / "tree", ROS | {"Dockerfile": IMAGE} | page)
+    assert plan.run.given
+    assert plan.run.given.command[3:] == ("start", *runs.split())
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    said = tmp_path / "said"
+    before = f'find() {{ :; }}; ROS_MASTER_URI=http://localhost:{port}; roscore() {{ echo "$@" >{said}; }}; '
+    before += f"sleep() {{ until [ -s {said} ]; do command sleep 0.01; done; }}; "
+    subprocess.run(["bash", "-c", before + plan.run.given.command[2], "start", "true"], check=True)
+    assert (said.read_text() == f"-p {port}\n") if runs.startswith("rosrun") else not said.exists()
 
 
 def test_a_compiled_program_is_found_where_it_was_compiled(tmp_path: Path) -> None:
