@@ -121,3 +121,33 @@ def test_many_calls_for_such_a_module_end(tree: Tree) -> None:
     code = "find_package(OpenBLAS REQUIRED)\n" * 6_000
     with ends():
         tree({"CMakeLists.txt": f"project(a)\n{code}if(NOT A_FOUND)\nendif()\n", "cmake/FindOpenBLAS.cmake": _WARNS})
+
+
+_HEADERS = """\
+find_path(SOLVEX_INCLUDE_DIR NAMES "solvex/solvex.h" PATHS "$ENV{SOLVEX_HOME}" PATH_SUFFIXES include)
+foreach(name IN ITEMS solvexa solvexb)
+  find_library(FOUND NAMES ${name} PATHS "${SOLVEX_INCLUDE_DIR}/../lib" NO_DEFAULT_PATH)
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(SOLVEX DEFAULT_MSG SOLVEX_INCLUDE_DIR)
+"""
+
+
+def test_a_header_that_nothing_brings(tree: Tree) -> None:
+    told, may_fail = _told(tree, module=_HEADERS)
+    said = "CMake looks for the header solvex/solvex.h and stops without it, and nothing is known to bring it"
+    assert [each.partition(": ")[0] for each in told] == [said]
+    assert may_fail
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        _HEADERS.replace("solvex/solvex.h", "Eigen/Core"),  # a table knows it
+        _HEADERS.replace("solvex/solvex.h", "solvex.h"),  # any library may have it
+        _HEADERS.replace("find_path(", "if(WIN32)\nfind_path(").replace("include)", "include)\nendif()", 1),
+        _HEADERS.replace("find_package_handle_standard_args", "tell"),
+    ],
+)
+def test_a_header_that_may_be_there(tree: Tree, changed: str) -> None:
+    assert _told(tree, module=changed) == ([], False)

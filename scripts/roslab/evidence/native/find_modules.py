@@ -10,9 +10,9 @@ from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native.cmake_needs import needs
 from roslab.evidence.native.linker_flags import module_of, of_module
-from roslab.evidence.native.searched import SEARCHED, held, known
+from roslab.evidence.native.searched import SEARCHED, held, known, sought_header
 from roslab.evidence.native.x86_searched import wanted
-from roslab.knowledge.libraries import library
+from roslab.knowledge.libraries import header, library
 from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -38,6 +38,8 @@ def by_module(call: Call, repository: Repository, file: File) -> Iterator[Depend
 def searched_by_module(call: Call, repository: Repository, file: File) -> Iterator[Dependency]:
     """Yield the first library of no table and not of the tree without which such a module does not find its package.
 
+    Where it finds it without any library, that is the first such header.
+
     https://cmake.org/cmake/help/latest/module/FindPackageHandleStandardArgs.html, 2026-11-28. A search under a
     condition counts where that only asks for what the module has found before. None for a package that a table knows.
     """
@@ -46,7 +48,7 @@ def searched_by_module(call: Call, repository: Repository, file: File) -> Iterat
         return
     module = module_of(call, repository, file)
     text = repository.read(module) if module else ""
-    if "find_library" not in (lowered := text.lower()) or _TELLS not in lowered:
+    if _TELLS not in (lowered := text.lower()) or ("find_library" not in lowered and "find_path" not in lowered):
         return
     looked: dict[str, Call] = {}
     required: list[str] = []
@@ -56,15 +58,19 @@ def searched_by_module(call: Call, repository: Repository, file: File) -> Iterat
         elif inner.words:
             looked.setdefault(inner.words[0], inner)
     found = {*looked, f"{name}_FOUND", f"{name.upper()}_FOUND", "NOT", "AND", "OR"}
-    for variable in required:
-        search = looked.get(variable)
-        if search is None or search.name != "find_library" or not _always(search, found):
-            continue
+    always = [search for variable in required if (search := looked.get(variable)) and _always(search, found)]
+    libraries = [search for search in always if search.name == "find_library"]
+    for search in libraries:
         names = [each.removeprefix("-l") for each in wanted(search)]
         if names and not any("$" in each or known(each) or held(each, repository) for each in names):
             yield Dependency(
                 namespace="link", name=names[0], strength="used", file=file.path, line=call.line, role=SEARCHED
             )
+            return
+    for search in always if not libraries else ():
+        asked = sought_header([search], file.path, repository)
+        if asked and header(asked.name, None) is None:
+            yield replace(asked, line=call.line)
             return
 
 

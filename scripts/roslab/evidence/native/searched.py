@@ -63,7 +63,7 @@ def searched(text: str, path: str, repository: Repository) -> Iterator[Dependenc
             if (
                 waited.get(variable)
                 and waited[variable] not in stopped
-                and (asked := _header(looking, path, repository))
+                and (asked := sought_header(looking, path, repository))
             ):
                 yield asked
             continue
@@ -98,7 +98,7 @@ def _waited(call: Call) -> dict[str, str]:
     return {part[1]: call.conditions[0] for part in parts if part} if all(parts) else {}
 
 
-def _header(looking: list[Call], path: str, repository: Repository) -> Dependency | None:
+def sought_header(looking: list[Call], path: str, repository: Repository) -> Dependency | None:
     """Return the header that a search is for, under the name that a table knows, else the first; none of the tree."""
     names = [name for call in looking for name in wanted(call) if _ENDING.search(name) and "$" not in name]
     inside = any(call.conditions or call.in_function for call in looking)
