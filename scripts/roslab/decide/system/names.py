@@ -135,12 +135,13 @@ def _ros(name: str, target: Target) -> Resolved:
 
 def _include(path: str, target: Target) -> Resolved:
     found = header(path, target.ubuntu)
-    if found is not None:
-        return _library(found, target)
+    resolved = _library(found, target) if found is not None else Resolved(known=False)
+    if found is not None and (resolved.known or not found.elsewhere):
+        return resolved
     name = path.partition("/")[0]
     if "/" in path and target.knows(name):
         return Resolved(apt=(target.ros(name),))
-    return Resolved(known=False)
+    return resolved
 
 
 def _apt(name: str, target: Target) -> tuple[str, ...]:
