@@ -40,6 +40,7 @@ from roslab.decide.ros.distro import decide_distro
 from roslab.decide.ros.filled_refs import with_refs
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.layout import decide_layout
+from roslab.decide.ros.other_dockerfiles import without_their_clones
 from roslab.decide.ros.sought import linked, tried
 from roslab.decide.ros.sources import decide_sources
 from roslab.decide.ros.used import asked
@@ -74,6 +75,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
     evidence = of_kind(evidence, kind.answer, folder_name)
     release = decide_distro(evidence, config, kind.answer)
     distro = release.answer.name if release.answer else None
+    evidence = without_their_clones(evidence, distro)
     cuda = decide_cuda(evidence, config, pins(evidence))
     evidence = with_refs(one_way(evidence, cuda.answer.version), distro)
     mentioned = pins(evidence)

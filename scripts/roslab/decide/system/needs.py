@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.python.library_modules import OF_MODULE
-from roslab.decide.ros.vcs_files import distros_in
+from roslab.decide.ros.other_dockerfiles import distros_of
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_make import builds_all
 from roslab.decide.system.compiled_libraries import needs_of_libraries
@@ -259,9 +259,10 @@ def _installed(evidence: Evidence, ros_distro: str | None) -> Iterator[Dependenc
             yield dependency
     own = authors_own(ros=ros, latex=latex)
     authors = [authored for authored in evidence.dockerfiles if authored.purpose in {"project", "ci"}]
-    fitting = [authored for authored in authors if ros_distro and ros_distro in distros_in(authored.base or "")]
-    for authored in authors:
-        whole = not fitting or authored in fitting or not distros_in(authored.base or "")
+    of = [distros_of(authored, evidence) if ros_distro else frozenset() for authored in authors]
+    fitting = any(ros_distro in names for names in of)
+    for authored, names in zip(authors, of, strict=True):
+        whole = not fitting or ros_distro in names or not names
         for dependency in authored.dependencies:
             name = dependency.name
             meant = dependency.namespace == "apt" and (whole or _HEADERS.fullmatch(name))
