@@ -135,3 +135,28 @@ def test_what_no_python_after_one_has(tree: Tree) -> None:
         name: tree({"setup.py": setup.format(name), "a/__init__.py": ""}) for name in ("isaacgym==1.0rc4", "torch")
     }
     assert [found.python and found.python.version for found in asked.values()] == ["3.8", "3.10"]
+
+
+@pytest.mark.parametrize(
+    ("python", "file", "lines", "bounds"),
+    [
+        ("3.8", "play.py", "scipy", True),
+        ("3.8", "tests/play.py", "scipy", False),
+        ("3.8", "play.py", "numpy==1.24.4", False),
+        ("3.10", "play.py", "scipy", False),  # it does not run there
+    ],
+)
+def test_what_the_reader_adds_to_the_image_needs_an_older_numpy(
+    tree: Tree, python: str, file: str, lines: str, *, bounds: bool
+) -> None:
+    """Isaac Gym uses np.float when it is imported, and NumPy 1.24 is the newest that Python 3.8 has."""
+    found = tree(
+        {
+            "requirements.txt": f"{lines}\n",
+            ".python-version": f"{python}\n",
+            "run.py": "import scipy\n",
+            file: "import isaacgym\nimport scipy\n",
+        }
+    )
+    assert found.python.version == python
+    assert ("numpy<1.24" in [each.written for each in found.python.bounds]) == bounds

@@ -5,19 +5,23 @@ They hold for pip, in whatever it installs later, and for conda, whose packages 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from roslab.decide.decision import Choice, Reason
 from roslab.decide.python.bounds import Constraints, excluded, needing_numpy
 from roslab.decide.python.pins import of_conda
 from roslab.decide.python.weights import PackageWeight
 from roslab.decide.reasons import because
+from roslab.evidence import places
 from roslab.evidence.conda_environment import CondaEnvironment
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import conda_names, newest_framework, next_after
+from roslab.knowledge.not_on_index import not_on_index
 from roslab.knowledge.undeclared_limits import UndeclaredLimit, undeclared_limits
 from roslab.values.dataclass import dataclass
+from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
 from roslab.values.version import Version, minor_of
 
 
@@ -73,7 +77,29 @@ def undeclared_in(
 ) -> Choice[Undeclared]:
     """Return the bounds in an image with this ``python``, which makes the environment of the file ``conda``, if any."""
     environment = next((each for each in evidence.conda if each.file == conda), None)
+    asked = (*asked, *_by_hand(evidence, python))
     return decide_undeclared(asked, environment, day=evidence.pip_day, python=python)
+
+
+def _by_hand(evidence: Evidence, python: str | None) -> Iterator[Requirement]:
+    """Yield what the code always imports and no index has: its reader adds it to the image, which must suit it.
+
+    Not what no longer runs with the image's Python.
+    """
+    for used in evidence.code:
+        name = canonicalize_name(used.name)
+        if name not in undeclared_limits() or name not in not_on_index():
+            continue
+        always = used.namespace == "import" and used.strength == "used" and not places.aside(used.file)
+        if always and _runs(name, python):
+            yield stated(used.name, "import", used.file, used.line)
+
+
+def _runs(name: str, python: str | None) -> bool:
+    from roslab.knowledge.ended_packages import ended_packages  # noqa: PLC0415 - few trees import such a module
+
+    last = ended_packages().get(name)
+    return last is None or python is None or Version(minor_of(python) or python) <= Version(last)
 
 
 def _stated(environment: CondaEnvironment | None) -> set[str]:
