@@ -48,3 +48,36 @@ def test_so_does_a_project(tmp_path: Path) -> None:
     assert plan.python.alone == (".",)
     told = "six==1.99 gives way to six==1.17.0, which `pip` in roslab.yaml names"
     assert told in [each.message for each in plan.warnings]
+
+
+@pytest.mark.parametrize(
+    ("lines", "left", "told"),
+    [
+        ("flask==1.1.2\nwerkzeug==2.2.3\n", "werkzeug", True),
+        ("flask<1.1.3\nwerkzeug==2.2.3\n", "werkzeug", True),
+        ("flask==1.1.2\nwerkzeug==2.0.3\n", "", False),
+        ("flask==2.2.0\nwerkzeug==2.2.3\n", "", False),
+        ("flask\nwerkzeug==2.2.3\n", "", False),
+        ("flask==1.1.2\nwerkzeug>=2.1\n", "", False),  # a bound that somebody thought of
+        ("flask==1.1.2; python_version < '3.9'\nwerkzeug==2.2.3\n", "", False),
+        ("pandas==2.0.3\nnumpy==2.0.1\n", "numpy", True),
+        ("pandas==2.2.2\nnumpy==2.0.1\n", "", False),
+    ],
+)
+def test_a_pin_gives_way_to_one_that_stops_beside_it(tmp_path: Path, lines: str, left: str, *, told: bool) -> None:
+    tree_of(tmp_path, {"requirements.txt": f"attrs\n{lines}", "main.py": "import attrs\n", ".python-version": "3.10\n"})
+    plan = plan_repository(tmp_path).plan
+    assert plan.python.requirements == (() if left else ("requirements.txt",))
+    assert left in {"", *plan.python.pip}
+    assert any(each.startswith(f"{left}<") for each in plan.python.bounds) == bool(left) or not left
+    warned = [f"{each.file}:{each.line}" for each in plan.warnings if " gives way to " in each.message]
+    assert warned == (["requirements.txt:3"] if told else [])
+
+
+def test_so_does_one_of_a_project(tmp_path: Path) -> None:
+    setup = SETUP.replace('"six==1.99", "attrs"', '"jinja2==2.11.3", "markupsafe==2.1.1"')
+    tree_of(tmp_path, {"setup.py": setup, "robot.py": "import jinja2\n"})
+    plan = plan_repository(tmp_path).plan
+    assert plan.python.pip == ("jinja2==2.11.3", "markupsafe")
+    assert plan.python.alone == (".",)
+    assert "markupsafe<2.1" in plan.python.bounds

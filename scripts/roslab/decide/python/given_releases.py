@@ -1,4 +1,4 @@
-"""Releases that roslab.yaml names under ``pip``: what a list or a project pins otherwise gives way to them."""
+"""What a list or a project pins and what gives way: to roslab.yaml's ``pip``, to another pin, to nodes by apt."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.config.model import Kind
 from roslab.decide.python.beside_nodes import Loose, beside_nodes
+from roslab.decide.python.clashing_pins import clashing_pins
 from roslab.decide.python.image_python import Manager
 from roslab.decide.python.python2_lists import for_python2
 from roslab.decide.reasons import warn
@@ -27,7 +28,7 @@ def gives_way(
     manager: Manager,
     python: str | None,
 ) -> Loose:
-    """Return the lines that are installed without their version: for roslab.yaml, and for the nodes of apt's Python.
+    """Return the lines that are installed without their version: for roslab.yaml, for other pins, and for nodes by apt.
 
     ``given``: what roslab.yaml names under ``pip``; ``python``: the version that the image runs.
     """
@@ -35,6 +36,8 @@ def gives_way(
     loose: Loose = {}
     if manager == "system":
         loose = {**for_python2(files, python), **beside_nodes(evidence, kind, ubuntu, files)}
+    else:
+        loose = clashing_pins(evidence, python)
     return {**loose, **_given(evidence, given)}
 
 

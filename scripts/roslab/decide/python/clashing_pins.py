@@ -1,0 +1,49 @@
+"""Pins of a list beside which another pin of it does not work, though that one does not say so: a bot raised one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslab.decide.decision import Warning_
+from roslab.decide.python.beside_nodes import Loose
+from roslab.decide.python.bounds import excluded
+from roslab.decide.python.undeclared import decide_undeclared, older
+from roslab.decide.reasons import warn
+from roslab.evidence.facts import Evidence
+from roslab.knowledge.undeclared_limits import UndeclaredLimit, undeclared_limits
+from roslab.values.requirement import Requirement
+from roslab.values.requirement_line import stated
+
+
+def clashing_pins(evidence: Evidence, python: str | None) -> Loose:
+    """Return the pins that give way to what another line of their list or project needs, each with what is told.
+
+    What needs it stops at its import beside the pin, whoever wrote it. Only where the image's ``python`` has releases
+    that fit, by which the package is limited in its place.
+    """
+    found: dict[Requirement, Warning_] = {}
+    for asked in _together(evidence):
+        for each, known in _needs(asked):
+            place = f" ({each.file}:{each.line})" if each.file else ""
+            for pin in asked:
+                if not (pin.key == known.limit.key and pin.release and excluded(known.limit, (pin,))):
+                    continue
+                free = stated(pin.name or pin.key, pin.origin, pin.file, pin.line)
+                if known.limit in decide_undeclared((each, free), python=python).answer.pip:
+                    why = f"{each.written}{place} needs that but does not say so, and stops beside {pin.written}"
+                    found.setdefault(pin, warn(f"{pin.written} gives way to {known.limit.written}: {why}", pin))
+    return found
+
+
+def _together(evidence: Evidence) -> Iterator[list[Requirement]]:
+    """Yield what each list and each project asks for on every Python, where a table knows something of it."""
+    lists = (file.requirements for file in evidence.requirements)
+    for asked in (*lists, *(project.requirements for project in evidence.python)):
+        plain = [each for each in asked if each.name and not each.url and not each.marker]
+        if any(each.key in undeclared_limits() for each in plain):
+            yield plain
+
+
+def _needs(asked: Iterable[Requirement]) -> Iterator[tuple[Requirement, UndeclaredLimit]]:
+    for each in asked:
+        yield from ((each, known) for known in undeclared_limits().get(each.key, ()) if older(each, known))
