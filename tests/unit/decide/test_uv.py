@@ -104,3 +104,18 @@ def test_a_list_that_is_the_second_way_beside_a_lock(tree: Tree, page: str, list
     assert found.python.requirements == (("requirements.txt",) if installed else ())
     assert any("uv.lock has another" in each.message for each in found.warnings) is not installed
     assert installed or [each.written for each in found.python.bounds] == ["numpy==1.26.4"]
+
+
+def test_a_member_of_a_workspace_elsewhere_is_declared(tree: Tree) -> None:
+    """Its workspace is another repository: pip takes it from its address, and nothing else has to bring it."""
+    needs = '"tsr @ git+https://github.com/o/tsr.git"'
+    sources = "[tool.uv.sources]\ntsr = { workspace = true }\n"
+    files = {
+        "pyproject.toml": f"[project]\nname = 'arm'\nversion = '1'\ndependencies = [{needs}]\n{sources}",
+        "src/arm/__init__.py": "from tsr import TSR\n",
+        "README.md": "Its planner needs `pip install git+https://github.com/o/tsr`.\n",
+    }
+    found = tree(files)
+    assert [each.written for each in found.python.pip] == ["tsr @ git+https://github.com/o/tsr.git"]
+    assert found.python.pip_guessed == ()
+    assert not [each.message for each in found.warnings if "tsr" in each.message]

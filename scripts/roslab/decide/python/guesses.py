@@ -225,7 +225,7 @@ def known_requirements(
 ) -> tuple[Requirement, ...]:
     """Return what is installed anyway, as it is written there."""
     asked = [each for file in with_includes(evidence, files) for each in file.requirements]
-    asked += [each for project in projects for each in project.requirements if each.role in {"", "source"}]
+    asked += [each for project in projects for each in project.requirements if each.role in {"", "source", "member"}]
     for environment in evidence.conda:
         if environment.file == conda:
             asked += [*environment.requirements, *of_conda(environment)]
