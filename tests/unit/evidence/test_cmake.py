@@ -159,6 +159,15 @@ def test_what_an_included_file_looks_for(tmp_path: Path, include: str, module: s
     assert all((d.file, d.line, d.version) == (module, 4, "2.1") for d in project.dependencies)
 
 
+def test_the_project_of_an_option_that_is_on_names_its_program(tmp_path: Path) -> None:
+    text = "".join(
+        f'option(FOR_{name} "" {on})\nif(FOR_{name})\n  project({name.lower()}-slam)\nendif()\n'
+        for name, on in (("CAR", "OFF"), ("DRONE", "ON"), ("DATA", "OFF"))
+    )
+    (project,) = read(tmp_path, f"{text}add_executable(${{PROJECT_NAME}} src/${{PROJECT_NAME}}.cpp)\n")
+    assert (project.name, [name for name, _ in project.executables]) == ("drone-slam", ["drone-slam"])
+
+
 def test_added_folders_are_not_top_level(tmp_path: Path) -> None:
     projects = read(tmp_path, "project(a CXX CUDA)\nadd_subdirectory(lib)", **{"lib/CMakeLists.txt": "project(b)"})
     assert [(p.name, p.top_level) for p in projects] == [("a", True), ("b", False)]

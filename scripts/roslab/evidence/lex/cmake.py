@@ -138,6 +138,11 @@ class _Scope:
         """The calls here are those of no build: they wait for a variable that is never set."""
         return bool(self.off or self.on) and any(condition.startswith(_NEVER) for condition in self.conditions)
 
+    @property
+    def waits(self) -> bool:
+        """The calls here wait for an option that is off by default."""
+        return any(condition.startswith("OFF ") for condition in self.conditions)
+
     def enter(self, name: str, words: list[str]) -> None:
         """Apply a call that changes the state (``set``, ``if`` …)."""
         if name in _OPENERS:
@@ -162,7 +167,7 @@ class _Scope:
     def _assign(self, name: str, words: list[str]) -> None:
         if name in {"set", COMPONENT}:
             self.loops.note(name, words)
-        if name == "project":
+        if name == "project" and not self.waits:
             value = tuple(filled(words[:1], self.variables))
             self.variables[PROJECT] = value
             self.variables.setdefault(WHOLE, value)

@@ -261,7 +261,7 @@ def _note(call: Call, path: str, reading: Reading) -> None:
     reading.configs |= configs(call)
     for target_name, folder in installed_programs.placed(call):
         reading.placed.setdefault(target_name, set()).add(folder)
-    if name == "project" and words:
+    if name == "project" and words and not any(each.startswith("OFF ") for each in call.conditions):
         reading.name = reading.name or words[0]
         reading.languages += [word for word in words[1:] if word in _LANGUAGES]
     elif name in {"set", "set_target_properties"}:
