@@ -218,9 +218,9 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
     from roslab.evidence.prose.recipe import recipe  # noqa: PLC0415 - as above
     from roslab.evidence.prose.ros_in_image import ros_of  # noqa: PLC0415 - as above
     from roslab.evidence.prose.stages import copied_from, entered, only_files, taken, unused  # noqa: PLC0415 - as above
+    from roslab.evidence.prose.stopped_steps import stops  # noqa: PLC0415 - as above
     from roslab.evidence.prose.unbuilt_copies import unbuilt  # noqa: PLC0415 - as above
     from roslab.evidence.prose.uncopied import paths_of, uncopied  # noqa: PLC0415 - as above
-    from roslab.evidence.prose.ungiven import ungiven  # noqa: PLC0415 - as above
 
     known: dict[str, str] = {}
     reading = _Reading(collector=Collector(file.path, "dockerfile", known), known=known)
@@ -249,7 +249,7 @@ def _dockerfile(repository: Repository, file: File) -> AuthorDockerfile:
 
     used = [each for each in written if of_image(each.line)]
     missing = missing or stops_at_absent(repository, used, known, context or "", copied=reading.copied, start=start)
-    missing = missing or ungiven(repository, used)
+    missing = missing or stops(repository, used, reading.base)
     itself = any(is_itself(repository, clone) for clone in collector.sources)
     purpose = "vendored" if in_copy(repository, file) else purpose_of(file.path, reading.base or "", problem, service)
     return AuthorDockerfile(
