@@ -93,6 +93,25 @@ def test_a_list_that_ci_takes_or_a_page_fetches(tree: Tree, path: str, text: str
     assert any("not imported" in each.message for each in decision.warnings) is (not found and path == "README.md")
 
 
+@pytest.mark.parametrize(
+    ("page", "found"),
+    [
+        ("git clone https://github.com/lab/treep_lab.git\ntreep --clone ARM\ncolcon build\n", True),
+        ("git clone git@github.com:lab/treep_lab.git\ntreep --clone-https ARM\n", True),
+        ("git clone https://github.com/lab/treep_lab.git\n", False),
+        ("treep --clone ARM\n", False),
+    ],
+)
+def test_a_list_of_treep_is_in_the_repository_that_a_page_clones_for_it(tree: Tree, page: str, found: bool) -> None:
+    files = {
+        "package.xml": PACKAGE.format("<depend>tool_msgs_x</depend>"),
+        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+        "doc/installation.md": f"# ROS 2 Humble\n```bash\n{page}```\n",
+    }
+    listed = [each for each in tree(files).source if each.prepare]
+    assert [each.name for each in listed] == (["treep_lab"] if found else [])
+
+
 def test_a_list_brings_nothing_that_is_only_linked(tree: Tree) -> None:
     files = {
         "package.xml": PACKAGE.format("<depend>tool_msgs_x</depend>"),

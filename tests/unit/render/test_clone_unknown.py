@@ -129,6 +129,28 @@ def test_a_list_of_the_clone_tells_where_it_is(image: Path, file: str, text: str
     assert _run(image, "numeric") == (0, ["docs", "lib", "number_things"])
 
 
+@pytest.mark.parametrize(
+    ("more", "found"),
+    [
+        ("counting: {path: src, origin: ours, tag: v1}\n", True),
+        ("counting: {path: src, origin: '{url}/counting.git'}\nother: [no, row]\n", True),
+        ("counting: {path: src, origin: theirs}\n", False),
+        ("counting: src\n", False),
+    ],
+)
+@pytest.mark.parametrize("file", ["repositories.yaml", "repositories_lab.yaml"])
+def test_so_does_a_list_of_treep(image: Path, file: str, more: str, found: bool) -> None:
+    _manifest(image / "manifests/mine", "mine", "lib", "counting")
+    _manifest(image / "other/counting.git", "counting")
+    _git(_commit(image / "other/counting.git"), "tag", "v1")
+    url = (image / "other").as_uri()
+    lists = image / "ws/src/treep_lab"
+    lists.mkdir()
+    (lists / file).write_text(f"lib: {{path: src, origin: ours}}\n{more.replace('{url}', url)}")
+    (lists / "configuration.yaml").write_text(f"origin_prefixes: {{ours: '{url}/'}}\n")
+    assert _run(image, "counting") == ((0, ["counting", "docs", "lib"]) if found else (1, ["docs", "lib"]))
+
+
 def test_what_a_clone_has_besides_is_hidden_where_the_workspace_has_it(image: Path) -> None:
     _manifest(image / "lab/space/space", "space", "lib", "mine", "numeric")
     for name in ("lib", "mine", "numeric"):

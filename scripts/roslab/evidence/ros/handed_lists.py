@@ -43,6 +43,9 @@ _USUAL = (".repos", ".rosinstall")
 """Lists of these names are known without a command."""
 _SET_IN_CI = pattern(r"^[ \t-]*([A-Z_]\w*):[ \t]*[\"']?([\w./-]+)[\"']?[ \t]*$", re.MULTILINE)
 _FETCHED = pattern(r"https?://[^\s\"'`<>()|;&]{1,200}")
+_TREEP = pattern(r"(?:^|[\s`$;&])treep\s+--clone(?:-https|-ssh)?\s+\w")
+_OF_TREEP = pattern(r"\bgit\s+clone\s[^\n]{0,200}?[/:](treep_[\w-]{1,60})(?:\.git)?(?=[\s`;&]|$)")
+"""A repository with treep's lists, which are called ``repositories*.yaml``: PyPI: treep, 2026-11-29."""
 
 
 def files(repository: Repository) -> tuple[File, ...]:
@@ -75,6 +78,7 @@ def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
     source: _Source = (
         "ci" if places.ci(file.path) else _SOURCES.get(posixpath.splitext(file.name.lower())[1], "dockerfile")
     )
+    yield from _of_treep(text, file.path, source)
     values: dict[str, str] | None = None
     fetched: dict[str, str] = {}
     for match in matching_lines(_HANDED, text, "wstool", "rosws", "rosinstall", "vcs"):
@@ -89,6 +93,15 @@ def _named_elsewhere(repository: Repository, file: File) -> Iterator[Mention]:
                 yield Mention(
                     topic="handed", value=word, source=source, file=file.path, line=line, text=match[0].strip()
                 )
+
+
+def _of_treep(text: str, file: str, source: _Source) -> Iterator[Mention]:
+    """Yield a mention for each repository of lists that a text clones for treep, which fills a workspace from them."""
+    if "treep" not in text or not _TREEP.search(text):
+        return
+    for match in _OF_TREEP.finditer(text):
+        line, value = text.count("\n", 0, match.start(1)) + 1, f"{match[1]}/repositories.yaml"
+        yield Mention(topic="handed", value=value, source=source, file=file, line=line, text=match[0].strip())
 
 
 def _lists_of(before: str, after: str, fetched: Mapping[str, str]) -> Iterator[str]:

@@ -1,7 +1,7 @@
 #!/bin/bash
 # usage: clone-unknown [--before DAY] [--want PACKAGES] MANIFESTS WORKSPACE KEY...
 # Clones to the workspace the packages of these keys that the repository, whose package.xml files lie below MANIFESTS, and
-# the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos), by the name there, else
+# the cloned repositories which it needs ask for: from lists that these carry (.rosinstall, .repos, treep's), by the name there, else
 # by what the listed repositories hold. What a clone asks for is then looked for with its owner, by the name of the package,
 # or of what it is a part of (X for X_msgs, X_Y for X_Y_Z); and what the repository asks for and a repository of lists alone
 # does not name, with the owner of that. Each key is tried once. Ends with 1 where nothing was found.
@@ -76,7 +76,7 @@ lists_alone() {
       echo "${list}"
       return
     fi
-  done < <(find "${workspace}" -mindepth 2 -maxdepth 2 \( -name '*.rosinstall' -o -name '*.repos' \) | sort)
+  done < <(find "${workspace}" -mindepth 2 -maxdepth 2 \( -name '*.rosinstall' -o -name '*.repos' -o -path '*/treep_*/repositories*.yaml' \) | sort)
 }
 
 folder=''

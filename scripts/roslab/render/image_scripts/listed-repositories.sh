@@ -1,13 +1,29 @@
 #!/bin/bash
 # usage: listed-repositories FOLDER LEAST MOST
-# Prints NAME URL REF of what the lists below a folder name (.rosinstall, .repos, gitman.yml), from LEAST to MOST folders deep: REF is a
-# tag, a commit or a branch, or nothing. Of gitman's groups it is the default one, at the commits that are locked. The interpreter of rosdep can read YAML.
+# Prints NAME URL REF of what the lists below a folder name (.rosinstall, .repos, gitman.yml, those of treep_*), from LEAST to MOST folders
+# deep: REF is a tag, a commit or a branch, or nothing. Of gitman's groups it is the default one, at the commits that are locked. The
+# interpreter of rosdep can read YAML.
 set -euo pipefail
 
-find "$1" -mindepth "$2" -maxdepth "$3" -name .git -prune -o \( -name '*.rosinstall' -o -name '*.repos' -o -name gitman.yml -o -name .gitman.yml \) -print0 |
+find "$1" -mindepth "$2" -maxdepth "$3" -name .git -prune -o \( -name '*.rosinstall' -o -name '*.repos' -o -name gitman.yml -o -name .gitman.yml \
+  -o -path '*/treep_*/repositories*.yaml' \) -print0 |
   LC_ALL=C sort --zero-terminated |
   xargs --null --no-run-if-empty "$(sed --quiet '1s/^#! *//p' "$(command -v rosdep)")" -c '
-import sys, yaml
+import os, sys, yaml
+def of_treep(path, data):
+    # An origin is an address, or a prefix of them that configuration.yaml beside the list has
+    try:
+        with open(os.path.join(os.path.dirname(path), "configuration.yaml")) as file:
+            prefixes = yaml.safe_load(file)["origin_prefixes"]
+    except Exception:
+        prefixes = {}
+    prefixes = prefixes if isinstance(prefixes, dict) else {}
+    for name, row in data.items():
+        origin = str(row.get("origin") or "") if isinstance(row, dict) else ""
+        if origin in prefixes:
+            origin = "%s%s.git" % (prefixes[origin], name)
+        if ":" in origin:
+            yield name, {"url": origin, "version": row.get("commit") or row.get("tag") or row.get("branch")}
 for path in sys.argv[1:]:
     try:
         with open(path) as file:
@@ -17,6 +33,8 @@ for path in sys.argv[1:]:
     rows = []
     if isinstance(data, list):
         rows = [(row["git"].get("local-name"), row["git"]) for row in data if isinstance(row, dict) and isinstance(row.get("git"), dict)]
+    elif isinstance(data, dict) and os.path.basename(path).startswith("repositories"):
+        rows = list(of_treep(path, data))
     elif isinstance(data, dict) and isinstance(data.get("repositories"), dict):
         rows = [(name, row) for name, row in data["repositories"].items() if isinstance(row, dict)]
     elif isinstance(data, dict) and isinstance(data.get("sources"), list):
