@@ -15,6 +15,10 @@ MOST = 300_000
 """Most characters of a step that patterns are matched on; of a longer step, its beginning and its end."""
 _QUOTES = str.maketrans({0x2018: "'", 0x2019: "'", 0x201C: '"', 0x201D: '"'})
 """Compilers use curved quotation marks in a UTF-8 locale."""
+_MANGLED = pattern(r"â€[\u02dc™œ\x9d\x98\x99\x9c]|<E2><80><9[89CD]>|\\342\\200\\23[0145]|M-bM-\^@M-\^[XY\\]")
+"""These marks as bytes of another encoding, as less and git, as octal numbers, and as ``cat -v`` show them."""
+_ASKED = pattern(r"(?<=[\s(])\?(?=[\w~:<])([^?\n]{1,1800})\?(?=[\s,;.)]|$)")
+"""The same where the log has a question mark for each sign that its encoding lacks."""
 _FOREIGN = pattern(
     r"Fehler|nicht gefunden|erreur|fichier|introuvable|No existe|denegado|referencia a"
     r"|kann nicht|Impossible de|No se (?:ha podido|pudieron)|Impossibil|no encontrad|pero |aber |mais |non esistente"
@@ -77,7 +81,7 @@ _LAST = pattern(
 def lines(step: Step) -> list[Line]:
     """Return a step's lines, including the builder's own message, without those that are never errors."""
     found = [
-        Line(line.number, _in_words_of_gcc(_english(text).translate(_QUOTES)))
+        Line(line.number, _in_words_of_gcc(_quoted(_english(text)).translate(_QUOTES)))
         for line in step.lines
         if (text := _alone(line.text)) and not _NEVER.match(text) and not _PROBE.search(text)
     ]
@@ -113,6 +117,13 @@ def _english(text: str) -> str:
         for row in rows("localised"):
             text = compiled(row["pattern"]).sub(row["english"], text)
     return text
+
+
+def _quoted(text: str) -> str:
+    """Return a line of a compiler with quotation marks in the place of what another encoding made of them."""
+    if "â€" in text or "<E2>" in text or "\\342" in text or "M-b" in text:
+        text = _MANGLED.sub("'", text)
+    return _ASKED.sub(r"'\1'", text) if "?" in text and "error: " in text else text
 
 
 def _in_words_of_gcc(text: str) -> str:

@@ -22,6 +22,8 @@ _PREFIXES: dict[str, re.Pattern[str]] = {
     "compose": pattern(r"[a-zA-Z][\w.-]{0,60} {1,40}\| "),
     # docker compose and Jenkins
     "clock": pattern(r"\[?\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:[.,]\d{1,9})?(?:Z|[+-]\d\d:?\d\d)?\]? "),
+    # Jenkins's plugin for times, as build.ros.org has it
+    "hour": pattern(r"\d\d:\d\d:\d\d(?:[.,]\d{1,6})? {1,2}"),
     # the client of docker for Python, under its logger
     "logging": pattern(r"(?:DEBUG|INFO|WARNING|ERROR):[A-Za-z][\w. -]{0,60}:"),
     # a log that was quoted in an issue or a mail
@@ -31,7 +33,12 @@ _PREFIXES: dict[str, re.Pattern[str]] = {
     # act: [workflow/job], and a bar before what a step printed; a clock in brackets would be taken for it
     "act": pattern(r"\[[^\]\n]{1,200}\] {1,3}(?:\| ?)?"),
 }
-_OF_BUILDKIT = pattern(r"#\d{1,6} \S")
+_OF_COLUMN_0 = pattern(
+    r"#\d{1,6} \S|-- \w|CMake (?:Error|Warning)|g?make(?:\[\d{1,3}\])?: |\[ {0,2}\d{1,3}%\] "
+    r"|(?:Starting|Finished|Failed|Aborted|Errors|Abandoned) {1,8}(?:>>>|<<<?) |--- (?:stderr|output): |Traceback \("
+    r"|E: |/\S{1,300}:\d{1,6}:\d{1,5}: (?:fatal )?error: "
+)
+"""What begins a line, where nothing indents it."""
 _NODE = pattern(r"^\[[\w.+-]{1,100}-\d{1,4}\] ", re.MULTILINE)
 """What launch of ROS 2 writes before each line of a node; it says when it starts one."""
 _STARTED = "]: process started with pid ["
@@ -73,9 +80,9 @@ def stripper(text: str) -> Callable[[str], str] | None:
 
 
 def _indent(lines: list[str]) -> re.Pattern[str] | None:
-    """Return the blanks that all lines begin with, where BuildKit's do: a page indents them."""
+    """Return the blanks before all lines, where some of them begin at the left: a page or a CI indents them."""
     width = min((len(line) - len(line.lstrip(" \t")) for line in lines), default=0)
-    if not width or not any(_OF_BUILDKIT.match(line, width) for line in lines):
+    if not width or not any(_OF_COLUMN_0.match(line, width) for line in lines):
         return None
     return re.compile(rf"[ \t]{{{width}}}")
 

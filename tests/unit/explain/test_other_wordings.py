@@ -56,3 +56,21 @@ def test_what_gcc_14_no_longer_takes_comes_with_flags(kind: str) -> None:
     assert ("setting", "env.CFLAGS") in found.names
     (found,) = explain(io.BytesIO(log("make", said.replace("[-W", "[-Werror=")).encode())).explanations
     assert ("setting", "env.CFLAGS") not in found.names
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("\u00e2\u20ac\u02dc", "\u00e2\u20ac\u2122"),
+        ("<E2><80><98>", "<E2><80><99>"),
+        (r"\342\200\230", r"\342\200\231"),
+        ("M-bM-^@M-^X", "M-bM-^@M-^Y"),
+        ("?", "?"),
+    ],
+)
+def test_quotation_marks_of_another_encoding_are_read(before: str, after: str) -> None:
+    said = f"/ws/src/a.cpp:15:25: error: {before}turn{after} is not a member of {before}arm::Joint{after}\n"
+    log = f'#8 [3/4] RUN make\n#8 1.2 {said}#8 ERROR: process "/bin/sh -c make" did not complete: exit code: 2\n'
+    (found,) = explain(io.BytesIO(log.encode())).explanations
+    assert found.id == "api-member"
+    assert dict(found.names)["symbol"] == "turn"
