@@ -44,6 +44,10 @@ _COMPILED = tuple(
     )
 )
 """A sentence that runs by its path what is compiled: ``Run `./bin/navigation` ``, `` `./build/demo` starts it``."""
+_ITEM = pattern(
+    r"^[ \t]{0,6}[-*+][ \t]+`{1,2}(?P<name>[A-Za-z]\w*(?:-\w+)*)`{1,2}[ \t]*(?:[:\u2013\u2014]|-[ \t])", re.MULTILINE
+)
+"""An item of a list that begins with a name in code and tells what it does: only that of a program counts later."""
 _TESTS = pattern(r"\b(?:unit)?tests?\b|\bCI\b", re.IGNORECASE)
 """What such a sentence runs for those who work on the code."""
 _NO_MORE = pattern(r"\b(?:not|never|no longer|used to|old|deprecated|obsolete)\b|n't\b", re.IGNORECASE)
@@ -71,7 +75,7 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
     It starts in its folder where it, or a module beside it, names a path that is in the tree from there alone.
     ``mentions``: what the page runs by commands. What is compiled starts by the path that the sentence has.
     """
-    if "`" not in text or not (any(ending in text for ending in _ENDINGS) or _built(text)):
+    if "`" not in text or not (any(ending in text for ending in _ENDINGS) or _built(text) or _ITEM.search(text)):
         return
     commands = [m for m in mentions if m.topic == "command"]
     known = {word for m in commands for word in m.value.split()}
@@ -88,6 +92,9 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
     taken = {m.heading for m in (*commands, *found.values())}
     for line, written, rest in _alone(lines, taken, page, repository):
         _keep(found, _mention(written, rest, line, page, repository), known)
+    by_path = any("/" in m.value.partition(" ")[0] for m in commands)  # what a block starts is meant first
+    for line, name in () if by_path else _items(lines, taken | known):
+        found.setdefault(name, _command((name,), line, page))
     for each in found.values():
         yield each
         yield Mention(
@@ -134,10 +141,7 @@ def _alone(
     lines: Iterable[Line], taken: Collection[str], page: File, repository: Repository
 ) -> Iterator[tuple[Line, str, str]]:
     """Yield the one script that a section on running names, where it has neither a block nor a command."""
-    sections: dict[str, list[Line]] = {}
-    for line in lines:
-        sections.setdefault(" / ".join(line.titles.values()), []).append(line)
-    for heading, section in sections.items():
+    for heading, section in _sections(lines).items():
         title = heading.rpartition(" / ")[2]
         if heading in taken or not _TITLE.search(title) or any(line.fenced for line in section):
             continue
@@ -148,6 +152,23 @@ def _alone(
         line, span = spans[0]
         if not any(_SET.search(each.text) or _IN.search(each.text[: it.start()]) for each, it in spans):
             yield line, span["path"], span["rest"]
+
+
+def _items(lines: Iterable[Line], known: Collection[str]) -> Iterator[tuple[Line, str]]:
+    """Yield the names with which items of sections on running begin that have neither a block nor a command."""
+    for heading, section in _sections(lines).items():
+        if heading in known or not _TITLE.search(heading.rpartition(" / ")[2]) or any(line.fenced for line in section):
+            continue
+        for line in section:
+            if (item := _ITEM.match(line.text)) and item["name"] not in known:
+                yield line, item["name"]
+
+
+def _sections(lines: Iterable[Line]) -> dict[str, list[Line]]:
+    sections: dict[str, list[Line]] = {}
+    for line in lines:
+        sections.setdefault(" / ".join(line.titles.values()), []).append(line)
+    return sections
 
 
 def _in_a_cell(text: str, span: re.Match[str]) -> bool:
