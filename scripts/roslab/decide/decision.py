@@ -246,7 +246,7 @@ class Decision:
     cmake_folder: str = ""
     """Folder of the top-level CMakeLists.txt of a plain CMake project, ``""`` for the root."""
     program_folders: tuple[str, ...] = ()
-    """Where its programs are: ``source/…``, relative to the repository's root, or ``build/…``."""
+    """Where its programs are: ``source/…``, relative to the repository's root, ``build/…`` or ``beside/…``."""
     installed: bool = False
     """A page installs this project, too, and does not only compile it."""
     dockerfile: str | None = None

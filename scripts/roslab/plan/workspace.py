@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import posixpath
+
 from roslab.config.model import Config, Custom, Source
 from roslab.decide.decision import Decision, Download
 from roslab.plan.own_options import own_options
@@ -218,9 +220,9 @@ def library(source: Source, config: Config) -> Source:
 
 def _program(decision: Decision, config: Config, folder: str) -> Program:
     inside = f"{folder}/{decision.cmake_folder}".rstrip("/")
-    sides = {"source": folder, "build": f"{folder}-build"}
+    sides = {"source": folder, "build": f"{folder}-build", "beside": folder.rpartition("/")[0]}
     written = ((sides[place.partition("/")[0]], place.partition("/")[2]) for place in decision.program_folders)
-    programs = tuple(f"{side}/{rest}" for side, rest in written if rest or side == folder)
+    programs = tuple(posixpath.join(side, rest) for side, rest in written if rest or side == folder)
     return Program(
         folder=decision.cmake_folder,
         build=f"{inside}/build" if config.compatible else f"{folder}-build",

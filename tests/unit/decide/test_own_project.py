@@ -56,6 +56,27 @@ def test_a_file_that_is_included_places_the_programs(tree: Tree, written: str) -
     assert tree(files).program_folders == ("build/bin",)
 
 
+@pytest.mark.parametrize(
+    ("place", "folder", "path"),
+    [
+        ("set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/../bin)\n", "beside/bin", "/bin"),
+        (
+            "set_target_properties(solve PROPERTIES RUNTIME_OUTPUT_DIRECTORY_RELEASE ${CMAKE_BINARY_DIR}/../release)\n",
+            "beside/release",
+            "/release",
+        ),
+    ],
+)
+def test_programs_that_are_written_beside_the_build_folder(tmp_path: Path, place: str, folder: str, path: str) -> None:
+    top = "set" if place.startswith("set(") else ""
+    made = f"{place}{MADE}" if top else f"{MADE}{place}"
+    for name, text in (CODE | {"CMakeLists.txt": made}).items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    planned = plan_repository(tmp_path)
+    assert planned.decision.program_folders == (folder,)
+    assert f":/home/${{NB_USER}}{path}:${{PATH}}" in dockerfile(planned.plan)
+
+
 def test_a_root_that_names_no_project(tree: Tree) -> None:
     root = "cmake_minimum_required(VERSION 3.5)\nadd_subdirectory(sim)\n"
     files = {

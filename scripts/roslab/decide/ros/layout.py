@@ -37,7 +37,7 @@ class Layout:
     cmake_folder: str = ""
     """Folder of the top-level CMakeLists.txt of a plain CMake project."""
     program_folders: tuple[str, ...] = ()
-    """Where its programs are: ``source/…``, relative to the repository's root, or ``build/…``."""
+    """Where its programs are: ``source/…``, relative to the repository's root, ``build/…`` or ``beside/…``."""
     installed: bool = False
     """A page installs it, or other projects of the tree need its library."""
     set_up_links: tuple[Literal["inside", "beside"], ...] = ()

@@ -17,8 +17,8 @@ PROCESSOR = "{processor}"
 def output_folder(written: str, folder: str) -> str | None:
     """Return a folder for programs; ``None`` if it is not known.
 
-    ``source/…`` is relative to the root of the repository, ``top/…`` to the folder of the top-level CMakeLists.txt, and
-    ``build/…`` to the build folder's part for the root of the repository.
+    ``source/…`` is relative to the root of the repository, ``top/…`` to the folder of the top-level CMakeLists.txt,
+    ``build/…`` to the build folder's part for the root of the repository, and ``beside/…`` to the folder that it is in.
     """
     known = written.replace("${CMAKE_INSTALL_BINDIR}", "bin").replace("${CMAKE_SYSTEM_NAME}", "Linux")
     match = _OUTPUT.match(_PROCESSOR.sub(PROCESSOR, known).rstrip("/"))
@@ -29,4 +29,7 @@ def output_folder(written: str, folder: str) -> str | None:
     if variable in {"CMAKE_SOURCE_DIR", "CMAKE_BINARY_DIR"}:
         side, folder = "top" if side == "source" else "build", ""
     place = posixpath.normpath(posixpath.join(side, folder, rest))
-    return place if place.partition("/")[0] == side else None
+    if place.partition("/")[0] == side:
+        return place
+    # The author's build folder is in the tree, the image's beside it
+    return f"beside/{place}" if side == "build" and not place.startswith((".", "/")) else None

@@ -11,6 +11,8 @@ from roslab.values.dataclass import dataclass, field
 
 _AT_ONCE = "CMAKE_RUNTIME_OUTPUT_DIRECTORY"
 """A program is written where this says when it is added; what the other says last is for all programs without it."""
+_OF_RELEASE = "RUNTIME_OUTPUT_DIRECTORY_RELEASE"
+"""What goes before the folder of all build types in an image, which is built as a release."""
 VARIABLES = frozenset({_AT_ONCE, "EXECUTABLE_OUTPUT_PATH"})
 
 
@@ -47,7 +49,8 @@ class ProgramFolders:
         values = dict(zip(words[split + 1 :: 2], words[split + 2 :: 2], strict=False))
         if (output := values.get("OUTPUT_NAME")) and TARGET.match(output):
             self.files |= dict.fromkeys(words[:split], output)
-        if (place := values.get("RUNTIME_OUTPUT_DIRECTORY")) and any(word in programs for word in words[:split]):
+        place = values.get(_OF_RELEASE) or values.get("RUNTIME_OUTPUT_DIRECTORY")
+        if place and any(word in programs for word in words[:split]):
             written = output_folder(place, folder)
             self.folder = written or self.folder
             self.placed |= {word: written for word in words[:split] if word in self.placed}
