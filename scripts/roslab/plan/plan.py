@@ -143,9 +143,9 @@ class Plan:
         compiled_here = place.python_projects or place.submodules or place.inside or place.scripts
         needed_later = self.custom or self.compatible or place.written_beside or compiled_here
         beside = place.ros is not None and place.ros.tool == "rosmake"  # it compiles where the source lies
-        written = place.program.programs if place.program else ()
-        into_source = any(f"{program}/".startswith(f"{place.folder}/") for program in written)
-        return bool(place.ros or place.program) and not (needed_later or beside or into_source)
+        written, build = (place.program.programs, place.program.build) if place.program else ((), "")
+        elsewhere = any(not f"{program}/".startswith(f"{build}/") for program in written)  # than what is brought
+        return bool(place.ros or place.program) and not (needed_later or beside or elsewhere)
 
 
 def image_name(text: str) -> str:

@@ -75,6 +75,7 @@ def test_programs_that_are_written_beside_the_build_folder(tmp_path: Path, place
     planned = plan_repository(tmp_path)
     assert planned.decision.program_folders == (folder,)
     assert f":/home/${{NB_USER}}{path}:${{PATH}}" in dockerfile(planned.plan)
+    assert not planned.plan.compiled_apart  # the image gets nothing but the build folder of that stage
 
 
 def test_a_root_that_names_no_project(tree: Tree) -> None:
