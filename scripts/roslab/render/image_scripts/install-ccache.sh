@@ -5,4 +5,7 @@
 set -euo pipefail
 
 install=(apt-get install --yes --no-install-recommends ccache)
+# What install-rosdep-keys made of the same lists
+cache=/var/lib/apt/lists/roslab-cache.bin
+if [ -e "${cache}" ]; then install+=(--option "Dir::Cache::srcpkgcache=${cache}"); fi
 "${install[@]}" || { apt-get update && "${install[@]}"; } || echo 'roslab: left out: ccache, which would make later builds quicker'

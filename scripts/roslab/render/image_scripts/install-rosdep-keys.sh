@@ -62,6 +62,25 @@ install_keys() {
   rosdep install "$@" --ignore-src --rosdistro "${ROS_DISTRO}" --from-paths "${folders[@]}" --skip-keys "${skip}"
 }
 
+# rosdep calls apt for each package anew, which reads what is installed and runs the same triggers each time. Where apt
+# does not take all of them together, and for what apt does not install, rosdep does as ever.
+install_together() {
+  local commands line words together=() rest=''
+  commands="$(install_keys --simulate --default-yes)" || return
+  while read -r line; do
+    case "${line}" in
+      'apt-get install -y '*) read -r -a words <<<"${line#apt-get install -y }" && together+=("${words[@]}") ;;
+      '' | '#'*) ;;
+      *) rest=yes ;;
+    esac
+  done <<<"${commands}"
+  if [ "${#together[@]}" -gt 0 ] && ! apt-get install -y "${together[@]}"; then
+    echo "roslab: apt does not take these packages together: each is installed for itself"
+    rest=yes
+  fi
+  if [ -n "${rest}" ]; then install_keys --default-yes; fi
+}
+
 unknown_keys() {
   { install_keys --simulate --reinstall 2>&1 || true; } |
     sed --quiet --regexp-extended 's/.*definition (for|of) \[([^]]+)\].*/\2/p' | sort --unique
@@ -107,7 +126,7 @@ fi
 # Nothing is installed where rosdep does not know a key, and that is the time to ask which: it tells of one a package at
 # a time, so until there is none that was not told before
 said=/tmp/rosdep-install
-if install_keys --default-yes 2>"${said}"; then
+if install_together 2>"${said}"; then
   cat "${said}" >&2
 else
   before='' asked="${skip}"
@@ -129,7 +148,7 @@ else
   done
   if [ "${skip}" = "${asked}" ] && [ -z "${completed}" ]; then cat "${said}" >&2 && exit 1; fi
   if [ -s "${left_out}" ]; then sed 's/^/roslab: left out: /' "${left_out}"; fi
-  install_keys --default-yes
+  install_together
 fi
 find "${folders[@]}" -name manifest.xml.hidden -execdir mv manifest.xml.hidden manifest.xml \;
 # CMake of what is cloned may require more than its package.xml names
@@ -138,6 +157,11 @@ if [ -n "${required}" ]; then
   if [ "${#more[@]}" -gt 0 ]; then install-optional-apt "${more[@]}"; fi
 fi
 rm "${said}" "${caches}"
+# The next step that installs by these lists need not read all of them again
+if grep --quiet ' /var/lib/apt/lists ' /proc/mounts && [ -e /tmp/apt-srcpkgcache.bin ]; then
+  cp /tmp/apt-srcpkgcache.bin /var/lib/apt/lists/roslab-cache.part
+  mv /var/lib/apt/lists/roslab-cache.part /var/lib/apt/lists/roslab-cache.bin
+fi
 rm -f /tmp/apt-*.bin
 rm -rf /var/cache/{apt/*.bin,ldconfig/aux-cache} /var/log/{apt/[!h]*,alternatives.log,dpkg.log}
 find /var/log/apt -name history.log -exec sed --in-place '/-Date: /d' {} +
