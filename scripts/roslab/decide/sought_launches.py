@@ -17,10 +17,11 @@ from roslab.decide.ros.slips import meant
 from roslab.decide.ros.sought import MOST, PACKAGE, folder_for, tried
 from roslab.decide.ros.sought_addresses import public_owner
 from roslab.decide.ros.sought_by_pages import in_clones, run_by_page
-from roslab.decide.ros.sought_imports import modules_of_owner
+from roslab.decide.ros.sought_imports import linked_of_owner, modules_of_links, modules_of_owner
 from roslab.decide.ros.source_names import address, plain
 from roslab.decide.ros.weights import Weight
 from roslab.evidence.facts import Evidence
+from roslab.evidence.ros.vcs import https
 from roslab.knowledge.holders import holders
 from roslab.knowledge.released import ever_released
 from roslab.values.dataclass import replace
@@ -46,7 +47,7 @@ def with_found_by_launches(
     what programs look for while they run, and with modules that nodes import and nothing brings, in the place of whose
     repository comes one of that name that the code links to; ``installed``: what pip installs. Several packages whose
     names begin alike are first looked for in a repository that is called so. And before all come packages that the
-    README runs, in what that page clones.
+    README runs, in what that page clones. Last, modules of no table are looked for in what pages name of the owner's.
     """
     build: SourceBuild | None = "none" if build_tool == "rosmake" else workspace_tool(build_tool)
     owner = public_owner(evidence)
@@ -112,7 +113,27 @@ def with_found_by_launches(
         who = f"{asked.file} runs programs of" if url in cloned else who
         why = "and nothing known brings it: it may be there, and is left out where not"
         reasons.append(because("source", source.name, f"{who} {', '.join(names)}, {why}", asked, weight=Weight.SOUGHT))
-    return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))
+    asked_of = modules_of_links(evidence, installed)
+    modules = tuple(each.name for each in asked_of)
+    for git in linked_of_owner(evidence) if asked_of else ():
+        at = next((i for i, each in enumerate(found) if address(each.repo or "") == address(git.url)), None)
+        if at is not None:
+            found[at] = replace(found[at], holding=(*found[at].holding, *modules))
+        elif address(git.url) not in taken and len(found) < MOST:
+            first = asked_of[0]
+            source = Source(
+                name=folder_for(git.url, [*sources.sources, *found]),
+                repo=f"{https(git.url).removesuffix('.git')}.git",
+                build=build,
+                before=date.value if date else "",
+                holding=modules,
+                place=Place(file=first.file, line=first.line),
+            )
+            found.append(source)
+            why = f"the code imports {', '.join(modules)}, and {git.file} names this repository of the same owner"
+            reasons.append(because("source", source.name, why, first, weight=Weight.SOUGHT))
+    answer = replace(sources, sought=tuple(found), modules=frozenset(modules))
+    return replace(choice, answer=answer, reasons=(*choice.reasons, *reasons))
 
 
 def _families(names: Collection[str]) -> dict[str, tuple[str, ...]]:

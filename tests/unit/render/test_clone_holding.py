@@ -318,3 +318,42 @@ def test_a_package_of_rosbuild_serves_its_files(
     if options == ("--ros1", "--rosmake"):
         said, _, _ = _run(tmp_path, *options, remote.as_uri(), f"{tmp_path}/ws/src/again", "lab_maps")
         assert "is not needed: the workspace has lab_maps" in said
+
+
+@pytest.fixture
+def of_python(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return a repository with modules of Python: a package, a file beside a setup.py, and others elsewhere."""
+    folder = tmp_path / "library"
+    _manifest(folder / "robot", "robot")
+    files = ["detect/Detection/__init__.py", "detect/setup.py", "filters/Kalman.py", "filters/setup.py"]
+    files += ["robot/src/Inside/__init__.py", "scripts/Loose.py", "old/detect/more/Detection/__init__.py"]
+    for file in files:
+        (folder / file).parent.mkdir(parents=True, exist_ok=True)
+        (folder / file).write_text("here = __file__\n")
+    _git(folder, "init", "--quiet")
+    _git(folder, "add", ".")
+    _git(folder, "commit", "--quiet", "--message", "first")
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    return folder
+
+
+def test_the_modules_of_python_that_it_holds_are_found(tmp_path: Path, of_python: Path) -> None:
+    clone = tmp_path / "ws/src/library"
+    words = (of_python.as_uri(), str(clone), "robot_msgs", "Detection", "Kalman", "Inside", "Loose")
+    said, found, passed = _run(tmp_path, *words)
+    assert "brings Detection Kalman, for Python" in said
+    assert (found, passed) == (["robot"], ["robot"])  # nothing needs its package
+    (listed, *_) = (tmp_path / "home").rglob("site-packages/roslab.pth")
+    assert listed.read_text().split() == [f"{clone}/detect", f"{clone}/filters"]
+
+
+def test_a_repository_without_the_module_is_left_out(tmp_path: Path, of_python: Path) -> None:
+    said, found, _ = _run(tmp_path, of_python.as_uri(), f"{tmp_path}/ws/src/library", "Loose", "Inside")
+    assert "it holds no package called Loose Inside" in said
+    assert found == []
+
+
+def test_a_module_that_another_clone_brought_is_not_looked_for(tmp_path: Path, of_python: Path) -> None:
+    _run(tmp_path, of_python.as_uri(), f"{tmp_path}/ws/src/library", "Kalman")
+    said, _, _ = _run(tmp_path, of_python.as_uri(), f"{tmp_path}/ws/src/other", "Kalman")
+    assert "is not needed: the workspace has Kalman" in said

@@ -24,7 +24,7 @@ from roslab.decide.python.packages import Chosen
 from roslab.decide.python.refused import refused
 from roslab.decide.reasons import warn
 from roslab.decide.ros.sought_addresses import public_owner
-from roslab.decide.ros.sought_imports import modules_of_owner
+from roslab.decide.ros.sought_imports import linked_of_owner, modules_of_owner
 from roslab.decide.ros.source_names import OF_MESSAGES
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency, GitSource
@@ -128,6 +128,8 @@ def _of_owner(evidence: Evidence, chosen: Chosen, unknown: Sequence[Dependency])
     able = {each.name for each in modules_of_owner(evidence, (*chosen.declared, *chosen.guessed))} if owner else set()
     if any(each.name in able for each in unknown):
         yield f"a repository of {owner} that is called like it, in which the build looks,"
+    for git in linked_of_owner(evidence):
+        yield f"{git.name} ({https(git.url)}), in which the build looks,"
 
 
 def _tried(chosen: Chosen) -> Iterator[Warning_]:

@@ -23,6 +23,8 @@ class Sources:
     """Names of rows in the table of recipes that these sources link, with what asks for each."""
     sought: tuple[Source, ...] = ()
     """Repositories in which the build looks for packages that nothing brings."""
+    modules: frozenset[str] = frozenset()
+    """Those of the names for which it looks that are modules of Python."""
     names: frozenset[str] = frozenset()
     """Names that these sources provide: they need no rosdep key and no package."""
 

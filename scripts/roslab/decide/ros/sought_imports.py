@@ -1,4 +1,4 @@
-"""Modules that nodes import, that no table knows, and that may be packages of the repository's owner."""
+"""Modules that nodes import, that no table knows, and that repositories of the same owner may bring."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator
 
 from roslab.decide.python.on_index import on_index
 from roslab.decide.ros.sought import PACKAGE
-from roslab.decide.ros.source_names import plain
+from roslab.decide.ros.sought_addresses import public_owner
+from roslab.decide.ros.source_names import OF_MESSAGES, address, plain
 from roslab.evidence import places
-from roslab.evidence.dependency import Dependency
+from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.guesses import ros_modules, same_module
@@ -20,6 +21,9 @@ from roslab.values.requirement import Requirement
 
 _SHORTEST = 4
 """Fewest letters of a beginning that two names have in common by more than chance."""
+
+_MOST = 3
+"""Most repositories that are looked through for modules that none of them is called like."""
 
 
 def modules_of_owner(evidence: Evidence, installed: Iterable[Requirement]) -> Iterator[Dependency]:
@@ -39,11 +43,47 @@ def modules_of_owner(evidence: Evidence, installed: Iterable[Requirement]) -> It
         if said.topic != "node_import" or name in told or name not in foreign or places.aside(said.file):
             continue
         told.add(name)
-        known = name in imports() or canonicalize_name(name) in not_on_index() or of_python2(name)
-        known = known or name in ros_modules() or ever_released(name) or on_index(evidence, foreign[name]) is not None
+        known = _known(foreign[name], evidence)
         brought = canonicalize_name(name) in named or any(same_module(canonicalize_name(name), n) for n in named)
         parts = any(bare_name(name).startswith(bare_name(each)) for each in named if len(bare_name(each)) >= _SHORTEST)
         if "_" in name and PACKAGE.fullmatch(name) and not (known or brought or parts):
             yield Dependency(
                 namespace="ros", name=name, strength="declared", file=said.file, line=said.line, role="exec"
             )
+
+
+def modules_of_links(evidence: Evidence, installed: Iterable[Requirement]) -> tuple[Dependency, ...]:
+    """Return the modules of no table that the tree always imports, for which a repository of the owner's may be cloned.
+
+    ``installed``: what pip installs.
+    """
+    named = {canonicalize_name(each.name) for each in evidence.manifests if each.name}
+    named |= {canonicalize_name(asked.name) for manifest in evidence.manifests for asked in manifest.dependencies}
+    named |= {each.key for each in installed}
+    return tuple(
+        used
+        for used in evidence.code
+        if used.namespace == "import"
+        and used.strength == "used"
+        and not (places.aside(used.file) or canonicalize_name(used.name) in named or used.name.endswith(OF_MESSAGES))
+        and not _known(used, evidence)
+    )
+
+
+def linked_of_owner(evidence: Evidence) -> tuple[GitSource, ...]:
+    """Return the other repositories of the same owner that pages link to or clone, the first of them, each once."""
+    here, owner = address(evidence.origin), public_owner(evidence)
+    found: dict[str, GitSource] = {}
+    for git in evidence.sources:
+        at = address(git.url)
+        theirs = owner and at.rpartition("/")[0] == address(owner) and at != here
+        if theirs and git.kind in {"link", "clone"} and not (git.private or places.vendored(git.file)):
+            found.setdefault(at, git)
+    return tuple(found.values())[:_MOST]
+
+
+def _known(used: Dependency, evidence: Evidence) -> bool:
+    """Tell whether a table knows a module, or the index of pip a package of its name."""
+    name = used.name
+    tabled = name in imports() or canonicalize_name(name) in not_on_index() or of_python2(name)
+    return tabled or name in ros_modules() or ever_released(name) or on_index(evidence, used) is not None

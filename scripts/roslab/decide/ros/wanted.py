@@ -17,4 +17,4 @@ def wanted_beside(sources: Sources, packages: Packages, required: Iterable[str])
     """
     keyed = {asked.name for manifest in packages.built for asked in manifest.dependencies}
     tried = (name for source in sources.sought for name in source.holding)
-    return tuple(sorted({*required, *sources.started, *tried} - keyed - rosdep_keys()))
+    return tuple(sorted({*required, *sources.started, *tried} - keyed - rosdep_keys() - sources.modules))

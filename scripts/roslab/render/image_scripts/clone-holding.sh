@@ -3,7 +3,8 @@
 # Clones to a folder of the workspace a repository that may hold packages which nothing else brings. What does not answer,
 # or holds none of those that the workspace lacks, is named and left out. Of the others in it, only those that these need
 # are compiled. A project of CMake without any package.xml that is called so is kept, too, or one with a Makefile that
-# installs it: install-plain-clones knows it by what is noted in its folder of git.
+# installs it: install-plain-clones knows it by what is noted in its folder of git. A PACKAGE may be a module of Python, too:
+# a repository with its folder, or its file beside a setup.py, is kept, and the user's Python looks there.
 #   --ros1, --ros2   for a workspace of that ROS: where all its packages are of the other, a branch for it is taken if there is one
 #   --rosmake        for a workspace of rosbuild, whose packages have a manifest.xml; catkin only learns their names
 #   --ref REF        a branch, tag or commit
@@ -54,7 +55,7 @@ fi
 lacks() {
   if [ ! -d "${workspace}" ]; then return 0; fi
   if [ -n "${rosmake}" ] && [ -n "$(find "${workspace}" -path "*/$1/manifest.xml" -print -quit)" ]; then return 1; fi
-  if grep --quiet --no-messages --line-regexp --fixed-strings "$1" "${workspace}"/*/.git/roslab-plain; then return 1; fi
+  if grep --quiet --no-messages --line-regexp --fixed-strings "$1" "${workspace}"/*/.git/roslab-{plain,modules}; then return 1; fi
   [ -z "$(workspace-packages needed "${workspace}" "$1")" ]
 }
 lacking=()
@@ -120,6 +121,24 @@ plain() {
     fi
   done
 }
+# Has Python find those that are its modules, outside of packages of ROS, and notes them
+modules() {
+  local package file python site
+  for package in "${lacking[@]}"; do
+    file="$(find "${folder}" \( -name .git -o -type d -exec test -e '{}/package.xml' ';' \) -prune \
+      -o -path "*/${package}/__init__.py" -printf '%d %h\n' \
+      -o -name "${package}.py" -execdir test -e setup.py ';' -printf '%d %p\n' |
+      sort --numeric-sort | sed --quiet '1s/^[0-9]* //p')"
+    if [ -z "${file}" ]; then continue; fi
+    echo "${package}" | tee --append "${folder}/.git/roslab-modules"
+    for python in python2 python3; do
+      site="$("${python}" -m site --user-site 2>/dev/null || true)"
+      if [ -z "${site}" ]; then continue; fi
+      mkdir --parents "${site}"
+      dirname "${file}" >>"${site}/roslab.pth"
+    done
+  done
+}
 # Prints those that are packages of rosbuild
 of_rosbuild() {
   local package
@@ -145,10 +164,12 @@ if [ "${#kept[@]}" -eq 0 ] && [ "${#plain[@]}" -gt 0 ]; then
   echo "roslab: ${url} is ${plain[*]}, a library without a package.xml"
   exit 0
 fi
+mapfile -t modules < <(modules)
+if [ "${#modules[@]}" -gt 0 ]; then echo "roslab: ${url} brings ${modules[*]}, for Python"; fi
 if [ "${#kept[@]}" -gt 0 ] || beneath; then
   fetch-submodules "${folder}"
   look
 fi
-if [ "${#kept[@]}" -eq 0 ]; then leave_out "it holds no package called ${lacking[*]}"; fi
-echo "roslab: ${url} brings ${kept[*]}"
+if [ "${#kept[@]}" -eq 0 ] && [ "${#modules[@]}" -eq 0 ]; then leave_out "it holds no package called ${lacking[*]}"; fi
+if [ "${#kept[@]}" -gt 0 ]; then echo "roslab: ${url} brings ${kept[*]}"; fi
 workspace-packages hide "${folder}" "${kept[@]}" >/dev/null
