@@ -113,26 +113,47 @@ def with_found_by_launches(
         who = f"{asked.file} runs programs of" if url in cloned else who
         why = "and nothing known brings it: it may be there, and is left out where not"
         reasons.append(because("source", source.name, f"{who} {', '.join(names)}, {why}", asked, weight=Weight.SOUGHT))
-    asked_of = modules_of_links(evidence, installed)
-    modules = tuple(each.name for each in asked_of)
-    for git in linked_of_owner(evidence) if asked_of else ():
+    answer = replace(sources, sought=tuple(found))
+    return _with_modules(
+        replace(choice, answer=answer, reasons=(*choice.reasons, *reasons)), evidence, installed, taken, build=build
+    )
+
+
+def _with_modules(
+    choice: Choice[Sources],
+    evidence: Evidence,
+    installed: Iterable[Requirement],
+    taken: Collection[str],
+    *,
+    build: SourceBuild,
+) -> Choice[Sources]:
+    """Return the sources with what pages name of the owner's for modules of no table that are looked for nowhere yet.
+
+    ``taken``: addresses of what is cloned anyway.
+    """
+    found = [*choice.answer.sought]
+    sought = {name for each in found for name in each.holding}
+    asked = tuple(each for each in modules_of_links(evidence, installed) if each.name not in sought)
+    modules = tuple(each.name for each in asked)
+    date = dated(evidence)
+    reasons = []
+    for git in linked_of_owner(evidence) if asked else ():
         at = next((i for i, each in enumerate(found) if address(each.repo or "") == address(git.url)), None)
         if at is not None:
             found[at] = replace(found[at], holding=(*found[at].holding, *modules))
         elif address(git.url) not in taken and len(found) < MOST:
-            first = asked_of[0]
             source = Source(
-                name=folder_for(git.url, [*sources.sources, *found]),
+                name=folder_for(git.url, [*choice.answer.sources, *found]),
                 repo=f"{https(git.url).removesuffix('.git')}.git",
                 build=build,
                 before=date.value if date else "",
                 holding=modules,
-                place=Place(file=first.file, line=first.line),
+                place=Place(file=asked[0].file, line=asked[0].line),
             )
             found.append(source)
             why = f"the code imports {', '.join(modules)}, and {git.file} names this repository of the same owner"
-            reasons.append(because("source", source.name, why, first, weight=Weight.SOUGHT))
-    answer = replace(sources, sought=tuple(found), modules=frozenset(modules))
+            reasons.append(because("source", source.name, why, asked[0], weight=Weight.SOUGHT))
+    answer = replace(choice.answer, sought=tuple(found), modules=frozenset(modules))
     return replace(choice, answer=answer, reasons=(*choice.reasons, *reasons))
 
 

@@ -18,6 +18,7 @@ FILES = {
     "sight/CMakeLists.txt": "project(sight)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
     "sight/src/look.py": "import rospy\nimport numpy\nfrom FaultFinder import find\n",
 }
+MAKES = f"{FILES['sight/CMakeLists.txt']}add_library(FaultFinder SHARED a.cpp)\n"
 
 
 def planned(root: Path, page: str, **files: str) -> Plan:
@@ -37,7 +38,7 @@ def test_it_is_looked_for_there(tmp_path: Path) -> None:
     assert "toolbox FaultFinder\n" in text
     assert "--want FaultFinder" not in text
     said = next(each.message for each in plan.warnings if "FaultFinder" in each.message)
-    assert "unless toolbox (https://github.com/lab/toolbox), in which the build looks, brings it" in said
+    assert "unless toolbox (https://github.com/lab/toolbox) brings it" in said
 
 
 @pytest.mark.parametrize(
@@ -48,6 +49,8 @@ def test_it_is_looked_for_there(tmp_path: Path) -> None:
         (LINK.format("lab"), {"sight/src/look.py": "try:\n    import FaultFinder\nexcept ImportError:\n    pass\n"}),
         (LINK.format("lab"), {"sight/src/FaultFinder.py": "find = None\n"}),
         ("See https://github.com/lab/sight.\n", {}),
+        (LINK.format("lab"), {"sight/src/look.py": "", "third_party/a/b.py": "import FaultFinder\n"}),
+        (LINK.format("lab"), {"sight/CMakeLists.txt": MAKES}),
     ],
 )
 def test_what_another_owns_or_a_table_knows_is_not(tmp_path: Path, page: str, code: dict[str, str]) -> None:

@@ -129,7 +129,7 @@ def _of_owner(evidence: Evidence, chosen: Chosen, unknown: Sequence[Dependency])
     if any(each.name in able for each in unknown):
         yield f"a repository of {owner} that is called like it, in which the build looks,"
     for git in linked_of_owner(evidence):
-        yield f"{git.name} ({https(git.url)}), in which the build looks,"
+        yield f"{git.name} ({https(git.url)})"
 
 
 def _tried(chosen: Chosen) -> Iterator[Warning_]:

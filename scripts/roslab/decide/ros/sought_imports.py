@@ -59,25 +59,27 @@ def modules_of_links(evidence: Evidence, installed: Iterable[Requirement]) -> tu
     """
     named = {canonicalize_name(each.name) for each in evidence.manifests if each.name}
     named |= {canonicalize_name(asked.name) for manifest in evidence.manifests for asked in manifest.dependencies}
+    named |= {canonicalize_name(name) for made in evidence.cmake for name in (*made.targets, *made.made)}
     named |= {each.key for each in installed}
     return tuple(
         used
         for used in evidence.code
         if used.namespace == "import"
         and used.strength == "used"
-        and not (places.aside(used.file) or canonicalize_name(used.name) in named or used.name.endswith(OF_MESSAGES))
+        and not (places.aside(used.file) or places.vendored(used.file) or used.name.endswith(OF_MESSAGES))
+        and canonicalize_name(used.name) not in named
         and not _known(used, evidence)
     )
 
 
 def linked_of_owner(evidence: Evidence) -> tuple[GitSource, ...]:
-    """Return the other repositories of the same owner that pages link to or clone, the first of them, each once."""
+    """Return the other repositories of the same owner that pages link to, the first of them, each once."""
     here, owner = address(evidence.origin), public_owner(evidence)
     found: dict[str, GitSource] = {}
     for git in evidence.sources:
         at = address(git.url)
         theirs = owner and at.rpartition("/")[0] == address(owner) and at != here
-        if theirs and git.kind in {"link", "clone"} and not (git.private or places.vendored(git.file)):
+        if theirs and git.kind == "link" and not (git.private or places.vendored(git.file)):
             found.setdefault(at, git)
     return tuple(found.values())[:_MOST]
 
