@@ -11,6 +11,7 @@ from roslab.evidence.native import (
     cloned_heads,
     cuda_paths,
     generators,
+    made_elsewhere,
     onnx_on_gpu,
     root_variables,
     shared_objects,
@@ -89,4 +90,5 @@ def of_ros(repository: Repository, whole: Repository) -> Iterator[Mention]:
     """Yield what launch files, scripts and lists tell of a workspace of ROS, and what builds left in the ``whole``."""
     for reader in _OF_ROS:
         yield from reader(repository)
-    yield from on_machines.built(submodules.without(whole))
+    yield from on_machines.built(own := submodules.without(whole))
+    yield from made_elsewhere.tools(own)

@@ -35,6 +35,7 @@ class Weight:
     ROSBUILD = 500  # nothing else builds them
     PLAIN_CMAKE = 350  # catkin_make refuses plain CMake packages: wins over a script, not over what people type
     SAME_TARGETS = 410  # catkin_make stops there, whatever a page says; what a Dockerfile built is read better there
+    LEFT = 375  # what the author's own build left: over the pages of folders, not over what people type at the root
     CATKIN_SIMPLE = 250  # its authors build with catkin_tools, but catkin_make can often build it too
     DEFAULT = 1
     DEEPER = 30  # subtracted for each folder above it: deeper files are about a part
@@ -57,6 +58,9 @@ def tool_of_ros1(evidence: Evidence) -> Choice[BuildTool]:
         for mention in evidence.mentions
         if mention.topic == "build_tool" and mention.value in OF_ROS1
     ]
+    for left in (mention for mention in evidence.mentions if mention.topic == "built_by"):
+        weight = Weight.LEFT - Weight.DEEPER * left.file.count("/")
+        reasons.append(because("build_tool", left.value, left.text, left, weight=weight))
     if not reasons and (said := _colcon(evidence)):
         reasons.append(because("build_tool", "colcon", said.text[:120], said, weight=_weight(said)))
         return Choice(answer="colcon", reasons=tuple(reasons))

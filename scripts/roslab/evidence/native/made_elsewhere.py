@@ -9,7 +9,9 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from roslab.repository.checkout import Repository
+from roslab.evidence import places
+from roslab.evidence.facts import Mention
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
 
 CACHE = "CMakeCache.txt"
@@ -17,6 +19,9 @@ FILES = "CMakeFiles"
 MARK = ".built_by"
 """Says in a build, devel or install space which tool made it: catkin's tools and colcon write it."""
 _TOOLS = ("catkin", "colcon")
+_TOOL_OF = {"catkin build": "catkin_tools"} | {name: name for name in ("catkin_make", "catkin_make_isolated")}
+_SETTINGS = "CATKIN_IGNORE"
+"""catkin_tools writes it into the folder of its settings."""
 _MARKS = {".catkin": "_setup_util.py", ".colcon_install_layout": "", "catkin_make.cache": CACHE}
 """Files that only the tools write into a space, each with one that lies beside it; older ones left no other mark.
 https://github.com/ros/catkin (cmake/catkin_workspace.cmake, python/catkin/builder.py) and
@@ -49,6 +54,22 @@ def read(repository: Repository) -> Iterator[tuple[str, str, int]]:
         more = f", and so are {len(found) - 1} more" if len(found) > 2 else ", and so is one more" if found[1:] else ""
         why = "CMake refuses it in any other folder, so a generated Dockerfile leaves it out"
         yield f"CMake wrote it in {folder}{more}: {why}", path, line
+
+
+def tools(whole: Repository) -> Iterator[Mention]:
+    """Yield the tool of catkin that made each space which a build left, and catkin_tools where it keeps its settings.
+
+    https://github.com/catkin/catkin_tools/blob/main/catkin_tools/metadata.py (METADATA_DIR_NAME), 2026-11-29. The
+    nearest first; none of a copy or an example. ``whole`` has these spaces, too.
+    """
+    for file in nearest(file for file in whole.named(MARK, _SETTINGS) if not places.aside(file.path))[:MOST]:
+        settings = file.name == _SETTINGS
+        if settings and posixpath.basename(file.folder) != ".catkin_tools":
+            continue
+        said = "catkin build" if settings else whole.read(file).strip()
+        if tool := _TOOL_OF.get(said):
+            what = f"{file.folder} is of `{said}`, by which the author has built it"
+            yield Mention(topic="built_by", value=tool, source="code", file=file.path, line=1, text=what)
 
 
 def without(repository: Repository) -> Repository:
