@@ -61,8 +61,8 @@ def goes_without(of: Choices, evidence: Evidence, config: Config) -> GoesWithout
     alone = () if whole else spare(evidence, config, of.command.answer, of.packages, {*of.left_out, *failing})
     told = stopping(once(of.system.warnings, of.missing.warnings), of.packages, needed, evidence)
     told = what_stops(told, of.packages, {*alone, *failing, *of.left_out}, of.build_tool.answer)
-    may_go = {*failing} - {*needed} if not whole else set()
-    missing = replace(of.missing, warnings=tuple(_left_out(of.missing.warnings, of.packages, may_go)))
+    may_go, gone = ({*failing} - {*needed}, of.left_out) if not whole else ((), ())
+    missing = replace(of.missing, warnings=tuple(_left_out(of.missing.warnings, of.packages, may_go, gone)))
     return GoesWithout(
         whole=whole,
         failing=failing,
@@ -78,13 +78,16 @@ def goes_without(of: Choices, evidence: Evidence, config: Config) -> GoesWithout
     )
 
 
-def _left_out(warnings: Iterable[Warning_], packages: Packages, may_go: Collection[str]) -> Iterator[Warning_]:
-    """Yield the warnings; where the build goes on without a package that does not compile, with that."""
+def _left_out(
+    warnings: Iterable[Warning_], packages: Packages, may_go: Collection[str], gone: Collection[str]
+) -> Iterator[Warning_]:
+    """Yield the warnings; where the build goes on without a package that does not compile, or has none, with that."""
     folders = {m.file.rpartition("/")[0]: m.name for m in packages.built if m.name}
     for warning in warnings:
         package = owner(warning.file or "", folders)
-        if package is None or package not in may_go:
+        if package is None or package not in {*may_go, *gone}:
             yield warning
             continue
-        then = f"where it does not compile, {package} is left out of the build"
+        then = f"{package} is left out of the build"
+        then = then if package in gone else f"where it does not compile, {then}"
         yield replace(warning, message=_STOPS.sub(then, warning.message))

@@ -34,9 +34,12 @@ endif (SOLVEX_INCLUDE_DIR)
 """
 
 
-def _told(tree: Tree, *, module: str = _MODULE, asks: str = "find_package(SOLVEX REQUIRED)") -> tuple[list[str], bool]:
+def _told(
+    tree: Tree, *, module: str = _MODULE, asks: str = "find_package(SOLVEX REQUIRED)", builds: str = "colcon build"
+) -> tuple[list[str], bool]:
     """Return the warnings about the library, and whether the package may be left out of the build."""
-    files = {"README.md": "ROS 2 Humble\n\n```\nros2 run maps maps_node\n```\n", "planner/FindSOLVEX.cmake": module}
+    page = f"ROS 2 Humble\n\n```\n{builds}\nros2 run maps maps_node\n```\n"
+    files = {"README.md": page, "planner/FindSOLVEX.cmake": module}
     for name, asked in (("maps", ""), ("planner", asks)):
         files[f"{name}/package.xml"] = _MANIFEST.format(name)
         files[f"{name}/CMakeLists.txt"] = _CMAKE.format(name, asked)
@@ -151,3 +154,10 @@ def test_a_header_that_nothing_brings(tree: Tree) -> None:
 )
 def test_a_header_that_may_be_there(tree: Tree, changed: str) -> None:
     assert _told(tree, module=changed) == ([], False)
+
+
+@pytest.mark.parametrize("module", [_MODULE, _HEADERS])
+def test_a_package_that_the_page_leaves_out_stops_nothing(tree: Tree, module: str) -> None:
+    told, may_fail = _told(tree, module=module, builds="colcon build --packages-skip planner")
+    assert [each.partition("; ")[0].rpartition(": ")[2] for each in told] == ["planner is left out of the build"]
+    assert not may_fail
