@@ -27,6 +27,7 @@ RUNS = "# Running\n\n    rosrun arm start_all\n"
         (RUNS, "leg/scripts/start_all", "#!/usr/bin/screen -c", set[str]()),  # of no package of that name
         (RUNS, "arm/scripts/other", "#!/usr/bin/screen -c", set[str]()),  # no page runs it
         ("# Usage\n\n    ./start.sh\n", "start.sh", "#!/usr/bin/expect -f", {"expect"}),
+        ("# Usage\n\n    bash start.sh\n", "start.sh", "#!/usr/bin/expect -f", set[str]()),  # it starts by bash
     ],
 )
 def test_what_a_first_line_names_is_installed(tree: Tree, page: str, file: str, line: str, brought: set[str]) -> None:

@@ -35,8 +35,9 @@ def read(repository: Repository, said: Iterable[Mention]) -> Iterator[Dependency
 
 
 def _files(mention: Mention, repository: Repository) -> Iterator[str]:
-    """Yield the files that a command names, and the one of its package that ``rosrun`` finds by its name."""
-    yield from mention.files
+    """Yield the file that a command starts by its path, or the one of its package that ``rosrun`` finds by its name."""
+    program = mention.value.partition(" ")[0].rpartition("/")[2]
+    yield from (file for file in mention.files if file.rpartition("/")[2] == program)
     if found := _RUN.match(mention.value):
         package, program = found.groups()
         folders = tuple(f"{folder}/" for folder, name in repository.once(names_by_folder).items() if name == package)
