@@ -443,3 +443,16 @@ def test_where_the_first_page_starts_nothing_a_page_below_tells_of_its_data(tree
     }
     found = [w.file for w in tree(files).warnings if w.message.startswith("data that a page fetches")]
     assert found == (["walker/docs/quick_start.md"] if told else [])
+
+
+@pytest.mark.parametrize(
+    ("address", "cloned"),
+    [
+        ("git@github.com:them", False),
+        ("https://gitlab.com/them/", False),
+        ("git@github.com:them/odd_sdk.git", True),
+        ("https://code.example.org/odd_sdk", True),  # a host of somebody's own may have no owners
+    ],
+)
+def test_an_owner_alone_is_no_repository(tree: Tree, address: str, *, cloned: bool) -> None:
+    assert bool(told(tree, f"## Installation\n```\ngit clone {address}\n```\n")) == cloned

@@ -12,6 +12,7 @@ from roslab.evidence.dependency import GitSource
 from roslab.evidence.lex.shell import UNKNOWN, Command
 from roslab.evidence.prose import workspaces
 from roslab.evidence.ros.vcs import of_user, served
+from roslab.knowledge.compiled import public_hosts
 from roslab.values.pattern import pattern
 
 _TAKES = frozenset({"checkout", "switch"})
@@ -21,6 +22,7 @@ COMMIT = pattern(r"[0-9a-f]{7,40}")
 _URL = pattern(r"^(?:https?://|git://|ssh://|git@)[^\s/]+[/:]\S+$")
 _OWN_TOKEN = pattern(rf"^(https?://)[^/\s@{UNKNOWN}<]{{0,200}}[{UNKNOWN}<][^/\s@]{{0,200}}@")
 """The start of an address in which the reader writes a token: ``https://$TOKEN@github.com/a/b``."""
+_OWNER = pattern(r"^(?:\w+://)?(?:git@)?([\w.-]+)[/:][^\s/:]+/?$")
 _REF = pattern(r"(?:\w|\{distro\})(?:[\w./-]|\{distro\}){0,200}")
 
 
@@ -47,7 +49,7 @@ def cloned(command: Command, file: str, folder: str, heading: str, *, inside: bo
     words = command.words
     addresses = ((word, _OWN_TOKEN.sub(r"\1", word)) for word in words if _URL.match(word))
     written, url = next((each for each in addresses if UNKNOWN not in each[1] and "<" not in each[1]), ("", ""))
-    if not url or "clone" not in words:
+    if not url or "clone" not in words or _of_owner(url):
         return None
     apart = [part for word in words for part in (word.split("=", 1) if word.startswith("--branch=") else (word,))]
     branch = next((apart[i + 1] for i, w in enumerate(apart[:-1]) if w in {"-b", "--branch"}), None)
@@ -66,6 +68,12 @@ def cloned(command: Command, file: str, folder: str, heading: str, *, inside: bo
         heading=heading,
         beside=workspaces.beside(words[-1] if words[-1] not in {written, url} else "", inside=inside),
     )
+
+
+def _of_owner(url: str) -> bool:
+    """Tell whether an address on a host of public code ends with the name of an owner: the page has a part left out."""
+    match = _OWNER.match(url)
+    return bool(match) and match[1] in public_hosts()
 
 
 def called_in(words: Sequence[str], folder: str, sources: Sequence[GitSource]) -> int | None:
