@@ -682,3 +682,13 @@ def test_what_a_clone_may_hold_is_looked_for_in_what_a_page_lists_as_needed(
     decision = tree(_git(f"{LAB}/mpc") | _package("mpc", needed) | {"README.md": page})
     assert "stack" in {source.name for source in decision.source if not source.holding}
     assert _sought(decision) == ({"https://github.com/other/talking": (needed,)} if looked else {})
+
+
+@pytest.mark.parametrize(("folder", "looked"), [("arm_common", False), ("arm_other", True)])
+def test_a_repository_of_which_the_tree_has_a_copy_is_not_looked_into(tree: Tree, folder: str, looked: bool) -> None:
+    """Its clone would lie in the folder of the copy."""
+    copied = {f"src/{folder}/{path}": text for name in ("arm", "arm_msgs") for path, text in _package(name).items()}
+    own = {f"src/{path}": text for path, text in _package("quad", "arm_sim").items()}
+    page = "# Quad\nROS Noetic, with the model of https://github.com/arms/arm-common\n"
+    found = _sought(tree({**copied, **own, "README.md": page}))
+    assert ("https://github.com/arms/arm-common" in found) is looked

@@ -81,6 +81,8 @@ def with_sought(
     nowhere = {name: asked for name, asked in lacking.items() if not sources.may_hold(name)}
     taken = {address(source.repo or "") for source in (*sources.sources, *sources.submodules)}
     taken |= {address(git.url) for git in evidence.sources if stands_already(git, known, sources.names)}
+    copied = _copied(evidence)
+    taken |= {address(git.url) for git in evidence.sources if plain(git.name) in copied}
     found: list[Source] = []
     reasons = []
     clones = _cloned(cloned, lacking, evidence, taken, known)
@@ -115,6 +117,15 @@ def with_sought(
         why = f"{git.file} takes {', '.join(parts)} out of it"
         reasons.append(because("source", name, why, git, weight=Weight.SOUGHT))
     return replace(choice, answer=replace(sources, sought=tuple(found)), reasons=(*choice.reasons, *reasons))
+
+
+def _copied(evidence: Evidence) -> frozenset[str]:
+    """Return the names of folders in which several packages lie: a repository that is called so was copied there."""
+    held: dict[str, set[str]] = {}
+    for manifest in evidence.manifests:
+        for name in manifest.file.split("/")[:-2]:
+            held.setdefault(plain(name), set()).add(manifest.file)
+    return frozenset(name for name, files in held.items() if len(files) > 1)
 
 
 def folder_for(url: str, others: Iterable[Source]) -> str:
