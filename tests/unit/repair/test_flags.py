@@ -154,6 +154,11 @@ DSO = "/usr/bin/ld: {}: error adding symbols: DSO missing from command line"
             "arm.so: undefined reference to `__atomic_fetch_add_8'",
             ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-latomic", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-latomic"],
         ),
+        (
+            "bus.c:(.text+0x1): undefined reference to `i2c_smbus_read_byte_data'",
+            ["-DCMAKE_CXX_STANDARD_LIBRARIES=-Wl,-li2c", "-DCMAKE_C_STANDARD_LIBRARIES=-Wl,-li2c"],
+        ),
+        ("bus.cpp:(.text+0x1): undefined reference to `i2c_smbus_read_byte_data(int, unsigned char)'", []),
         ("main.cpp:(.text+0x1): undefined reference to `cv::imread(cv::String const&, int)'", []),
         ("main.cpp:(.text+0x1): undefined reference to `timer_callback'", []),
         (
