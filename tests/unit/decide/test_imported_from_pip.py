@@ -50,6 +50,6 @@ def test_a_module_that_the_index_lacks_comes_from_its_repository(tree: Tree) -> 
     ("said", "taken"), [("pytorch3d==0.7.2", "@v0.7.2"), ("pytorch3d>=0.7", ""), ("pytorch3d", "")]
 )
 def test_a_version_that_the_index_lacks_is_the_tag_of_its_repository(tree: Tree, said: str, taken: str) -> None:
-    files = {"requirements.txt": f"torch==1.13.1\n{said}\n", "main.py": "import torch, pytorch3d\n"}
+    files = {"requirements.txt": f"torch==2.4.1\n{said}\n", "main.py": "import torch, pytorch3d\n"}
     asked = [each.written for each in tree(files).python.pip]
     assert f"pytorch3d @ git+https://github.com/facebookresearch/pytorch3d{taken}" in asked

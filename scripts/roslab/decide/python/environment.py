@@ -24,6 +24,7 @@ from roslab.decide.python.extension_code import decide_defines
 from roslab.decide.python.extras import beside_lists
 from roslab.decide.python.fetched import cloned_files, unseen
 from roslab.decide.python.first import first_and_guesses, isolated
+from roslab.decide.python.fitting_tags import fitting_tags
 from roslab.decide.python.framework_pins import framework_pins, one_build
 from roslab.decide.python.given_releases import Loose, gives_way
 from roslab.decide.python.gone_lists import gone_lists
@@ -157,7 +158,7 @@ def decide_python(
     ]
     whole = [file for file in chosen.files if file.file not in repaired.files]
     older = setuptools_of((*everything, *conda_asked, *limits) if manager != "system" else ())
-    in_conda = limits_of(evidence, conda, kind, own.answer)
+    in_conda, held = limits_of(evidence, conda, kind, own.answer), (*everything, *limits, *installed_by_conda)
     chosen = replace(chosen, guessed=tuple(each for each in chosen.guessed if not in_python(each, runs)))
     compiled_first, guessed = first_and_guesses(
         (*declared, *manifests, *native.answer.brought), chosen, interpreter, cmake=manager != "system"
@@ -181,9 +182,11 @@ def decide_python(
         manager=manager,
         day=evidence.pip_day if everything or lists.python2 or chosen.built_with else None,
         interpreter=interpreter,
-        pip=tuple(dict.fromkeys(declared)),
-        pip_tried=repaired.tried,
-        pip_guessed=tuple(dict.fromkeys((*one_build(right(guessed), cuda), *part.tried))),
+        pip=tuple(dict.fromkeys(fitting_tags(declared, held, evidence.pip_day))),
+        pip_tried=tuple(fitting_tags(repaired.tried, held, evidence.pip_day)),
+        pip_guessed=tuple(
+            dict.fromkeys((*one_build(fitting_tags(right(guessed), held, evidence.pip_day), cuda), *part.tried))
+        ),
         by_name=chosen.by_name,
         requirements=tuple(file.file for file in whole),
         beside_files=beside_lists(right(chosen.guessed), whole),
