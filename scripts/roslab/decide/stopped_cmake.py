@@ -25,7 +25,16 @@ def left_to_python(evidence: Evidence) -> bool:
 
 
 def told_of_stop(evidence: Evidence, kind: Kind) -> Iterator[Warning_]:
-    """Yield a warning for the folder that a plain project adds and the tree does not have."""
+    """Yield a warning for the folder or file that a plain project adds or compiles and the tree does not have."""
+    if kind not in {"ros1", "ros2"}:
+        yield from (
+            warn(
+                f"CMake compiles {path}, which the tree does not have: it is configured with -D{option}=OFF, and makes "
+                "nothing of what that option is for; add the file, or correct the path",
+                Place(file=project.file, line=line),
+            )
+            for project, option, path, line in options_that_lack(evidence)
+        )
     stopped = _stopped(evidence) if kind not in {"ros1", "ros2"} else None
     if stopped and (kind == "cpp" or left_to_python(evidence)):
         project, (lacks, line, hint) = stopped
@@ -33,11 +42,20 @@ def told_of_stop(evidence: Evidence, kind: Kind) -> Iterator[Warning_]:
         yield warn(f"{lacks}: {then}; {hint}", Place(file=project.file, line=line))
 
 
+def options_that_lack(evidence: Evidence) -> Iterator[tuple[CMakeProject, str, str, int]]:
+    """Yield the options of the plain project at the top for which it compiles code that the tree does not have."""
+    top = top_of(evidence)
+    folder = posixpath.dirname(top.file) if top else ""
+    for project in evidence.cmake if top else ():
+        if project is top or (project.always and project.top == folder):
+            yield from ((project, *each) for each in project.lacking)
+
+
 def _stopped(evidence: Evidence) -> tuple[CMakeProject, tuple[str, int, str]] | None:
     top = top_of(evidence)
     folder = posixpath.dirname(top.file) if top else ""
     for project in evidence.cmake if top else ():
         ours = project is top or (project.always and project.top == folder)
-        if ours and project.absent and (found := stopping(project)):
+        if ours and (project.absent or project.without) and (found := stopping(project)):
             return project, found
     return None

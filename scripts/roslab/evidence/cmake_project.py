@@ -79,6 +79,8 @@ class CMakeProject:
     """None of the files of code that its programs, else its libraries name is there: it cannot be built by itself."""
     without: tuple[tuple[str, int], ...] = ()
     """Of these the ones that are not there and that it names in any case, each with its line: CMake stops at them."""
+    lacking: tuple[tuple[str, str, int], ...] = ()
+    """Options, on by themselves, for which it compiles a file that is not there, each with that file and its line."""
     parts: tuple[tuple[str, int], ...] = ()
     """Folders and files of its author's computer that it adds, includes or links in any case, each with its line."""
     absent: tuple[tuple[str, int], ...] = ()

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from roslab.config.model import BuildTool, Config, Source
 from roslab.decide.ros.part_builds import ONLY, builds, by_script, configured, to_whole
 from roslab.decide.ros.source_names import plain
+from roslab.decide.stopped_cmake import options_that_lack
 from roslab.decide.system.switches import given
 from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
@@ -50,7 +51,7 @@ def own_options(evidence: Evidence, config: Config, folder_name: str, build_tool
         return ()
     said = [word for word in _said(evidence, config, folder_name) if word.startswith("-D")]
     own = tuple(word for word in said if _OWN.fullmatch(word)) if said else _by_author(evidence, config)
-    return (*meant, *own, *_of_programs(evidence, config, own))
+    return (*meant, *own, *_of_programs(evidence, config, own), *_without_code(evidence, config, own))
 
 
 def _handed(evidence: Evidence) -> Iterator[str]:
@@ -72,6 +73,13 @@ def _of_programs(evidence: Evidence, config: Config, own: tuple[str, ...]) -> tu
     asked = () if config.compatible else (m.value for m in evidence.mentions if m.topic == "asked_option")
     options = [f"-D{name}=ON" for name in dict.fromkeys(asked) if f"-D{name}" not in said]
     return tuple(option for option in options if _OWN.fullmatch(option) and not _GPU.match(option))
+
+
+def _without_code(evidence: Evidence, config: Config, own: tuple[str, ...]) -> Iterator[str]:
+    """Yield what turns off the options for which CMake compiles code that the tree does not have."""
+    said = {word.partition("=")[0].partition(":")[0] for word in own}
+    lacking = () if config.compatible else dict.fromkeys(option for _, option, _, _ in options_that_lack(evidence))
+    yield from (f"-D{option}=OFF" for option in lacking if f"-D{option}" not in said)
 
 
 def _of_workspace(evidence: Evidence, config: Config, build_tool: BuildTool) -> tuple[str, ...]:

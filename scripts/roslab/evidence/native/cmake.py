@@ -178,6 +178,7 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
     own = reading.libraries | reading.executables.keys() | {reading.name}
     by_itself = own - (reading.libraries - reading.made.keys())  # a target may be no more than the file of a library
     always = above.always or file.folder not in added
+    lacking = reading.lacking(text, file.folder, repository) if always else ()
     return CMakeProject(
         file=file.path,
         line=1,
@@ -233,6 +234,7 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
         parts=tuple(authors_parts(text, repository)) if always else (),
         absent=tuple(absent_folders(text, file.path, repository)) if always else (),
         without=code_not_there(reading.always, text, file.folder, repository) if always else (),
+        lacking=lacking,
     )
 
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.lex.cmake import Call
+from roslab.evidence.native.installed_paths import code_not_there
 from roslab.evidence.native.made_targets import TARGET
 from roslab.evidence.native.outside import outside_of_workspaces
 from roslab.evidence.native.program_folders import ProgramFolders
+from roslab.repository.checkout import Repository
 from roslab.values.dataclass import dataclass, field, replace
 from roslab.values.pattern import pattern
 
@@ -54,6 +56,8 @@ class Reading:
     """Files of code that programs name, relative to this one's folder."""
     always: dict[str, int] = field(default_factory=dict)
     """Those that a program or a library names as they are and in any case, with their lines."""
+    under: dict[str, dict[str, int]] = field(default_factory=dict)
+    """Those that are named so where an option is on, which it is by itself, by its name."""
     compiled: set[str] = field(default_factory=set)
     """Those that libraries name."""
     dependencies: list[Dependency] = field(default_factory=list)
@@ -114,9 +118,25 @@ class Reading:
         self.tests = True
 
     def _code(self, call: Call) -> None:
-        """Note the files that a program or a library is compiled from in any case."""
-        if not (call.conditions or call.in_function or "IMPORTED" in call.words):
+        """Note the files that a program or a library is compiled from in any case, or where one option is on."""
+        on = call.conditions[0].removeprefix("ON ") if len(call.conditions) == 1 else ""
+        of_option = bool(on) and call.conditions == (f"ON {on}",)
+        if not (call.conditions and not of_option) and not (call.in_function or "IMPORTED" in call.words):
+            found = self.under.setdefault(on, {}) if of_option else self.always
             for word in call.written[1:]:
                 path = _HERE.sub("", word)
                 if _CODE.fullmatch(path):
-                    self.always.setdefault(path, call.line)
+                    found.setdefault(path, call.line)
+
+    def lacking(self, text: str, folder: str, repository: Repository) -> tuple[tuple[str, str, int], ...]:
+        """Return the options for which code is compiled that the tree does not have, each with the first such file.
+
+        The programs that wait for one of them are no longer among those that are made. ``text``: the whole file, in
+        ``folder``.
+        """
+        found = ((on, code_not_there(code, text, folder, repository)) for on, code in self.under.items())
+        lacking = tuple((on, *code[0]) for on, code in found if code)
+        for name, option in self.optional if lacking else ():
+            if any(option == on for on, _, _ in lacking):
+                self.executables.pop(name, None)
+        return lacking

@@ -67,6 +67,9 @@ def not_there(found: Iterable[InstalledPath], text: str, repository: Repository)
     return () if lacking and _WRITES.search(text) else lacking
 
 
+_COMPILES = pattern(r"\badd_(?:executable|library)\s{0,9}\(([^()]{0,4000})\)", re.IGNORECASE)
+
+
 def code_not_there(
     found: Mapping[str, int], text: str, folder: str, repository: Repository
 ) -> tuple[tuple[str, int], ...]:
@@ -80,9 +83,15 @@ def code_not_there(
         (path, line)
         for path, (name, line) in paths.items()
         if not (path.startswith(("..", *modules)) or repository.may_have(path))
-        if text.count(posixpath.basename(name)) == 1
+        if _only_compiled(posixpath.basename(name), text)
     )
     return () if lacking and _WRITES.search(text) else lacking
+
+
+def _only_compiled(name: str, text: str) -> bool:
+    """Tell whether all that a file of CMake does with another one is to compile it: else it may make it."""
+    times = text.count(name)
+    return times == 1 or times == sum(words.count(name) for words in _COMPILES.findall(text))
 
 
 def _submodules(repository: Repository) -> tuple[str, ...]:

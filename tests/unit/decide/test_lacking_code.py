@@ -1,0 +1,57 @@
+"""A plain project of CMake that compiles code which the tree does not have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslab.decide.decision import Decision
+
+Tree = Callable[[dict[str, str]], Decision]
+OPTION = 'option(SAMPLES "programs" ON)\nif(SAMPLES)\n{}endif()\n'
+PROGRAMS = "add_executable(show show.cpp lib/glad.c)\nadd_executable(film film.cpp lib/glad.c)\n"
+
+
+def decided(tree: Tree, cmake: str, readme: str = "# Demo\n") -> tuple[Decision, list[str]]:
+    files = {"CMakeLists.txt": f"project(demo)\nadd_library(core core.cpp)\n{cmake}", "README.md": readme}
+    decision = tree(files | dict.fromkeys(("core.cpp", "show.cpp", "film.cpp"), "int main() {}\n"))
+    return decision, [each.message for each in decision.warnings if "which the tree does not have" in each.message]
+
+
+def test_the_option_for_which_it_is_compiled_is_off(tree: Tree) -> None:
+    decision, told = decided(tree, OPTION.format(PROGRAMS))
+    assert decision.cmake_options == ("-DSAMPLES=OFF",)
+    assert decision.command == ("bash",)
+    why = "it is configured with -DSAMPLES=OFF, and makes nothing of what that option is for"
+    assert told == [
+        f"CMake compiles lib/glad.c, which the tree does not have: {why}; add the file, or correct the path"
+    ]
+
+
+@pytest.mark.parametrize(
+    "cmake",
+    [
+        OPTION.format(PROGRAMS.replace(" lib/glad.c", "")),
+        OPTION.format(f"configure_file(glad.c.in lib/glad.c)\n{PROGRAMS}"),
+        OPTION.format(PROGRAMS).replace(" ON)", " OFF)"),
+        OPTION.format(PROGRAMS.replace("lib/glad.c", "${GLAD}/glad.c")),
+        f"if(UNIX)\n{PROGRAMS}endif()\n",
+    ],
+)
+def test_an_option_stays_where_all_is_there_or_may_be(tree: Tree, cmake: str) -> None:
+    decision, told = decided(tree, cmake)
+    assert "-DSAMPLES=OFF" not in decision.cmake_options
+    assert told == []
+
+
+def test_it_stays_as_a_page_has_it(tree: Tree) -> None:
+    decision, _ = decided(tree, OPTION.format(PROGRAMS), "# Demo\n```\ncmake -DSAMPLES=ON .\nmake\n```\n")
+    assert decision.cmake_options == ("-DSAMPLES=ON",)
+
+
+def test_it_is_told_where_it_is_compiled_in_any_case(tree: Tree) -> None:
+    _, told = decided(tree, PROGRAMS)
+    assert told == [
+        "CMake compiles lib/glad.c, which the tree does not have: cmake will stop; add the file, or correct the path"
+    ]
