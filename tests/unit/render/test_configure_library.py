@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -54,6 +55,41 @@ def test_an_option_that_the_page_gives_stays(tmp_path: Path) -> None:
     given = ("-DACME_BUILD_TESTS=ON", "-DPYTHON_BINDING:BOOL=ON", "-Dbuild_examples=ON")
     code, said, calls = configured(tmp_path, *given, works_with="-DACME_BUILD_TESTS=OFF")
     assert (code, said, calls) == (1, "", [f"{' '.join(given)} ../"])
+
+
+CONFIG = """\
+cmake_minimum_required(VERSION 3.5)
+project(acme NONE)
+set(HEADERS "${{PROJECT_SOURCE_DIR}}/{}")
+file(WRITE "${{PROJECT_BINARY_DIR}}/config.in" "set(ACME_INCLUDE_DIRS @HEADERS@)\n")
+configure_file("${{PROJECT_BINARY_DIR}}/config.in" "${{PROJECT_BINARY_DIR}}/acmeConfig.cmake" @ONLY)
+configure_file("${{PROJECT_BINARY_DIR}}/config.in" "${{PROJECT_BINARY_DIR}}/acmeOther.cmake" @ONLY)
+install(DIRECTORY include/ DESTINATION include)
+install(FILES "${{PROJECT_BINARY_DIR}}/acmeConfig.cmake" DESTINATION lib/cmake/acme)
+"""
+
+
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="CMake writes what is installed")
+@pytest.mark.parametrize(
+    ("headers", "options", "named"),
+    [
+        ("include", (), "/usr/local/include"),
+        ("include/acme", ("-DCMAKE_INSTALL_PREFIX=/opt/acme",), "/opt/acme/include/acme"),
+        ("includes", (), "{source}/includes"),
+    ],
+)
+def test_what_is_installed_names_the_headers_that_are(
+    tmp_path: Path, headers: str, options: tuple[str, ...], named: str
+) -> None:
+    source = tmp_path / "a.b"
+    (source / "include").mkdir(parents=True)
+    (source / "CMakeLists.txt").write_text(CONFIG.format(headers))
+    build = source / "build"
+    build.mkdir()
+    done = subprocess.run(["bash", str(SCRIPT), *options, "../"], cwd=build, capture_output=True, text=True, check=True)
+    assert (build / "acmeConfig.cmake").read_text() == f"set(ACME_INCLUDE_DIRS {named.format(source=source)})\n"
+    assert (build / "acmeOther.cmake").read_text() == f"set(ACME_INCLUDE_DIRS {source}/{headers})\n"
+    assert ("acmeConfig.cmake names the headers" in done.stdout) is (headers != "includes")
 
 
 @pytest.mark.parametrize(

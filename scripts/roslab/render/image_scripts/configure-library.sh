@@ -11,6 +11,8 @@
 # Where it still fails, it is configured once more without what its own options leave out and nothing
 # links: bindings for other languages, tests, examples, benchmarks, documentation. Options that are given stay as they are.
 # Where it fails in the end, what CMake did not find is told in a line.
+# Files that it then has CMake install, and that name headers in its sources, name those that are installed: the sources
+# are in no image.
 set -euo pipefail
 
 part='(.*_)?(PYTHON[0-9]*|MATLAB|OCTAVE|JAVA|(PY)?BINDINGS?|TEST(S|ING)?|EXAMPLES?|DEMOS?|SAMPLES?|TUTORIALS?'
@@ -54,9 +56,24 @@ if [ -d "${source}" ] && [ ! -e "${source}/CMakeLists.txt" ]; then
   set -- "${@:1:$#-1}" "${source}"
 fi
 
+# A project that writes one NAMEConfig.cmake for its build folder and for what is installed gives the folders of the first
+with_installed_headers() {
+  local sources prefix file
+  if [ ! -e CMakeCache.txt ]; then return; fi
+  sources="$(realpath "${source}" | sed 's/[][\.*^$#]/\\&/g')"
+  prefix="$(sed --quiet 's/^CMAKE_INSTALL_PREFIX:[A-Z]*=//p' CMakeCache.txt)"
+  while IFS='' read -r file; do
+    if [[ "${file}" != "${PWD}"/* ]] || ! grep --quiet --no-messages "${sources}/include\b" "${file}"; then continue; fi
+    sed --in-place --regexp-extended "s#${sources}/include\b#${prefix}/include#g" "${file}"
+    echo "roslab: ${file##*/} names the headers that are installed, not those in the sources"
+  done < <(find . -name cmake_install.cmake -exec grep --no-filename --only-matching --extended-regexp '"/[^"]+\.(cmake|pc)"' {} + |
+    tr --delete '"' | LC_ALL=C sort --unique)
+}
+
 log="$(mktemp)"
 ended() {
   local code=$? lacking
+  if [ "${code}" -eq 0 ]; then with_installed_headers || true; fi
   lacking="$(
     sed --quiet --regexp-extended \
       -e 's/.*By not providing "Find([^"]+)\.cmake".*/\1/p' \
