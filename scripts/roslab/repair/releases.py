@@ -9,6 +9,7 @@ from roslab.decide.python.bounds import excluded
 from roslab.explain.answer import Explanation
 from roslab.knowledge.distros import python_of_ubuntu
 from roslab.knowledge.removals import removals
+from roslab.repair.asked import FRAME
 from roslab.repair.change import Given, Worked
 from roslab.values.name import canonicalize_name
 from roslab.values.origin import Place
@@ -20,6 +21,7 @@ from roslab.values.version import Version, version_of
 _PIN = pattern(r"==\s*(?P<release>\d[\w.!+]{0,60})$")
 _CUT = "…"
 """What stands in place of the middle of a long line."""
+_INSTALLED = pattern(r"/(?:site|dist)-packages/")
 _LISTED = pattern(r"\(from versions: (?P<versions>[^)\n]{1,20000})\)")
 
 
@@ -97,7 +99,11 @@ def _listed(log: str, name: str, release: str, wanted: Version) -> list[Version]
 
 
 def dropped(found: Explanation, given: Given) -> Worked:
-    """Take a release that still has what was dropped, if this Python has one and nobody asks for another release."""
+    """Take a release that still has what was dropped, if this Python has one.
+
+    What the repository asks for stays, but a line of a list gives way to roslab.yaml's where it is an installed package
+    that misses what was dropped: then the list contradicts itself.
+    """
     names = dict(found.names)
     limit, newest = names.get("limit", ""), names.get("newest_python", "")
     python = given.plan.python.version or python_of_ubuntu().get(given.plan.ubuntu or "", "")
@@ -105,8 +111,11 @@ def dropped(found: Explanation, given: Given) -> Worked:
         other = "the code needs a newer version" if given.plan.ros_distro else f"`base.python: '{newest}'` has one"
         return Worked(why=f"{limit} has no wheel for Python {python}: {other}")
     asked, bound = tuple(_installed(given)), stated(limit)
+    frames = [match["file"] for match in FRAME.finditer(found.log)]
+    contradicted = bool(frames) and _INSTALLED.search(frames[-1]) is not None
+    lists = {each.file for each in given.evidence.requirements}
     for line in asked:
-        if excluded(bound, (line,)):
+        if excluded(bound, (line,)) and not (contradicted and line.file in lists):
             place = Place(file=line.file, line=line.line)
             return Worked(why=f"{place} asks for {line.written}: take a release of {limit} there")
     with_it = next((each.beside for each in removals() if each.having == limit), None)

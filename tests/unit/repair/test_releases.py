@@ -164,6 +164,7 @@ ESCAPE = "ImportError: cannot import name 'escape' from 'jinja2' (/opt/venv/jinj
 JOBLIB = "ModuleNotFoundError: No module named 'sklearn.externals.joblib'"
 BLUR = "ImportError: cannot import name 'gaussian_blur2d' from 'kornia' (/opt/venv/kornia/__init__.py)"
 APPEND = "AttributeError: 'DataFrame' object has no attribute 'append'"
+FLASK = '  File "/opt/venv/lib/python3.10/site-packages/flask/__init__.py", line 19, in <module>\n'
 TRACE = 'Traceback (most recent call last):\n  File "/home/jovyan/robot/main.py", line 1, in <module>\n'
 
 
@@ -180,6 +181,7 @@ TRACE = 'Traceback (most recent call last):\n  File "/home/jovyan/robot/main.py"
         ),
         ("jinja2>=3.1", "3.10", ESCAPE, "not: requirements.txt:1 asks for jinja2>=3.1: take a release of jinja2<3.1"),
         ("jinja2==2.11.3", "3.10", ESCAPE, "jinja2<3.1"),
+        ("flask==1.1.2\njinja2==3.1.4", "3.10", FLASK + ESCAPE, "jinja2<3.1"),
         ("scikit-learn", "3.8", JOBLIB, "scikit-learn<0.23, numpy<2"),
         ("kornia", "3.10", BLUR, "kornia<0.6, numpy<2"),
         ("kornia", "3.10", "AttributeError: module 'kornia' has no attribute 'ssim'", "kornia<0.6, numpy<2"),
