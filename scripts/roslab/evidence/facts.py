@@ -179,7 +179,8 @@ class Mention:
     inside: str = ""
     """Of a command: the folder of the tree that it has to be started in; of what is fetched: the script; of an archive
     for the home and a variable with a place in it: the file of the tree that names or reads it; of a folder of CUDA
-    that CMake names: what says little of the version; of what writes code: the folder to start it in."""
+    that CMake names: what says little of the version; of what writes code: the folder to start it in; of a script that
+    compiles: ``apt`` where it installs packages first."""
     variables: tuple[str, ...] = ()
     """Of a command: the variables that it is started with, ``NAME=VALUE``."""
 

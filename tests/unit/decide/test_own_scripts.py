@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.decide.system.run_by_pages import WITHOUT_APT
 
 Tree = Callable[[dict[str, str]], Decision]
 CODE = {"play.py": "import numpy\n"}
@@ -23,6 +24,12 @@ MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https
         ({"lib/make.sh": MAKE}, "cd demo/lib && ./make.sh 3\n", [("lib", "lib/make.sh", "bash make.sh 3")]),
         ({"build.py": "run('cmake ..')\n"}, "python build.py\n", [("", "build.py", "python3 build.py")]),
         ({"lib/make.sh": "sudo make install\n"}, "bash lib/make.sh\n", []),
+        ({"build.sh": "sudo apt-get update && sudo make install\n"}, "./build.sh\n", []),
+        (
+            {"build.sh": "sudo apt-get install -y libeigen3-dev cmake\nmkdir -p build\ncd build\ncmake ..\nmake\n"},
+            "./build.sh\n",
+            [("", "build.sh", f"{WITHOUT_APT} && bash build.sh")],
+        ),
         ({"build_data.py": "import numpy\n"}, "python build_data.py\n", []),
         ({"make_video.py": "import numpy  # make a video\ncmd = 'ffmpeg make'\n"}, "python make_video.py\n", []),
         (

@@ -10,6 +10,7 @@ from roslab.config.model import Config, Kind
 from roslab.decide.decision import OwnScript
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.prose.own_scripts import BY_APT
 from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.pattern import pattern
 
@@ -22,6 +23,8 @@ ASIDE = pattern(
 )
 """Words of a heading whose scripts the image does not run."""
 _PLAIN = pattern(r"[\w./=+-]+")
+WITHOUT_APT = "sudo() { :; } && apt() { :; } && apt-get() { :; } && export -f sudo apt apt-get"
+"""What a script calls for its packages does nothing: the image has them, and the user of this step may install none."""
 
 
 def by_author(config: Config) -> bool:
@@ -81,4 +84,6 @@ def script_of(mention: Mention, absent: tuple[str, ...], unread: re.Pattern[str]
             return None
     program = "bash" if script.endswith(SHELL_SCRIPTS) else "python3"
     command = shlex.join((program, posixpath.relpath(path, folder or "."), *words))
+    if mention.inside == BY_APT:
+        command = f"{WITHOUT_APT} && {command}"
     return OwnScript(folder=folder, path=path, command=command)

@@ -43,6 +43,14 @@ _ASKS = pattern(
     r"xcodebuild|emcc|idf\.py)\b|\bread\s+-|\binput\(|rm\s+-rf?\s+[/~]"
 )
 """What a script must not do: ask for privileges or for an answer, fetch, or build something else than a library."""
+_APT = pattern(
+    r"^[ \t]*(?:sudo[ \t]+)?apt(?:-get)?[ \t]+(?:-\S+[ \t]+){0,4}(?:update|upgrade|install)"
+    r"(?:[ \t]+[\w.+:=~-]+)*[ \t]*$",
+    re.MULTILINE,
+)
+"""A line that only installs packages, which are read elsewhere."""
+BY_APT = "apt"
+"""What such a script calls besides: the image has its packages."""
 
 
 def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
@@ -56,8 +64,10 @@ def checked(mention: Mention, repository: Repository) -> Iterator[Mention]:
         if not repository.has(path):
             continue
         text = repository.read(path, limit=MAX_SIZE)
-        if (builds_in_place((script, *words)) or _compiles(path, text)) and not _ASKS.search(text):
-            yield replace(mention, value=" ".join((start or ".", script, *words)), files=(path,))
+        rest = _APT.sub("", text) if script.endswith(SHELL_SCRIPTS) else text
+        if (builds_in_place((script, *words)) or _compiles(path, text)) and not _ASKS.search(rest):
+            inside = BY_APT if rest != text else ""
+            yield replace(mention, value=" ".join((start or ".", script, *words)), files=(path,), inside=inside)
         return
     yield mention
 
