@@ -86,7 +86,7 @@ def problems(
     compiled = (each for each in native if _compiles(each[1] or "", evidence, build_tool, projects))
     first = next(compiled, None)
     shown = (native[0] if dockerfile else first or native[0]) if native else None
-    for message, file, line in evidence.problems:
+    for message, file, line in dict.fromkeys(evidence.problems):
         what = ""
         if told([(message, file, line)]):
             if (message, file, line) != shown:
@@ -103,7 +103,9 @@ def _compiles(file: str, evidence: Evidence, build_tool: BuildTool, projects: Co
         called = {each for made in evidence.makefiles for each in (made.folder, *made.parts)}
         return folder in called or any(f"{folder}/".startswith(f"{each}/".lstrip("/")) for each in called)
     by_pip = any(each.extensions and (each.folder or ".") in projects for each in evidence.python)
-    return (build_tool not in {"none", "pip", "conda"} and file not in unreached(evidence, by_page=False)) or by_pip
+    by_script = build_tool in {"pip", "conda"} and any(m.topic == "build_script" and m.files for m in evidence.mentions)
+    by_tool = build_tool not in {"none", "pip", "conda"} and file not in unreached(evidence, by_page=False)
+    return by_tool or by_pip or by_script
 
 
 def _below(file: str, folders: set[str]) -> bool:

@@ -10,11 +10,15 @@ from roslab.evidence.facts import Mention
 from roslab.evidence.python_project import PythonProject
 from roslab.knowledge.frameworks import released_on
 from roslab.repository.checkout import Repository
+from roslab.values.pattern import pattern
 from roslab.values.requirement import Requirement
 
 if TYPE_CHECKING:
     from roslab.evidence.python.setup_py import SetupScript  # it imports Python's own parser
 
+MAX_SIZE = 64 * 1024
+_LINKS = pattern(r"[\"']-l([A-Za-z]\w+)[\"']")
+_MADE = pattern(r"(?im)^[ \t]*add_library[ \t]*\([ \t]*([A-Za-z]\w*)(?=\s)")
 _TOLD = frozenset({"packages", "py_modules", "ext_modules", "package_dir", "pbr", "**"})
 """Arguments of ``setup`` beside which setuptools looks for no packages.
 
@@ -37,6 +41,8 @@ def why_stopped(repository: Repository, folder: str, script: SetupScript, *, set
             return f"setup.py reads {path}, which is not there"
     if script.history:
         return f"setup.py stops where `{script.history}` finds no commit, and an image has no history"
+    if "ext_modules" in script.arguments and not script.commands and (made := _linked(repository, folder)):
+        return f"setup.py links {made}, which CMakeLists.txt beside it compiles, and pip does not"
     beside = any(repository.has(posixpath.join(folder, name)) for name in ("setup.cfg", "pyproject.toml"))
     programs = {"entry_points", "scripts"} & script.arguments
     looks = setuptools and not (
@@ -64,6 +70,15 @@ def why_refused(data: Mapping[str, Any], wrong: tuple[str, int] | None) -> str:
             "tool.hatch.build.targets.wheel.packages of pyproject.toml is no list of folders, and hatchling refuses it"
         )
     return ""
+
+
+def _linked(repository: Repository, folder: str) -> str:
+    """Return the first library that a setup.py hands the linker (``-lplanner``) and that CMake makes beside it."""
+    lists = posixpath.join(folder, "CMakeLists.txt")
+    text = repository.read(posixpath.join(folder, "setup.py"), limit=MAX_SIZE)
+    named = dict.fromkeys(_LINKS.findall(text)) if _LINKS.search(text) and repository.has(lists) else ()
+    made = {*_MADE.findall(repository.read(lists, limit=MAX_SIZE))} if named else set()
+    return next((name for name in named if name in made), "")
 
 
 def _in_submodule(repository: Repository, path: str) -> bool:
