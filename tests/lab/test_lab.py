@@ -93,6 +93,7 @@ def test_ros_1_builds_and_resolves_without_a_network(lab: Laboratory, tmp_path: 
         'SHELL ["/bin/bash", "-c"]',
         "RUN source /opt/ros/$ROS_DISTRO/setup.bash && rospack find roscpp && rosversion -d",
         "RUN rosdep update --rosdistro $ROS_DISTRO && rosdep resolve roscpp eigen && ! rosdep resolve no_such_package",
+        "RUN dpkg-query --show ros-$ROS_DISTRO-catkin",
         'RUN test -z "$(ls /var/lib/apt/lists)" && apt-get update',
         "RUN apt-get install -y --no-install-recommends ros-$ROS_DISTRO-tf2-ros python3-catkin-tools",
         "RUN catkin --version",
