@@ -8,6 +8,7 @@ from roslab.config.addition import Entry, has
 from roslab.decide.programs import owner
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.system.left_out import SKIP, needing
+from roslab.decide.system.required import asking
 from roslab.explain.answer import Answer, Explanation
 from roslab.knowledge.repairs import SKIP as KEY
 from roslab.plan.ros_build import WORKSPACE
@@ -18,9 +19,12 @@ from roslab.repair.change import Asked, Change, Given
 from roslab.repair.needs import Needs, needs
 from roslab.repair.said import by_machine, said
 from roslab.values.dataclass import dataclass
+from roslab.values.pattern import pattern
 
 _SHARE = 2
 """Where a shell is started, one of so many packages may be left out: of more, something else is wrong."""
+_LIBRARY = pattern(r"(?m)^roslab: (\S{1,100}) of [^\n]{1,600} cannot be (?:cloned|compiled): the build stops")
+"""What the build says of a library that it builds from source, and in which it stopped."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -37,7 +41,8 @@ def left_out(answer: Answer, given: Given) -> Left:
     Of a plain CMake project it is all but the default command's program.
     Each step that failed must have stopped in packages of the repository alone, by no fault of the network or the
     machine, and the default command, its launch files and the tests must need none of them, nor of those that cannot be
-    built without them. Where a shell is started, nothing that remains may need them.
+    built without them. Where a shell is started, nothing that remains may need them. So it is with the packages whose
+    CMake asks for a library from source in which the build stopped.
     """
     if program := alone(answer, given):
         return Left(changes=program)
@@ -46,7 +51,7 @@ def left_out(answer: Answer, given: Given) -> Left:
         return Left()
     failed: dict[str, Explanation] = {}
     for found in answer.explanations:
-        names = _packages(found, given)
+        names = _packages(found, given) or _asking(found, given)
         if not names or by_machine(found):
             return Left()
         failed |= {name: found for name in names if name not in failed}
@@ -86,6 +91,18 @@ def _packages(found: Explanation, given: Given) -> tuple[str, ...]:
     return tuple(dict.fromkeys(names))
 
 
+def _asking(found: Explanation, given: Given) -> tuple[str, ...]:
+    """Return the packages that ask for the library in whose stage a step stopped, if it did in one."""
+    library = _library(found)
+    by_name = asking(given.evidence, packages_of(given.evidence), (library,)) if library else {}
+    return by_name.get(library, ())
+
+
+def _library(found: Explanation) -> str:
+    match = None if found.packages else _LIBRARY.search(found.log)
+    return match[1] if match else ""
+
+
 def _kept(needed: Needs, failed: Collection[str], going: Collection[str], before: int) -> str:
     """Return why packages must be built, ``""`` if the image is of use without them."""
     stopped = f"{', '.join(sorted(failed))} {'does' if len(failed) == 1 else 'do'} not compile"
@@ -108,7 +125,9 @@ def _change(
     name: str, found: Explanation, given: Given, *, others: Collection[str], reason: str, whole: bool
 ) -> Change:
     folder = next(m.file.rpartition("/")[0] for m in packages_of(given.evidence).built if m.name == name)
-    what, place = said(found, given, folder, whole=whole)
+    library = _library(found)
+    what, place = said(found, given, "" if library else folder, whole=whole)
+    stops = f"needs {library}, which cannot be built" if library else "does not compile"
     at = f" at {place}" if place else ""
     more = f"; with it {', '.join(others)}, which cannot be built without it" if others else ""
     return Change(
@@ -117,7 +136,7 @@ def _change(
         failure=found.id or "",
         certain=True,
         asked=Asked(what=what, place=place),
-        why=f"does not compile: {what}{at}; {reason}{more}",
+        why=f"{stops}: {what}{at}; {reason}{more}",
     )
 
 

@@ -213,3 +213,36 @@ def test_what_is_no_fault_of_the_repository_s_packages_leaves_nothing_out(tmp_pa
 )
 def test_not_twice_and_not_of_what_the_author_builds(tmp_path: Path, config: str, files: dict[str, str]) -> None:
     assert left(tmp_path, {**TWO, **DEMO, **files}, CODE, config) == Left()
+
+
+SIGHT = {
+    **TWO,
+    "arm_extra/CMakeLists.txt": "project(arm_extra)\nfind_package(catkin REQUIRED)\nfind_package(acme-sight REQUIRED)\n"
+    "catkin_package()\nadd_executable(arm_extra_node main.cpp)\n",
+    "arm_extra/README.md": "Compile https://github.com/acme/acme-sight.\n",
+}
+STOPS = (
+    "roslab: {} of https://github.com/acme/acme-sight, which arm_extra/README.md:1 names, cannot be {}: the build stops"
+)
+
+
+@pytest.mark.parametrize(
+    ("page", "library", "step", "value"),
+    [
+        (DEMO, "acme-sight", "compiled", "arm_extra"),
+        (DEMO, "acme-sight", "cloned", "arm_extra"),
+        ({"README.md": DEMO["README.md"].replace("demo", "extra")}, "acme-sight", "compiled", ""),  # it is started
+        (DEMO, "acme-hand", "compiled", ""),  # no package asks for it
+        ({**package("arm_third"), "README.md": "# Arm\n"}, "acme-sight", "compiled", "arm_extra"),  # a shell is started
+    ],
+)
+def test_what_asks_for_a_library_in_which_the_build_stopped(
+    tmp_path: Path, page: dict[str, str], library: str, step: str, value: str
+) -> None:
+    error = "/tmp/sources/acme-sight/a.cpp:3:10: fatal error: Missing.h: No such file or directory"
+    found = left(tmp_path, {**SIGHT, **page}, log(error, f"{STOPS.format(library, step)}, see above why"))
+    assert [change.value for change in found.changes] == [value] * bool(value)
+    for change in found.changes:
+        assert change.why.startswith(f"needs {library}, which cannot be built: ")
+        tree_of(tmp_path / "robot", {"roslab.yaml": f"format: 3\nskip_packages: [{value}]\n"})
+        assert plan_repository(tmp_path / "robot").plan.libraries == ()
