@@ -131,13 +131,16 @@ def _with_modules(
 
     ``taken``: addresses of what is cloned anyway.
     """
+    links = linked_of_owner(evidence)
     found = [*choice.answer.sought]
     sought = {name for each in found for name in each.holding}
-    asked = tuple(each for each in modules_of_links(evidence, installed) if each.name not in sought)
+    asked = tuple(each for each in modules_of_links(evidence, installed) if each.name not in sought) if links else ()
+    if not asked:
+        return choice
     modules = tuple(each.name for each in asked)
     date = dated(evidence)
     reasons = []
-    for git in linked_of_owner(evidence) if asked else ():
+    for git in links:
         at = next((i for i, each in enumerate(found) if address(each.repo or "") == address(git.url)), None)
         if at is not None:
             found[at] = replace(found[at], holding=(*found[at].holding, *modules))
