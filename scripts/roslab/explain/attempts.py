@@ -41,4 +41,5 @@ def lacks(names: Iterable[tuple[str, str]], attempt: Attempt) -> bool:
 
     That failure is then only what follows from why it was left out.
     """
-    return any(not attempt.without.isdisjoint((value, value.partition("/")[0])) for _, value in names)
+    words = (word for _, value in names for word in value.split(", "))
+    return any(not attempt.without.isdisjoint((word, word.partition("/")[0])) for word in words)
