@@ -6,7 +6,8 @@
 # be built by itself is built beside what is there (torch); `--no-build-isolation=PACKAGE` is built so first.
 # `--no-deps=PACKAGE` is installed without what it asks for. `--editable=git+URL` is cloned and installed from its
 # folder, which stays; where that fails, as any other. What asks for something that cannot be had is installed without
-# it. The others are named and left out. A program that a build lacks, or an older release of what builds, comes first
+# it. What comes from git and asks pip for nothing gets, each if it can be had, what its own requirements.txt names and is
+# not there. The others are named and left out. A program that a build lacks, or an older release of what builds, comes first
 # (ask-pip-again). `--by-name=MODULE` is tried only because a module has that name: not where another has brought the
 # module; where the newest release has no such module, the last one of the major version before is taken.
 set -euo pipefail
@@ -91,6 +92,34 @@ apart() { # PACKAGE
     fi
   done < <(if [ -n "${name}" ]; then roslab_asked "${python}" "${name%%==*}" ''; fi)
 }
+# Lists what is installed, as pip's names, each a line
+names() { command "${python}" -m pip list --format=freeze | sed 's/[=@ ].*//' | tr 'A-Z_.' 'a-z--'; }
+# Installs, of a package from git that asks pip for nothing, what its own list names and is not there: many say there alone
+# what they need. In any version that can be had, for what is there stays.
+of_list() { # git+URL NAMES-BEFORE
+  local address="${1##*git+}" ref='' below='' folder line name new
+  new="$(names | grep --invert-match --line-regexp --fixed-strings --file=<(echo "$2") || true)"
+  if [ -z "${new}" ] || [ "${new}" != "${new%$'\n'*}" ] || [ -n "$(roslab_asked "${python}" "${new}" '')" ]; then return; fi
+  case "${address}" in *subdirectory=*) below="${address##*subdirectory=}" && below="${below%%&*}/" ;; esac
+  address="${address%%#*}"
+  case "${address#*://*/}" in *@*) ref="${address##*@}" && address="${address%@*}" ;; esac
+  folder="$(mktemp --directory)"
+  if git clone --quiet --filter=blob:none "${address}" "${folder}/of" && git -C "${folder}/of" checkout --quiet ${ref:+"${ref}"} -- \
+    && [ -e "${folder}/of/${below}requirements.txt" ]; then
+    echo "roslab: ${new} asks pip for nothing: what its own requirements.txt names comes with it" >&2
+    keep
+    while read -r line; do
+      line="$(sed 's/\r$//; s/[[:space:]]*#.*//' <<<"${line}")"
+      name="${line%%[<>=!~;[ @]*}"
+      case "${line}" in '' | -* | .* | */*) continue ;; esac
+      if names | grep --quiet --line-regexp --fixed-strings "$(tr 'A-Z_.' 'a-z--' <<<"${name}")"; then continue; fi
+      if ! { install --constraint "${kept}" "${line}" || install --constraint "${kept}" "${name}"; } </dev/null; then
+        echo "pip ${line}" | tee --append /usr/local/share/roslab/left-out.txt
+      fi
+    done < <(cat "${folder}/of/${below}requirements.txt" && echo)
+  fi
+  rm -rf "${folder}"
+}
 alone=() # what --no-deps=PACKAGE adds
 install() { "${pip[@]}" ${alone[@]+"${alone[@]}"} "$@"; }
 for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[@]}"}; do
@@ -126,8 +155,13 @@ for package in ${of_a_version[@]+"${of_a_version[@]}"} -- ${others[@]+"${others[
     *) limits=(--constraint "${kept}") ;;
   esac
   another=''
+  before=''
+  case "${package}" in *git+*) if [ "${#alone[@]}" -eq 0 ]; then before="$(names)"; fi ;; esac
   for try in "${tries[@]}"; do
-    if install ${try:+"${try}"} ${limits[@]+"${limits[@]}"} "${package}"; then continue 2; fi
+    if install ${try:+"${try}"} ${limits[@]+"${limits[@]}"} "${package}"; then
+      if [ -n "${before}" ]; then of_list "${package}" "${before}"; fi
+      continue 2
+    fi
     if [ "${#alone[@]}" -eq 0 ] && for_another "${package}"; then another=yes; fi
   done
   name="${package%%==*}"
