@@ -25,7 +25,7 @@ def ran(folder: Path, commands: str, *, apt: int = 0, rosdep: int = 0) -> tuple[
     """Run the function where rosdep would run these commands; return its code and what was called."""
     found = re.search(r"^install_together\(\) \{\n.*?^\}\n", SCRIPT.read_text(), re.MULTILINE | re.DOTALL)
     assert found
-    simulated = f'if [[ "$*" = *--simulate* ]]; then echo "{commands}"; exit {rosdep}; fi'
+    simulated = f'if [[ "$*" = *--simulate* ]]; then echo "{commands}"; fi; exit {rosdep}'
     for name, body in {"rosdep": simulated, "apt-get": f"exit {apt}"}.items():
         (folder / name).write_text(f'#!/bin/bash\necho "{name} $*" >>{folder}/calls\n{body}\n')
         (folder / name).chmod(0o755)
@@ -56,5 +56,5 @@ def test_where_apt_does_not_take_them_together_rosdep_installs_each(tmp_path: Pa
     assert ran(tmp_path, PAIR, apt=100) == (0, [SIMULATED, APT, ROSDEP])
 
 
-def test_nothing_is_installed_where_rosdep_does_not_know_a_key(tmp_path: Path) -> None:
-    assert ran(tmp_path, PAIR, rosdep=1) == (3, [SIMULATED])
+def test_rosdep_says_itself_what_it_cannot_install(tmp_path: Path) -> None:
+    assert ran(tmp_path, PAIR, rosdep=1) == (3, [SIMULATED, ROSDEP])

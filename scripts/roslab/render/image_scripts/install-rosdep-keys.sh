@@ -63,10 +63,11 @@ install_keys() {
 }
 
 # rosdep calls apt for each package anew, which reads what is installed and runs the same triggers each time. Where apt
-# does not take all of them together, and for what apt does not install, rosdep does as ever.
+# does not take all of them together, and for what apt does not install, rosdep does as ever; also where it cannot tell
+# what it would do, as it cannot of pip before a key has brought that.
 install_together() {
   local commands line words together=() rest=''
-  commands="$(install_keys --simulate --default-yes)" || return
+  commands="$(install_keys --simulate --default-yes 2>/dev/null)" || commands=untold
   while read -r line; do
     case "${line}" in
       'apt-get install -y '*) read -r -a words <<<"${line#apt-get install -y }" && together+=("${words[@]}") ;;
