@@ -120,3 +120,32 @@ def test_a_variable_that_is_not_found_names_its_library() -> None:
     )
     text = log("cmake .", *said, '    linked by target "robot" in directory /app')
     assert "the library USB (" in explain(io.BytesIO(text.encode())).explanations[0].cause
+
+
+@pytest.mark.parametrize(
+    ("said", "cause"),
+    [
+        ("NameResolutionError(\"Failed to resolve 'data.acme.io'\"))", "host-unknown"),
+        ("NewConnectionError('Failed to establish a new connection: [Errno 111] Connection refused'))", "connection"),
+    ],
+)
+def test_a_request_of_the_program_is_none_to_the_index_of_pip(said: str, cause: str) -> None:
+    begun = (
+        "requests.exceptions.ConnectionError: HTTPSConnectionPool(host='data.acme.io', port=443): Max retries exceeded"
+    )
+    text = log("python get.py", f"{begun} with url: /a.zip (Caused by {said}")
+    assert [found.id for found in explain(io.BytesIO(text.encode())).explanations] == [cause]
+
+
+def test_a_function_of_unix_that_is_not_declared_names_its_header() -> None:
+    said = "/app/src/master.hpp:58:9: error: '::close' has not been declared; did you mean 'pclose'?"
+    (found,) = explain(io.BytesIO(log("make", said).encode())).explanations
+    assert "CXXFLAGS: -include unistd.h" in found.fix
+
+
+def test_the_library_of_a_plugin_is_of_its_package() -> None:
+    said = "[FATAL] [1.5]: Failed to load nodelet '/grab' of type 'image_proc/debayer' : Could not find library"
+    text = log(
+        "./start", f"{said} corresponding to plugin image_proc/debayer. Make sure the plugin description XML file"
+    )
+    assert "image_proc" in explain(io.BytesIO(text.encode())).explanations[0].cause
