@@ -73,7 +73,7 @@ def cloned(command: Command, file: str, folder: str, heading: str, *, inside: bo
 def _of_owner(url: str) -> bool:
     """Tell whether an address on a host of public code ends with the name of an owner: the page has a part left out."""
     match = _OWNER.match(url)
-    return bool(match) and match[1] in public_hosts()
+    return match is not None and match[1] in public_hosts()
 
 
 def called_in(words: Sequence[str], folder: str, sources: Sequence[GitSource]) -> int | None:
