@@ -73,6 +73,52 @@ IGNORED = "ERROR: Ignored the following versions that require a different python
         (log("make", "a.cpp:3:1: error: 'CV_SVD_U_T' was not declared in this scope"), "api-known"),
         (log("make", "a.cpp:3:1: error: 'cvSolve' was not declared in this scope"), "api-known"),
         (log("make", "a.cpp:3:10: fatal error: cv.hpp: No such file or directory"), "api-known"),
+        # A newer CMake says this too
+        (
+            log(
+                "cmake .",
+                "CMake Error at CMakeLists.txt:3 (target_link_libraries):",
+                '  Attempt to add link library "m" to target "arm" which is not built in this',
+                "  directory.",
+                "",
+                "  This is allowed only when policy CMP0079 is set to NEW.",
+            ),
+            "cmake-call-wrong",
+        ),
+        (
+            log(
+                "cmake .",
+                "CMake Error at CMakeLists.txt:3 (install):",
+                '  install TARGETS given no LIBRARY DESTINATION for module target "arm".',
+            ),
+            "cmake-call-wrong",
+        ),
+        # wget and make go on after these
+        (
+            log("./get", "WARNING: The certificate of 'example.org' is not trusted.", "/bin/sh: 1: screen: not found"),
+            "program-missing",
+        ),
+        (
+            log(
+                "make",
+                "arm.cpp:3:1: error: expected ';' at end of declaration",
+                "make: warning:  Clock skew detected.  Your build may be incomplete.",
+            ),
+            None,
+        ),
+        # apt brings no Python of that folder
+        (
+            log("./arm", "/bin/sh: ./arm: /usr/local/bin/python3: bad interpreter: No such file or directory"),
+            "line-endings",
+        ),
+        (
+            log(
+                "cmake .",
+                "CMake Error at CMakeLists.txt:44 (add_subdirectory):",
+                '  add_subdirectory given source "/mnt/d/arm" which is not an existing directory.',
+            ),
+            "cmake-authors-folder",
+        ),
     ],
 )
 def test_the_cause_is_what_the_message_says(text: str, cause: str | None) -> None:
