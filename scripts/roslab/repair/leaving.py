@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+import re
+from collections.abc import Collection, Iterator, Mapping
 
 from roslab.config.addition import Entry, has
 from roslab.decide.programs import owner
@@ -23,7 +24,7 @@ from roslab.values.pattern import pattern
 
 _SHARE = 2
 """Where a shell is started, one of so many packages may be left out: of more, something else is wrong."""
-_LIBRARY = pattern(r"(?m)^roslab: (\S{1,100}) of [^\n]{1,600} cannot be (?:cloned|compiled): the build stops")
+_LIBRARY = pattern(r"^roslab: (\S{1,100}) of [^\n]{1,600} cannot be (?:cloned|compiled): the build stops", re.MULTILINE)
 """What the build says of a library that it builds from source, and in which it stopped."""
 
 
@@ -61,7 +62,7 @@ def left_out(answer: Answer, given: Given) -> Left:
     packages = packages_of(given.evidence)
     with_it = {name: needing(name, packages) for name in failed}
     going = {each for names in with_it.values() for each in names}
-    if why := _kept(needed, {*failed}, going, len(given.config.skip_packages)):
+    if why := _kept(needed, failed, going, len(given.config.skip_packages)):
         return Left(why=why)
     reason = "nothing else needs it" if needed.shell else "the command does not need it"
     whole = len(failed) == 1
@@ -103,9 +104,9 @@ def _library(found: Explanation) -> str:
     return match[1] if match else ""
 
 
-def _kept(needed: Needs, failed: Collection[str], going: Collection[str], before: int) -> str:
+def _kept(needed: Needs, failed: Mapping[str, Explanation], going: Collection[str], before: int) -> str:
     """Return why packages must be built, ``""`` if the image is of use without them."""
-    stopped = f"{', '.join(sorted(failed))} {'does' if len(failed) == 1 else 'do'} not compile"
+    stopped = _stopped(failed)
     if lost := needed.of(needed.started) & {*going}:
         who = "the page" if needed.shell else "the command"
         return f"{stopped}, and {who} needs {min(lost & {*failed} or lost)}"
@@ -119,6 +120,13 @@ def _kept(needed: Needs, failed: Collection[str], going: Collection[str], before
     if (before + len(failed)) * _SHARE > before + len(failed) + len(stay):
         return f"{stopped}, and more than half of the packages would be left out"
     return ""
+
+
+def _stopped(failed: Mapping[str, Explanation]) -> str:
+    names, one = ", ".join(sorted(failed)), len(failed) == 1
+    if libraries := {library for found in failed.values() if (library := _library(found))}:
+        return f"{', '.join(sorted(libraries))} cannot be built, which {names} {'asks' if one else 'ask'} for"
+    return f"{names} {'does' if one else 'do'} not compile"
 
 
 def _change(

@@ -242,6 +242,9 @@ def test_what_asks_for_a_library_in_which_the_build_stopped(
     error = "/tmp/sources/acme-sight/a.cpp:3:10: fatal error: Missing.h: No such file or directory"
     found = left(tmp_path, {**SIGHT, **page}, log(error, f"{STOPS.format(library, step)}, see above why"))
     assert [change.value for change in found.changes] == [value] * bool(value)
+    started = "extra" in page["README.md"]
+    assert found.why.startswith("acme-sight cannot be built, which arm_extra asks for, and the command needs" * started)
+    assert bool(found.why) == started
     for change in found.changes:
         assert change.why.startswith(f"needs {library}, which cannot be built: ")
         tree_of(tmp_path / "robot", {"roslab.yaml": f"format: 3\nskip_packages: [{value}]\n"})
