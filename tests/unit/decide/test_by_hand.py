@@ -93,6 +93,19 @@ def test_an_archive_that_is_unpacked_into_another_folder_is_compiled_there(
     assert [(source.ref, source.cmake_options) for source in tree(files).source] == built
 
 
+@pytest.mark.parametrize("into", ["", "-C /opt", "-C ."])
+def test_an_archive_keeps_its_own_folder_beside_others(tree: Tree, into: str) -> None:
+    """The folder of several is not the name of the last one."""
+    fetched = "".join(
+        f"wget https://github.com/lab/{name}/archive/v1.0.tar.gz\ntar -xf v1.0.tar.gz {into}\n"
+        for name in ("libwire", "libcable")
+    )
+    script = f"cd /opt\n{fetched}cd /opt/libwire-1.0\ncmake -DWIRE_TESTS=OFF .\nmake install\n"
+    files = {"CMakeLists.txt": "project(demo)\nfind_package(libwire REQUIRED)\nadd_executable(demo a.cpp)\n"}
+    files |= {"a.cpp": "int main() {}\n", "ci/install.sh": script}
+    assert [(source.name, source.cmake_options) for source in tree(files).source] == [("libwire", "-DWIRE_TESTS=OFF")]
+
+
 @pytest.mark.parametrize(("page", "ref"), [("", "4.0.3"), (ARCHIVE, "4.1.1"), (CLONE, "4.0.2")])
 def test_a_library_is_built_as_the_page_builds_it(tree: Tree, page: str, ref: str) -> None:
     decision = tree(ros1("find_package(GTSAM REQUIRED)\n", page))

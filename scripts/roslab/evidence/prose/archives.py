@@ -19,6 +19,8 @@ _RELEASE = pattern(
 """A file of a release whose name is that of the project and the release only: its source, and no program. One with a
 hyphen is the repository's: others say for which system it is."""
 _INTO = ("-C", "--directory")
+_STRIPS = "--strip"
+"""``--strip-components``, which tar takes by its beginning, too."""
 
 
 def is_release(url: str) -> bool:
@@ -29,12 +31,13 @@ def is_release(url: str) -> bool:
 def archives(command: Command, file: str, sources: list[GitSource], cloned: int | None) -> list[GitSource]:
     """Return the sources with those whose archives ``wget`` or ``curl`` fetches, each by the name of its folder.
 
-    ``tar`` with ``-C`` puts the last one into another folder; it is none if it is ``cloned``, the last one of git.
+    ``tar`` with ``-C`` puts the last one into another folder where it drops the archive's own: ``/opt`` is else the
+    folder of many. That is none if it is ``cloned``, the last one of git.
     """
     if command.words[0].rpartition("/")[2] == "tar":
-        there = (
-            next((into for word, into in pairwise(command.words) if word in _INTO), "").rstrip("/").rpartition("/")[2]
-        )
+        stripped = any(word.startswith(_STRIPS) for word in command.words)
+        folder = next((into for word, into in pairwise(command.words) if stripped and word in _INTO), "")
+        there = folder.rstrip("/").rpartition("/")[2].strip(".")
         last = sources[-1:] if there and UNKNOWN not in there and len(sources) - 1 != cloned else []
         return [*sources[: len(sources) - len(last)], *(replace(each, into=there) for each in last if not each.into)]
     return [*sources, *_fetched(command, file)]
