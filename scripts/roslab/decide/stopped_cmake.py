@@ -26,11 +26,11 @@ def left_to_python(evidence: Evidence) -> bool:
 
 def told_of_stop(evidence: Evidence, kind: Kind) -> Iterator[Warning_]:
     """Yield a warning for the folder or file that a plain project adds or compiles and the tree does not have."""
-    if kind not in {"ros1", "ros2"}:
+    if kind == "cpp":
         yield from (
             warn(
-                f"CMake compiles {path}, which the tree does not have: it is configured with -D{option}=OFF, and makes "
-                "nothing of what that option is for; add the file, or correct the path",
+                f"CMake compiles {path}, which the tree does not have: it is configured with -D{option}=OFF where "
+                "nothing else sets that, and makes nothing of what it is for; add the file, or correct the path",
                 Place(file=project.file, line=line),
             )
             for project, option, path, line in options_that_lack(evidence)

@@ -23,7 +23,7 @@ def test_the_option_for_which_it_is_compiled_is_off(tree: Tree) -> None:
     decision, told = decided(tree, OPTION.format(PROGRAMS))
     assert decision.cmake_options == ("-DSAMPLES=OFF",)
     assert decision.command == ("bash",)
-    why = "it is configured with -DSAMPLES=OFF, and makes nothing of what that option is for"
+    why = "it is configured with -DSAMPLES=OFF where nothing else sets that, and makes nothing of what it is for"
     assert told == [
         f"CMake compiles lib/glad.c, which the tree does not have: {why}; add the file, or correct the path"
     ]
@@ -48,6 +48,16 @@ def test_an_option_stays_where_all_is_there_or_may_be(tree: Tree, cmake: str) ->
 def test_it_stays_as_a_page_has_it(tree: Tree) -> None:
     decision, _ = decided(tree, OPTION.format(PROGRAMS), "# Demo\n```\ncmake -DSAMPLES=ON .\nmake\n```\n")
     assert decision.cmake_options == ("-DSAMPLES=ON",)
+
+
+def test_nothing_is_told_of_a_build_that_pip_does_without(tree: Tree) -> None:
+    page = "# Demo\n```\npip install demo\n```\n## Usage\n```\npython main.py\n```\n"
+    files = {"CMakeLists.txt": f"project(demo)\n{OPTION.format(PROGRAMS)}", "README.md": page}
+    code = {f"demo/{name}.py": "import numpy\n" for name in ("__init__", "arm", "hand", "leg", "eye", "ear")}
+    files |= {"main.py": "import demo\nprint('a')\n", "pyproject.toml": '[project]\nname = "demo"\nversion = "1"\n'}
+    decision = tree(files | code)
+    assert decision.kind == "python"
+    assert not any("CMake compiles" in each.message for each in decision.warnings)
 
 
 def test_it_is_told_where_it_is_compiled_in_any_case(tree: Tree) -> None:
