@@ -6,7 +6,9 @@ from collections.abc import Callable
 
 import pytest
 
+from hanging import ends
 from roslab.decide.decision import Decision
+from roslab.evidence.prose.first_lines import FIRST_LINE
 
 Tree = Callable[[dict[str, str]], Decision]
 PACKAGE = {
@@ -40,3 +42,19 @@ def test_what_a_first_line_names_is_installed(tree: Tree, page: str, file: str, 
 def test_which_of_two_files_is_meant_is_not_guessed(tree: Tree) -> None:
     lines = {f"arm/{folder}/start_all": f"#!/usr/bin/{name}\n" for folder, name in (("a", "screen"), ("b", "expect"))}
     assert not {"screen", "expect"} & {*tree({**PACKAGE, "README.md": RUNS, **lines}).apt_guessed}
+
+
+@pytest.mark.parametrize(
+    ("line", "program"),
+    [
+        ("#!/usr/bin/env -S /opt/bin/expect -f", "expect"),
+        ("#! /bin/zsh", "zsh"),
+        ("#!\n/opt/x", None),  # the line names none
+        ("#!" + "/" * 60_000 + "\0", None),
+        ("#!" + "/env " * 12_000 + "\0", "env"),
+    ],
+)
+def test_a_first_line_of_any_length_is_read_once(line: str, program: str | None) -> None:
+    with ends():
+        match = FIRST_LINE.match(line)
+    assert (match[1] if match else None) == program

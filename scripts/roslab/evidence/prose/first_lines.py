@@ -13,7 +13,7 @@ from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 ROLE = "first_line"
-FIRST_LINE = pattern(r"#!\s*(?:\S*/)?(?:env\s+(?:-S\s+)?)?(?:\S*/)?([\w.+-]+)")
+FIRST_LINE = pattern(r"#![ \t]*(?:\S{0,200}/)?(?:env[ \t]+(?:-S[ \t]+)?(?:\S{0,200}/)?)?([\w.+-]+)")
 """The first line of a script, with the name of the program that starts it."""
 _LONGEST = 200
 """Bytes that are read for a first line."""
