@@ -57,7 +57,47 @@ def test_what_a_script_installs_and_starts_in_its_environment(script: str, runs:
     assert started(script) == runs
 
 
-@pytest.mark.parametrize("line", ["a/" * 2000 + "bin/x", "A=" + '"' * 4000, "cd $" + "a" * 4000, "x " * 2000])
+@pytest.mark.parametrize(
+    "line",
+    [
+        'if ! command -v python3 >/dev/null 2>&1; then echo "no; stop"; exit 1; fi',
+        'cd "$(dirname "$0")" || exit 1',
+        '[ -d venv ] || { echo "none" && exit 1; }',
+        'HERE=$(cd "$(dirname "$0")" && pwd)',
+        "source /opt/ros/humble/setup.bash",
+        "sudo apt-get install -y ffmpeg",
+        "echo starting >&2",
+    ],
+)
+def test_what_prepares_alone_changes_nothing(line: str) -> None:
+    assert started(ENTERED.replace("python main", f"{line}\npython main")) == started(ENTERED)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "source .env",
+        ". ./settings.sh",
+        "echo 'rate: 5' > rate.yaml",
+        "mkdir -p out",
+        "echo a && python prepare.py",
+        "if [ -f a ]; then python prepare.py; fi",
+        "[[ -f model.pt ]] || wget https://example.org/model.pt",
+        "else ./other.sh",
+        '{ "./other.sh"; }',
+        "sudo apt-get install -y cmake && make",
+        "echo y | ./other.sh",
+        "sleep 1 & ./other.sh",
+        'cd "$HERE" && ./other.sh',
+    ],
+)
+def test_a_script_that_does_more_stays_as_it_is(line: str) -> None:
+    assert started(ENTERED.replace("python main", f"{line}\npython main")) == ()
+
+
+@pytest.mark.parametrize(
+    "line", ["a/" * 2000 + "bin/x", "A=" + '"' * 4000, "cd $" + "a" * 4000, "x " * 2000, " " * 7000 + ";x"]
+)
 def test_a_hostile_script_takes_no_long_time(line: str) -> None:
     with ends():
         assert started(f"python3 -m venv v\n{line}\n") == ()

@@ -25,10 +25,19 @@ _PYTHON = pattern(r"(python[\d.]*|pip[\d.]*)(?=[ \t])")
 _INSTALLS = pattern(r"(?:python[\d.]*[ \t]+-m[ \t]+)?pip[\d.]*[ \t]+install[ \t]")
 _HANDS_ON = pattern(r"[ \t]+[\"']?\$(?:\{?[@*]\}?)[\"']?$")
 """The arguments that the script is given."""
+_SETS = pattern(
+    r"cd[ \t]+[\"']?\$[^/;&|]{1,80}(?:\|\|[ \t]*exit[ \t]*\d*)?$"
+    r"|[A-Za-z_]\w{0,40}=(?:\"[^\"]*\"|'[^']*'|[\"']?\$\(.*\)[\"']?|[^\s;&|]*)$"
+    r"|(?:source|\.)[ \t]+[\"']?\S*(?:/bin/activate|/setup\.(?:ba)?sh)[\"']?$"
+)
+"""A line that changes the state of the script alone: it goes to its own folder, sets a variable, or enters."""
+_QUOTED = pattern(r"\"[^\"]*\"|'[^']*'")
+_TOLD = pattern(r"\d?>&\d|&?\d?>[ \t]*/dev/null")
+_PARTS = pattern(r"[ \t]*(?:&&?|\|\|?|;+|(?<!\S)(?:then|else|\{|\})(?!\S))[ \t]*")
 _PREPARES = pattern(
-    r"(?:set|echo|printf|exit|if|then|else|elif|fi|source|\.|mkdir|sleep|clear|uv[ \t]+venv)(?=[ \t;]|$)"
-    r"|\[\[?[ \t]|[{}]"
-    r"|cd[ \t]+[\"']?\$[^/]{1,80}$|[A-Za-z_]\w{0,40}=(?:\"[^\"]*\"|'[^']*'|[\"']?\$\(.*|\S*)$"
+    r"(?:set|echo|printf|exit|if|elif|fi|sleep|clear|uv[ \t]+venv)(?=[ \t]|$)"
+    r"|(?:![ \t]+)?(?:\[\[?|command|grep|test|type|which)[ \t]"
+    r"|(?:source|\.)[ \t]+\S*(?:/bin/activate|/setup\.(?:ba)?sh)$"
     r"|(?:sudo[ \t]+)?apt(?:-get)?[ \t]|(?:\S{1,40}[ \t]+-m[ \t]+)?(?:venv|virtualenv)[ \t]"
 )
 """What such a script does besides, and an image does at another time or not at all."""
@@ -66,12 +75,20 @@ def started(script: str) -> tuple[str, ...]:
             return ()  # something follows what it started
         if named and not _MAKES.search(said):
             kept.append(f"{named[1]}{_HANDS_ON.sub('', said[named.end() :])}")
-        elif not _PREPARES.match(line):
+        elif not _prepares(line):
             return ()
     if not kept or _INSTALLS.match(kept[-1]) or any(set(line) & set("$`;&|<>") for line in kept):
         return ()
     # A program that the project installs is read at the beginning of a line alone
     return tuple(kept if _PYTHON.match(kept[-1]) else kept[-1:])
+
+
+def _prepares(line: str) -> bool:
+    """Tell whether each command of a line is one without which the program starts all the same; none writes a file."""
+    if _SETS.match(line):
+        return True
+    bare = _TOLD.sub("", _QUOTED.sub('""', line))
+    return not {*bare} & {*"<>"} and all(_PREPARES.match(part) for part in _PARTS.split(bare) if part)
 
 
 def _lines(script: str) -> Iterator[str]:
