@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -28,7 +30,7 @@ MODULE = {".gitmodules": '[submodule "planner"]\n\tpath = planner\n\turl = https
         (
             {"build.sh": "sudo apt-get install -y libeigen3-dev cmake\nmkdir -p build\ncd build\ncmake ..\nmake\n"},
             "./build.sh\n",
-            [("", "build.sh", f"{WITHOUT_APT} && bash build.sh")],
+            [("", "build.sh", f"bash -c '{WITHOUT_APT} && bash build.sh'")],
         ),
         ({"build_data.py": "import numpy\n"}, "python build_data.py\n", []),
         ({"make_video.py": "import numpy  # make a video\ncmd = 'ffmpeg make'\n"}, "python make_video.py\n", []),
@@ -199,6 +201,18 @@ def test_the_tool_of_a_script_that_builds(tree: Tree, path: str, script: str, to
         ".github/workflows/a.yml": f"jobs:\n  build:\n    steps:\n      - run: ./{path}\n",
     }
     assert tree({**files, path: script}).build_tool == tool
+
+
+def test_a_script_that_calls_apt_runs_behind_another_command(tree: Tree, tmp_path: Path) -> None:
+    """So a script that asks for a GPU is told that there is one: ``with-gpu-said bash …``."""
+    text = "sudo apt-get install -y no-such-package\ntouch made  # by cmake and make\n"
+    decision = tree(
+        CODE | {"build.sh": f"{text}cmake --version || make --version || true\n", "README.md": "    ./build.sh\n"}
+    )
+    assert [script.path for script in decision.scripts] == ["build.sh"]
+    (tmp_path / "build.sh").write_text(text, encoding="utf-8")
+    subprocess.run(["bash", "-ec", f"env {decision.scripts[0].command}"], cwd=tmp_path, check=True)
+    assert (tmp_path / "made").is_file()
 
 
 BY_INSTALL = """

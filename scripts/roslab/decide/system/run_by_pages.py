@@ -85,5 +85,5 @@ def script_of(mention: Mention, absent: tuple[str, ...], unread: re.Pattern[str]
     program = "bash" if script.endswith(SHELL_SCRIPTS) else "python3"
     command = shlex.join((program, posixpath.relpath(path, folder or "."), *words))
     if mention.inside == BY_APT:
-        command = f"{WITHOUT_APT} && {command}"
+        command = shlex.join(("bash", "-c", f"{WITHOUT_APT} && {command}"))  # one command, which may get a prefix
     return OwnScript(folder=folder, path=path, command=command)
