@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from hanging import ends
 from roslab.decide.decision import Decision
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -65,3 +66,12 @@ def test_it_is_told_where_it_is_compiled_in_any_case(tree: Tree) -> None:
     assert told == [
         "CMake compiles lib/glad.c, which the tree does not have: cmake will stop; add the file, or correct the path"
     ]
+
+
+@pytest.mark.parametrize("each", [OPTION.replace("SAMPLES", "S{0}"), "{}"])
+def test_any_number_of_them_takes_no_long_time(tree: Tree, each: str) -> None:
+    two = "add_executable(p{0} f{0}x.cpp)\nadd_library(q{0} f{0}x.cpp)\n"
+    cmake = "".join(each.replace("{}", two).format(number) for number in range(9000))
+    with ends():
+        _, told = decided(tree, cmake)
+    assert told

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import islice
+
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.lex.cmake import Call
-from roslab.evidence.native.installed_paths import code_not_there
+from roslab.evidence.native.installed_paths import MAX_PATHS, code_not_there
 from roslab.evidence.native.made_targets import TARGET
 from roslab.evidence.native.outside import outside_of_workspaces
 from roslab.evidence.native.program_folders import ProgramFolders
@@ -119,14 +121,18 @@ class Reading:
 
     def _code(self, call: Call) -> None:
         """Note the files that a program or a library is compiled from in any case, or where one option is on."""
-        on = call.conditions[0].removeprefix("ON ") if len(call.conditions) == 1 else ""
-        of_option = bool(on) and call.conditions == (f"ON {on}",)
-        if not (call.conditions and not of_option) and not (call.in_function or "IMPORTED" in call.words):
-            found = self.under.setdefault(on, {}) if of_option else self.always
-            for word in call.written[1:]:
-                path = _HERE.sub("", word)
-                if _CODE.fullmatch(path):
-                    found.setdefault(path, call.line)
+        if len(call.conditions) > 1 or call.in_function or "IMPORTED" in call.words:
+            return
+        found = self.always
+        if call.conditions:
+            kind, _, option = call.conditions[0].partition(" ")
+            if kind != "ON":
+                return
+            found = self.under.setdefault(option, {})
+        for word in call.written[1:]:
+            path = _HERE.sub("", word)
+            if _CODE.fullmatch(path):
+                found.setdefault(path, call.line)
 
     def lacking(self, text: str, folder: str, repository: Repository) -> tuple[tuple[str, str, int], ...]:
         """Return the options for which code is compiled that the tree does not have, each with the first such file.
@@ -135,8 +141,9 @@ class Reading:
         ``folder``.
         """
         found = ((on, code_not_there(code, text, folder, repository)) for on, code in self.under.items())
-        lacking = tuple((on, *code[0]) for on, code in found if code)
+        lacking = tuple(islice(((on, *code[0]) for on, code in found if code), MAX_PATHS))
+        options = {on for on, _, _ in lacking}
         for name, option in self.optional if lacking else ():
-            if any(option == on for on, _, _ in lacking):
+            if option in options:
                 self.executables.pop(name, None)
         return lacking

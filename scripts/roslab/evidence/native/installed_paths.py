@@ -5,7 +5,8 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import takewhile
+from functools import lru_cache
+from itertools import islice, takewhile
 
 from roslab.evidence import git_modules
 from roslab.evidence.installed_path import InstalledPath
@@ -23,12 +24,14 @@ _HERE = pattern(r"^\$\{CMAKE_CURRENT_SOURCE_DIR\}/")
 _PROJECT = "${PROJECT_SOURCE_DIR}/"
 _PATH = pattern(r"[\w.+@-]+(?:/[\w.+@-]+)*/?")
 MAX_PATHS = 60
+"""Most paths of one call, and files of code that the tree lacks or options that need such."""
 _WRITES = pattern(
     r"\bfile\s*\(\s*(?:DOWNLOAD|MAKE_DIRECTORY|WRITE|APPEND|COPY|GENERATE|CONFIGURE|ARCHIVE_EXTRACT)\b"
     r"|\b(?:execute_process|configure_file|add_custom_command|ExternalProject_Add)\s*\(",
     re.IGNORECASE,
 )
 """What may make a file or a folder before it is installed, and asks whether it is there."""
+_COMPILES = pattern(r"\badd_(?:executable|library)\s{0,9}\(([^()]{0,4000})\)", re.IGNORECASE)
 
 
 def installed(call: Call, folder: str, *, own: bool) -> Iterator[InstalledPath]:
@@ -64,10 +67,7 @@ def not_there(found: Iterable[InstalledPath], text: str, repository: Repository)
         if not (repository.may_have(each.path) or f"{each.path}/".startswith(modules))
         if each.folder or text.count(posixpath.basename(each.path)) == 1
     )
-    return () if lacking and _WRITES.search(text) else lacking
-
-
-_COMPILES = pattern(r"\badd_(?:executable|library)\s{0,9}\(([^()]{0,4000})\)", re.IGNORECASE)
+    return () if lacking and _writes(text) else lacking
 
 
 def code_not_there(
@@ -79,19 +79,32 @@ def code_not_there(
     """
     modules = repository.once(_submodules)
     paths = {posixpath.normpath(posixpath.join(folder, name)): (name, line) for name, line in found.items()}
-    lacking = tuple(
-        (path, line)
+    absent = (
+        (path, name, line)
         for path, (name, line) in paths.items()
         if not (path.startswith(("..", *modules)) or repository.may_have(path))
-        if _only_compiled(posixpath.basename(name), text)
     )
-    return () if lacking and _WRITES.search(text) else lacking
+    lacking = tuple(
+        (path, line) for path, name, line in islice(absent, MAX_PATHS) if _only_compiled(posixpath.basename(name), text)
+    )
+    return () if lacking and _writes(text) else lacking
 
 
 def _only_compiled(name: str, text: str) -> bool:
     """Tell whether all that a file of CMake does with another one is to compile it: else it may make it."""
     times = text.count(name)
-    return times == 1 or times == sum(words.count(name) for words in _COMPILES.findall(text))
+    return times == 1 or times == _compiled(text).count(name)
+
+
+@lru_cache(maxsize=1)  # a file is asked about once for each of its options
+def _compiled(text: str) -> str:
+    """Return what programs and libraries are compiled from, each on lines of its own."""
+    return "\n".join(_COMPILES.findall(text))
+
+
+@lru_cache(maxsize=1)
+def _writes(text: str) -> bool:
+    return bool(_WRITES.search(text))
 
 
 def _submodules(repository: Repository) -> tuple[str, ...]:
