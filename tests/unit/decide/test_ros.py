@@ -1074,6 +1074,15 @@ def test_so_do_the_modules_of_the_tree_that_they_import(tmp_path: Path) -> None:
     assert "python3-termcolor" not in guessed
 
 
+def test_what_two_programs_reach_is_of_the_first(tmp_path: Path) -> None:
+    started = "#!/usr/bin/env python3\nimport {}\n"
+    files = {**package("a"), "src/b.py": started.format("shared"), "src/a.py": started.format("shared")}
+    files |= {"src/c.py": started.format("more"), "src/more.py": "import shared\nimport termcolor\n"}
+    decision = decided(tmp_path, files | {"src/shared.py": "import serial\n"}, branch="melodic-devel")
+    reasons = {reason.answer: reason.file for reason in decision.reasons}
+    assert (reasons["python3-serial"], reasons["python3-termcolor"]) == ("src/a.py", "src/c.py")
+
+
 def test_a_node_of_python_3_finds_what_ros_itself_imports(tmp_path: Path) -> None:
     files = {**package("a"), "nodes/talk.py": "#!/usr/bin/env python3\nimport rospy\n"}
     here = decided(tmp_path, files, branch="melodic-devel").apt_guessed

@@ -43,11 +43,15 @@ def of_python3(module: Module, imported: Collection[str]) -> Iterator[Dependency
 def of_modules(repository: Repository, imported: Mapping[str, Collection[str]]) -> Iterator[Dependency]:
     """Yield the same of the modules of the tree that such programs beside packages of ROS import at their tops.
 
-    They do so by whichever way. ``imported``: what each file of the tree imports from outside of it.
+    They do so by whichever way; what several reach is of the first. ``imported``: what each file of the tree imports
+    from outside of it.
     """
+    followed: dict[str, set[str]] = {}
     for module in modules(repository) if repository.named("package.xml", "manifest.xml") else ():
-        if asks_python3(module) and not places.test(module.file.path):
-            reached = of_tree(repository).reached((module.file.path,))
+        if (role := _role(module)) and not places.test(module.file.path):
+            known = followed.setdefault(role, set())
+            reached = of_tree(repository).reached((module.file.path,), known)
+            known |= reached
             yield from of_python3(module, {top for file in reached for top in imported.get(file, ())})
 
 

@@ -55,12 +55,12 @@ class Modules:
         """Return the names of the modules and of the folders that lie beside a file."""
         return self._inside.get(posixpath.dirname(file), frozenset())
 
-    def reached(self, starts: Iterable[str]) -> frozenset[str]:
-        """Return the files that these import at their top, by whichever way."""
+    def reached(self, starts: Iterable[str], known: AbstractSet[str] = frozenset()) -> frozenset[str]:
+        """Return the files that these import at their top, by whichever way, but for those that are ``known``."""
         queue = [*starts]
         reached: set[str] = set()
         while queue:
-            new = [file for file in self.graph.imports(queue.pop(), None) if file not in reached]
+            new = [file for file in self.graph.imports(queue.pop(), None) if not (file in reached or file in known)]
             reached.update(new)
             queue += new
         return frozenset(reached)
