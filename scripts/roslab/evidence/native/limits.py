@@ -27,7 +27,10 @@ _STANDARD = pattern(
 )
 _OPTION = pattern(r"-std=(?:c|gnu)\+\+(\w{2})(?!\w)")
 _OF_OPTIONS = frozenset({"add_compile_options", "add_definitions", "target_compile_options"})
-_OF_FLAGS = frozenset({"list", "set", "string"})
+_ADDING = frozenset({"list", "string"})
+_OF_FLAGS = _ADDING | {"set"}
+_WAYS = (("APPEND",), ("PREPEND",))
+"""What they do with an option that the compiler gets then: others replace or remove it."""
 _DIRECTIVE = pattern(r"#[ \t]*(if|ifdef|ifndef|endif)\b[ \t]*([^\s(]*)")
 """It begins with a letter of its own, which is found much faster than the beginning of a line."""
 _GUARDS = {"_VERSION": {"CV_VERSION": "OpenCV", "CV_MAJOR_VERSION": "OpenCV", "CERES_VERSION": "Ceres"}}
@@ -150,13 +153,10 @@ class Signs:
             return
         for call in calls(text, _OF_OPTIONS | _OF_FLAGS):
             words = " ".join(call.words)
-            named = call.name in _OF_OPTIONS or "CXX" in words
-            if (
-                (found := _OPTION.search(words))
-                and named
-                and not call.in_function
-                and all(map(_always, call.conditions))
-            ):
+            adds = call.name not in _ADDING or call.words[:1] in _WAYS
+            named = call.name in _OF_OPTIONS or (adds and "CXX" in words)
+            always = not call.in_function and all(map(_always, call.conditions))
+            if named and always and (found := _OPTION.search(words)):
                 for sign in _signs("option", found[1]):
                     self._add(sign, path, call.line)
 
