@@ -68,7 +68,7 @@ def tools(whole: Repository) -> Iterator[Mention]:
             continue
         said = "catkin build" if settings else whole.read(file).strip()
         if tool := _TOOL_OF.get(said):
-            what = f"{file.folder} is of `{said}`, by which the author has built it"
+            what = f"{file.folder or 'the tree'} is of `{said}`, by which the author has built it"
             yield Mention(topic="built_by", value=tool, source="code", file=file.path, line=1, text=what)
 
 
