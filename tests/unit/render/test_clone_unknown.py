@@ -119,7 +119,7 @@ def test_what_only_a_package_asks_for_that_is_not_needed_is_not_cloned(image: Pa
     ("file", "text"),
     [
         (".rosinstall", "- git: {{local-name: deps/numeric, uri: '{url}', version: v1}}\n- tar: {{local-name: a}}\n"),
-        ("all.repos", "repositories:\n  deps/numeric:\n    type: git\n    url: {url}\n    version: v1\n"),
+        ("repositories.repos", "repositories:\n  deps/numeric:\n    type: git\n    url: {url}\n    version: v1\n"),
     ],
 )
 def test_a_list_of_the_clone_tells_where_it_is(image: Path, file: str, text: str) -> None:

@@ -33,7 +33,7 @@ for path in sys.argv[1:]:
     rows = []
     if isinstance(data, list):
         rows = [(row["git"].get("local-name"), row["git"]) for row in data if isinstance(row, dict) and isinstance(row.get("git"), dict)]
-    elif isinstance(data, dict) and os.path.basename(path).startswith("repositories"):
+    elif isinstance(data, dict) and path.endswith(".yaml"):
         rows = list(of_treep(path, data))
     elif isinstance(data, dict) and isinstance(data.get("repositories"), dict):
         rows = [(name, row) for name, row in data["repositories"].items() if isinstance(row, dict)]
