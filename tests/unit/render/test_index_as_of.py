@@ -732,6 +732,10 @@ def test_an_authors_step_that_clones_has_the_heads_of_the_day(
         ),
         ("git clone --quiet {origin} got && git -C got checkout --quiet main", "of the day"),
         ("git clone --quiet --branch masters {origin} got", "failed with 128"),
+        (
+            "mkdir -p main/a && ! git clone -q {origin} main && test ! -e master && git clone -q {origin} got",
+            "of the day",
+        ),
         ("git clone --quiet --branch master {origin}-gone got", "failed with 128"),
     ],
 )

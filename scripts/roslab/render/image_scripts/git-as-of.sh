@@ -47,12 +47,18 @@ fi
 # of them, it is asked for the other
 renamed=()
 asked=''
+last=''
 for word in "$@"; do
+  other="${word}"
   case "${word}" in
-    master | -bmaster | --branch=master) renamed+=("${word%master}main") asked=master ;;
-    main | -bmain | --branch=main) renamed+=("${word%main}master") asked=main ;;
-    *) renamed+=("${word}") ;;
+    master | -bmaster | --branch=master) other="${word%master}main" ;;
+    main | -bmain | --branch=main) other="${word%main}master" ;;
   esac
+  # A clone's folder may be called so, too
+  if [ "${command}" = clone ] && [[ "${word}" != -* && ! "${last}" =~ ^(-b|--branch)$ ]]; then other="${word}"; fi
+  if [ "${other}" != "${word}" ]; then asked="${word##*[b=]}"; fi
+  renamed+=("${other}")
+  last="${word}"
 done
 status=0
 git "$@" || status=$?
