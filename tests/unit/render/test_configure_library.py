@@ -81,7 +81,7 @@ install(FILES "${{PROJECT_BINARY_DIR}}/acmeConfig.cmake" DESTINATION lib/cmake/a
 def test_what_is_installed_names_the_headers_that_are(
     tmp_path: Path, headers: str, options: tuple[str, ...], named: str
 ) -> None:
-    source = tmp_path / "a.b"
+    source = tmp_path / "a.b++"
     (source / "include").mkdir(parents=True)
     (source / "CMakeLists.txt").write_text(CONFIG.format(headers))
     build = source / "build"

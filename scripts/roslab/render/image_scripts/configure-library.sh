@@ -64,7 +64,7 @@ with_installed_headers() {
   prefix="$(sed --quiet 's/^CMAKE_INSTALL_PREFIX:[A-Z]*=//p' CMakeCache.txt)"
   while IFS='' read -r file; do
     if [[ "${file}" != "${PWD}"/* ]] || ! grep --quiet --no-messages "${sources}/include\b" "${file}"; then continue; fi
-    sed --in-place --regexp-extended "s#${sources}/include\b#${prefix}/include#g" "${file}"
+    sed --in-place "s#${sources}/include\b#${prefix}/include#g" "${file}"
     echo "roslab: ${file##*/} names the headers that are installed, not those in the sources"
   done < <(find . -name cmake_install.cmake -exec grep --no-filename --only-matching --extended-regexp '"/[^"]+\.(cmake|pc)"' {} + |
     tr --delete '"' | LC_ALL=C sort --unique)
