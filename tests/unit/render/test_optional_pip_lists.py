@@ -49,7 +49,8 @@ seaborn"""
 def test_what_its_list_names_and_is_not_there(tmp_path: Path, asked: str) -> None:
     (tmp_path / "asked").write_text(asked)
     (tmp_path / "list").write_text(LISTED)
-    (tmp_path / "installed").write_text("numpy==1.24.4\nTorch==1.13.1\n")
+    many = "".join(f"other-{each}==1\n" for each in range(20_000))  # more than a pipe holds
+    (tmp_path / "installed").write_text(f"numpy==1.24.4\nTorch==1.13.1\n{many}")
     (tmp_path / "python3").write_text(STAND_IN.format(folder=tmp_path))
     (tmp_path / "git").write_text(GIT.format(folder=tmp_path))
     again = (SCRIPT.parent / "ask-pip-again.sh").read_text().replace("/dev/shm", str(tmp_path))

@@ -112,7 +112,7 @@ of_list() { # git+URL NAMES-BEFORE
       line="$(sed 's/\r$//; s/[[:space:]]*#.*//' <<<"${line}")"
       name="${line%%[<>=!~;[ @]*}"
       case "${line}" in '' | -* | .* | */*) continue ;; esac
-      if names | grep --quiet --line-regexp --fixed-strings "$(tr 'A-Z_.' 'a-z--' <<<"${name}")"; then continue; fi
+      if grep --quiet --line-regexp --fixed-strings "$(tr 'A-Z_.' 'a-z--' <<<"${name}")" <<<"$(names)"; then continue; fi
       if ! { install --constraint "${kept}" "${line}" || install --constraint "${kept}" "${name}"; } </dev/null; then
         echo "pip ${line}" | tee --append /usr/local/share/roslab/left-out.txt
       fi
