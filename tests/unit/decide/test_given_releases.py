@@ -62,6 +62,7 @@ def test_so_does_a_project(tmp_path: Path) -> None:
         ("flask==1.1.2; python_version < '3.9'\nwerkzeug==2.2.3\n", "", False),
         ("pandas==2.0.3\nnumpy==2.0.1\n", "numpy", True),
         ("pandas==2.2.2\nnumpy==2.0.1\n", "", False),
+        ("pandas==2.0.3\nnumpy==2.0.1\nopencv-python==4.12.0.88\n", "", False),  # no NumPy is for both
     ],
 )
 def test_a_pin_gives_way_to_one_that_stops_beside_it(tmp_path: Path, lines: str, left: str, *, told: bool) -> None:

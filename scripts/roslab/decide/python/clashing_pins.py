@@ -18,8 +18,8 @@ from roslab.values.requirement_line import stated
 def clashing_pins(evidence: Evidence, python: str | None) -> Loose:
     """Return the pins that give way to what another line of their list or project needs, each with what is told.
 
-    What needs it stops at its import beside the pin, whoever wrote it. Only where the image's ``python`` has releases
-    that fit, by which the package is limited in its place.
+    What needs it stops beside the pin, whoever wrote it. Only where the image's ``python`` has releases that fit, by
+    which the package is limited in its place, and no other line needs a newer one.
     """
     found: dict[Requirement, Warning_] = {}
     for asked in _together(evidence):
@@ -29,7 +29,8 @@ def clashing_pins(evidence: Evidence, python: str | None) -> Loose:
                 if not (pin.key == known.limit.key and pin.release and excluded(known.limit, (pin,))):
                     continue
                 free = stated(pin.name or pin.key, pin.origin, pin.file, pin.line)
-                if known.limit in decide_undeclared((each, free), python=python).answer.pip:
+                beside = (free if line is pin else line for line in asked)
+                if known.limit in decide_undeclared(beside, python=python).answer.pip:
                     why = f"{each.written}{place} needs that but does not say so, and stops beside {pin.written}"
                     found.setdefault(pin, warn(f"{pin.written} gives way to {known.limit.written}: {why}", pin))
     return found
