@@ -71,7 +71,9 @@ def starts_whole(decision: Decision, evidence: Evidence) -> bool:
 
 def _stops(argv: tuple[str, ...] | str, decision: Decision, evidence: Evidence) -> bool:
     """Tell whether a command starts something of a package that is left out, or a launch file that does so."""
-    launch = started_launch(evidence, argv) if isinstance(argv, tuple) else None
+    if isinstance(argv, str):
+        return False
+    launch = started_launch(evidence, argv)
     asked = (*launch.dependencies, *launch.reached) if launch else ()
     needed = {each.name for each in asked if each.namespace == "ros" and each.strength != "optional"}
     return not needed.isdisjoint(decision.left_out) or _of_package(" ".join(argv)) in decision.left_out
