@@ -15,7 +15,11 @@ FEWEST = 3
 
 One or two may be a reader's wish.
 """
-_OF: dict[Literal["ros", "anaconda"], str] = {"ros": "a machine with ROS", "anaconda": "an Anaconda"}
+_OF: dict[Literal["ros", "anaconda"], tuple[str, str]] = {
+    "ros": ("a machine with ROS", "ROS's"),
+    "anaconda": ("an Anaconda", "conda's"),
+}
+"""What had such a list's packages installed, and whose own are among them."""
 
 
 def of_machines(evidence: Evidence) -> frozenset[str]:
@@ -31,20 +35,21 @@ def of_anacondas(evidence: Evidence) -> frozenset[str]:
 def machine_lists(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
     """Yield a warning for each of the lists that is not among the chosen files."""
     for path, asked_by in _found(evidence):
-        whose = "ROS's" if asked_by == "ros" else "conda's"
-        why = f"it lists what {_OF[asked_by]} had installed, {whose} own packages too, which pip cannot install"
+        machine, whose = _OF[asked_by]
+        why = f"it lists what {machine} had installed, {whose} own packages too, which pip cannot install"
         yield from not_installed(evidence, {path}, chosen, why)
 
 
 def _found(evidence: Evidence) -> Iterator[tuple[str, Literal["ros", "anaconda"]]]:
     """Yield each such list, and whose own packages it has."""
-    for path in dict.fromkeys(file.file for file in evidence.requirements):
-        listed = (asked for file in evidence.requirements if file.file == path for asked in file.requirements)
-        pinned = [asked.key for asked in listed if asked.written.startswith(f"{asked.name}==")]
-        for asked_by in _OF:
-            if sum(key in tooling(asked_by) for key in pinned) >= FEWEST:
-                yield path, asked_by
-                break
+    pinned: dict[str, list[str]] = {}
+    for file in evidence.requirements:
+        pins = (asked.key for asked in file.requirements if asked.written.startswith(f"{asked.name}=="))
+        pinned.setdefault(file.file, []).extend(pins)
+    for path, keys in pinned.items():
+        asked_by = next((each for each in _OF if sum(key in tooling(each) for key in keys) >= FEWEST), None)
+        if asked_by:
+            yield path, asked_by
 
 
 def not_installed(
