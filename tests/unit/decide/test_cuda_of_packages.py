@@ -171,6 +171,15 @@ def test_ros_is_installed_on_its_own_ubuntu(tmp_path: Path, ros: str, base: str,
     assert len(told) == (ros == "lyrical")
 
 
+@pytest.mark.parametrize(("ros", "image"), [("humble", "11.7.1"), ("lyrical", "none")])
+def test_the_image_for_a_version_without_any_is_told_as_it_is(tmp_path: Path, ros: str, image: str) -> None:
+    built = MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
+    base = "FROM nvidia/cuda:10.2-devel-ubuntu18.04\n"
+    found = decided(tmp_path, {"package.xml": built, "README.md": f"ROS {ros}\n", "docker/Dockerfile": base})
+    (told,) = (each.message for each in found.warnings if "the image has" in each.message)
+    assert f"its last patch's too; the image has {image}. A framework" in told
+
+
 def test_a_version_that_was_asked_for_is_told(tmp_path: Path) -> None:
     manifest = MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
     config = Config(base=Base(ros="jazzy", cuda="12.1"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from roslab.config.model import Config
 from roslab.decide.base import nvidia_dockerfile
 from roslab.decide.cuda.version import Cuda
@@ -11,7 +13,7 @@ from roslab.decide.python.base import cuda_ubuntus
 from roslab.decide.reasons import because, outweighed, warn
 from roslab.evidence.facts import Evidence
 from roslab.knowledge.distros import Distro
-from roslab.knowledge.frameworks import cuda_images
+from roslab.knowledge.frameworks import cuda_image, cuda_images
 from roslab.values.dataclass import replace
 from roslab.values.origin import Place
 from roslab.values.version import Version
@@ -37,7 +39,7 @@ def with_an_image_for_distro(
     said = f"CUDA {asked} has no image for {ros.ubuntu}, which ROS {ros.name} is packaged for"
     if not images:
         told = warn(f"{said}, nor has any other: ROS's own image is taken, which has no CUDA", _place(choice))
-        return replace(choice, answer=Cuda(), warnings=(*choice.warnings, told))
+        return replace(choice, answer=Cuda(), warnings=(*_with_image(choice.warnings, asked, ""), told))
     newer = [cuda for cuda in images if Version(cuda) >= Version(asked)]
     taken = newer[0] if newer else images[-1]
     why = because("cuda", taken, said, _place(choice), weight=Weight.NEAREST)
@@ -46,8 +48,16 @@ def with_an_image_for_distro(
         choice,
         answer=answer,
         reasons=(why, *outweighed(choice.reasons, why)),
-        warnings=(*choice.warnings, *_told(config, said, taken)),
+        warnings=(*_with_image(choice.warnings, asked, taken), *_told(config, said, taken)),
     )
+
+
+def _with_image(warnings: tuple[Warning_, ...], before: str, taken: str) -> Iterator[Warning_]:
+    """Yield the warnings: one that says which image stands for a version without any says the one that is taken."""
+    tag, other = ((row.tag if (row := cuda_image(cuda)) else "") for cuda in (before, taken))
+    has = "; the image has {}. "
+    for each in warnings:
+        yield replace(each, message=each.message.replace(has.format(tag), has.format(other or "none")))
 
 
 def _told(config: Config, said: str, taken: str) -> tuple[Warning_, ...]:
