@@ -94,10 +94,10 @@ def first_of(candidates: Iterable[Candidate]) -> Candidate | None:
     Pages nearer to the root come first, of them the README, then sections about running it, then the order of the
     page. What needs a file that the tree lacks comes after what needs none, except for Python, whose READMEs usually
     name data; another that is given with blanks to fill in comes last, one of Python after what other sections of its
-    page run whole; programs that only serve others are never returned. What is named like a test is returned where a
-    section about running it has nothing else: the purpose may be to test. A quick start may evaluate. Of two calls of a
-    program in one section, the one that needs no file which nothing brings. What starts a node that nothing installs
-    comes last, if another is whole.
+    page run whole; programs that only serve others are never returned, unless pages start one launch file and nothing
+    else. What is named like a test is returned where a section about running it has nothing else: the purpose may be to
+    test. A quick start may evaluate. Of two calls of a program in one section, the one that needs no file which nothing
+    brings. What starts a node that nothing installs comes last, if another is whole.
     """
     candidates = tuple(candidates)
     written = without_chores(c for c in candidates if c.strong and not helps(c) and not upkeep(c))
