@@ -1,4 +1,4 @@
-"""Requirement files that list what a machine with ROS or an Anaconda had installed, whose own packages no index has."""
+"""Requirement files that list what a machine with ROS or an Anaconda had installed, with packages that no index has."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ FEWEST = 3
 One or two may be a reader's wish.
 """
 _OF: dict[Literal["ros", "anaconda"], tuple[str, str]] = {
-    "ros": ("a machine with ROS", "ROS's"),
-    "anaconda": ("an Anaconda", "conda's"),
+    "ros": ("a machine with ROS", "ROS's own packages too, which pip cannot install"),
+    "anaconda": ("an Anaconda", "conda's own packages too, not all of which pip can install"),
 }
-"""What had such a list's packages installed, and whose own are among them."""
+"""What had such a list's packages installed, and what is said of its own among them."""
 
 
 def of_machines(evidence: Evidence) -> frozenset[str]:
@@ -35,8 +35,8 @@ def of_anacondas(evidence: Evidence) -> frozenset[str]:
 def machine_lists(evidence: Evidence, chosen: Collection[RequirementFile]) -> Iterator[Warning_]:
     """Yield a warning for each of the lists that is not among the chosen files."""
     for path, asked_by in _found(evidence):
-        machine, whose = _OF[asked_by]
-        why = f"it lists what {machine} had installed, {whose} own packages too, which pip cannot install"
+        machine, own = _OF[asked_by]
+        why = f"it lists what {machine} had installed, {own}"
         yield from not_installed(evidence, {path}, chosen, why)
 
 
