@@ -25,6 +25,13 @@ def folder(path: str) -> str:
     return path
 
 
+def log(path: str) -> str:
+    """Return the path of a log that is given."""
+    if not path:
+        raise argparse.ArgumentTypeError("it is empty: give the file of the log, or - for standard input")
+    return path
+
+
 def tag(text: str) -> str:
     """Return the tag; https://github.com/opencontainers/distribution-spec/blob/main/spec.md#pulling-manifests."""
     if not _TAG.fullmatch(text):

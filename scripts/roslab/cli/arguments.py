@@ -113,16 +113,19 @@ def _migrate(commands: Commands) -> None:
 def _create(commands: Commands) -> None:
     create = _command(commands, "create", "Write Dockerfile, docker_build.sh, docker_run.sh and README.ipynb.")
     _repository(create, *OVERRIDING)
-    create.add_argument("--output", metavar="DIR", help="folder to write to (default: the repository)")
+    create.add_argument(
+        "--output", metavar="DIR", type=values.folder, help="folder to write to (default: the repository)"
+    )
     create.add_argument(
         "--force", action="store_true", help="replace files that roslab wrote before; never one of yours"
     )
 
 
 def _explain(commands: Commands) -> None:
-    explain = _command(commands, "explain", "Say in plain words why a build failed.")
-    log = "the log of a failed build, saved by `docker build . > LOG 2>&1`, act, GitHub or GitLab; - for standard input"
-    explain.add_argument("log", metavar="LOG", help=log)
+    explain = _command(commands, "explain", "Say in plain words why a build failed or a command died.")
+    saved = "saved by `docker build . > LOG 2>&1`, act, GitHub or GitLab; - for standard input"
+    log = f"the log of a failed build or of a command that died, {saved}"
+    explain.add_argument("log", metavar="LOG", type=values.log, help=log)
     _repository(explain, default=None)
     _format(explain)
     explain.add_argument(
@@ -133,7 +136,7 @@ def _explain(commands: Commands) -> None:
     explain.add_argument(
         "--apply",
         action="store_true",
-        help="show what is certainly missing in roslab.yaml, and add it; the old one is kept as FILE.old",
+        help="add what is certainly missing to roslab.yaml, and show the change; the old one is kept as FILE.old",
     )
 
 
@@ -222,8 +225,8 @@ def _verify(commands: Commands) -> None:
 def completed(arguments: Sequence[str]) -> list[str]:
     """Return the arguments with the number that ``--repair`` means alone: what follows may be the repository."""
     own = len(arguments) if "--" not in arguments else list(arguments).index("--")
-    pairs = enumerate(zip(arguments, [*arguments[1:], ""], strict=True))
-    return [f"--repair={ROUNDS}" if at < own and a == "--repair" and not b.isdigit() else a for at, (a, b) in pairs]
+    alone = [not after.lstrip("-").isdigit() for after in [*arguments[1:], ""]]  # -3 is a number too: a wrong one
+    return [f"--repair={ROUNDS}" if at < own and a == "--repair" and alone[at] else a for at, a in enumerate(arguments)]
 
 
 def _command(commands: Commands, name: str, summary: str) -> argparse.ArgumentParser:

@@ -67,11 +67,34 @@ def test_the_number_of_repairs_may_stand_as_the_help_shows_it(words: list[str], 
     assert (options.path, options.repair) == (path, rounds)
 
 
-def test_an_empty_path_is_no_folder(capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("number", ["-3", "0", "21"])
+def test_a_wrong_number_of_repairs_is_named(number: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as stopped:
-        main(["inspect", ""])
+        main(["build", "--repair", number, "robot"])
     assert stopped.value.code == 2
-    assert "it is empty: give a folder, or leave it out for this one" in capsys.readouterr().err
+    assert f"argument --repair: '{number}' is no number from 1 to 20" in capsys.readouterr().err
+
+
+def test_without_an_argument_the_usage_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main([])
+    assert stopped.value.code == 2
+    assert "required: COMMAND" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "instead"),
+    [
+        (["inspect", ""], "give a folder, or leave it out for this one"),
+        (["create", "--output", ""], "give a folder, or leave it out for this one"),
+        (["explain", ""], "give the file of the log, or - for standard input"),
+    ],
+)
+def test_an_empty_path_is_none(words: list[str], instead: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(words)
+    assert stopped.value.code == 2
+    assert f"it is empty: {instead}" in capsys.readouterr().err
 
 
 def test_a_plan_may_be_asked_for_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
