@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import pytest
 
-from roslab.errors import NothingToBuildError
+from roslab.errors import ConfigurationError, NothingToBuildError
 from roslab.pipeline import plan_repository
 from roslab.plan.plan import to_json
 from roslab.render.outcome import Report
@@ -49,6 +50,37 @@ def test_a_tree_of_just_as_many(tmp_path: Path) -> None:
     repository = Repository.open(tree(tmp_path, files=3))
     assert not repository.listing.truncated
     assert repository.problems == ()
+
+
+@pytest.fixture
+def nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let even root have no right to what is closed."""
+    monkeypatch.setattr(os, "access", lambda path, _: bool(Path(path).stat().st_mode & 0o400))
+
+
+@pytest.mark.usefixtures("nobody")
+def test_a_file_that_may_not_be_read_is_told(tmp_path: Path) -> None:
+    root = tree(tmp_path, files=3)
+    (root / "data" / "0.txt").chmod(0)
+    (root / "data" / "1.txt").chmod(0o600)
+    told = "a file could not be read for want of permission: data/0.txt"
+    assert Repository.open(root).problems == ((told, None, None),)
+    (root / "main.py").unlink()
+    with pytest.raises(NothingToBuildError) as error:
+        plan_repository(root)
+    assert told in error.value.problems[0].message
+
+
+@pytest.mark.usefixtures("nobody")
+def test_a_configuration_that_may_not_be_read_is_not_empty(tmp_path: Path) -> None:
+    root = tree(tmp_path, files=1)
+    (root / "roslab.yaml").write_text("format: 3\n")
+    (root / "roslab.yaml").chmod(0)
+    with pytest.raises(ConfigurationError) as error:
+        plan_repository(root)
+    assert str(error.value) == (
+        "roslab.yaml: it cannot be read for want of permission (`chmod u+r roslab.yaml` gives its owner the right)"
+    )
 
 
 def test_nothing_found_in_what_was_read(tmp_path: Path) -> None:

@@ -28,13 +28,18 @@ class Named:
 def find(repository: Repository, named: Named | None = None) -> str | None:
     """Return the configuration's path, relative to the repository, ``None`` if there is none.
 
-    Raises ``ConfigurationError`` if the named one is missing, ``RefusedError`` if it is a link out of the repository.
+    Raises ``ConfigurationError`` if the named one is missing or it may not be read, ``RefusedError`` if it is a link
+    out of the repository.
     """
     origin = named.origin if named else None
     for name in (named.path,) if named else NAMES:
         if name in repository.listing.outside:
             message = f"{printable(name)} is a link that leads out of the repository"
             raise RefusedError(Problem(message=message, hint="make it a file of the repository", origin=origin))
+        if name in repository.listing.closed:
+            hint = f"`chmod u+r {printable(name)}` gives its owner the right"
+            message = "it cannot be read for want of permission"
+            raise ConfigurationError(Problem(message=message, hint=hint, origin=Place(file=name)))
         if repository.has(name):
             return name
     if named:

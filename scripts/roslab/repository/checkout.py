@@ -101,10 +101,12 @@ class Repository(ToldByGit):
             message = f"the tree holds more than {listing.MAX_FILES} files: the rest was not read"
             found.append((message, None, None))
         if folders := self.listing.unreadable:
-            named = ", ".join(_short(folder) for folder in folders[:3])
-            more = f" and {len(folders) - 3} more" if len(folders) > 3 else ""
             what = "a folder" if len(folders) == 1 else "folders"
-            found.append((f"{what} could not be listed, and nothing inside was read: {named}{more}", None, None))
+            message = f"{what} could not be listed, and nothing inside was read: {_first(folders)}"
+            found.append((message, None, None))
+        if files := self.listing.closed:
+            what = "a file" if len(files) == 1 else "files"
+            found.append((f"{what} could not be read for want of permission: {_first(files)}", None, None))
         return tuple(found)
 
     @property
@@ -215,8 +217,13 @@ def nearest(files: Iterable[File]) -> list[File]:
     return sorted(files, key=lambda file: (file.path.count("/"), file.path))
 
 
-def _short(folder: str) -> str:
-    named = printable(folder) or "the root"
+def _first(paths: tuple[str, ...]) -> str:
+    more = f" and {len(paths) - 3} more" if len(paths) > 3 else ""
+    return ", ".join(map(_short, paths[:3])) + more
+
+
+def _short(path: str) -> str:
+    named = printable(path) or "the root"
     return named if len(named) <= MAX_NAMED else f"{named[: MAX_NAMED - 1]}…"
 
 

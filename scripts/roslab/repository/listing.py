@@ -65,6 +65,8 @@ class Listing:
     """Folders with nothing in them: git makes one where a commit records that of another repository."""
     unreadable: tuple[str, ...]
     """Folders that could not be listed: no permission, or a path longer than the system takes."""
+    closed: tuple[str, ...]
+    """Files that may not be read."""
     truncated: bool
     """There are more than ``MAX_FILES`` files: the rest is not in ``files``."""
     stamps: dict[str, Stamp]
@@ -82,6 +84,7 @@ def list_tree(root: str) -> Listing:
     outside: list[str] = []
     empty: list[str] = []
     unreadable: list[str] = []
+    closed: list[str] = []
     pending = [""]
     while pending and len(found) < MAX_FILES:
         folder = pending.pop()
@@ -99,7 +102,9 @@ def list_tree(root: str) -> Listing:
                         if entry.name not in SKIPPED_FOLDERS:
                             pending.append(path)
                     elif entry.is_file(follow_symlinks=False):
-                        found[path] = _stamp(entry.stat(follow_symlinks=False))
+                        status = entry.stat(follow_symlinks=False)
+                        found[path] = _stamp(status)
+                        closed += _closed(status, entry.path, path)
                 if entry is None:
                     empty.append(folder)
         except OSError:
@@ -111,6 +116,7 @@ def list_tree(root: str) -> Listing:
         outside=tuple(sorted(outside)),
         empty=tuple(sorted(empty)),
         unreadable=tuple(sorted(unreadable)),
+        closed=tuple(sorted(closed)),
         truncated=bool(pending),
         stamps=found,
         begun=begun,
@@ -119,6 +125,11 @@ def list_tree(root: str) -> Listing:
 
 def _stamp(status: os.stat_result) -> Stamp:
     return status.st_mtime_ns, status.st_ctime_ns, status.st_size, status.st_ino
+
+
+def _closed(status: os.stat_result, full: str, path: str) -> tuple[str, ...]:
+    """Return a file that may not be read; what is everybody's to read, as most files are, needs no question."""
+    return () if status.st_mode & stat.S_IROTH or os.access(full, os.R_OK) else (path,)
 
 
 def _follow(
