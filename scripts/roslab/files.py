@@ -75,7 +75,9 @@ def replace_with_backup(path: str | Path, text: str) -> Path:
         _replace([(backup, old, False), (path, text.encode(), False)])
         path.chmod(mode)
     except OSError as error:
-        raise _unwritable(path, error) from None
+        raise _unwritable(
+            path, error, hint="it is changed in its own folder, which you must be allowed to write"
+        ) from None
     return backup
 
 
@@ -90,7 +92,9 @@ def write_configuration(path: Path, old: str | None, new: str) -> None:
     try:
         _replace([(path, new.encode(), False)])
     except OSError as error:
-        raise _unwritable(path, error) from None
+        raise _unwritable(
+            path, error, hint="it is changed in its own folder, which you must be allowed to write"
+        ) from None
 
 
 def _relative(file: OutputFile) -> str:
@@ -243,6 +247,6 @@ def _temporary(path: Path) -> Path:
     return path.with_name(f".roslab-{secrets.token_hex(8)}")
 
 
-def _unwritable(path: Path, error: OSError) -> ConfigurationError:
+def _unwritable(path: Path, error: OSError, *, hint: str = ELSEWHERE) -> ConfigurationError:
     name = printable(str(path))
-    return ConfigurationError(Problem(message=f"cannot write {name}: {error.strerror or error}", hint=ELSEWHERE))
+    return ConfigurationError(Problem(message=f"cannot write {name}: {error.strerror or error}", hint=hint))

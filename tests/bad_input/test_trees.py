@@ -172,14 +172,16 @@ def test_links_out_of_the_tree(roslab: Roslab, tmp_path: Path) -> None:
     assert json.loads(answer.stdout)["kind"] == "python"
 
 
-def test_configuration_that_is_a_link_out(roslab: Roslab, tmp_path: Path) -> None:
+@pytest.mark.parametrize("leads", ["../elsewhere.yaml", "nowhere"])
+def test_configuration_that_is_a_link_out(roslab: Roslab, tmp_path: Path, leads: str) -> None:
     (tmp_path / "elsewhere.yaml").write_text("format: 3\nname: elsewhere\n")
     shutil.copytree(EXAMPLES / "python_filter", tmp_path / "robot")
-    (tmp_path / "robot" / "roslab.yaml").symlink_to("../elsewhere.yaml")
+    (tmp_path / "robot" / "roslab.yaml").symlink_to(leads)
     answer = roslab("plan", "robot", cwd=tmp_path)
     assert answer.returncode == 4
     assert answer.stderr == (
-        "roslab: error: roslab.yaml is a link that leads out of the repository\n  make it a file of the repository\n"
+        f"roslab: error: roslab.yaml is a link to {leads}, which is no file of the repository\n"
+        "  make it a file of the repository\n"
     )
 
 
@@ -192,7 +194,8 @@ def test_dockerfile_that_is_a_link_out(roslab: Roslab, tmp_path: Path) -> None:
     answer = roslab("plan", "robot", cwd=tmp_path)
     assert answer.returncode == 2, answer.stdout
     assert answer.stderr == (
-        "roslab.yaml:2:1: error: dockerfile: docker/Dockerfile is a link that leads out of the repository\n"
+        "roslab.yaml:2:1: error: dockerfile: docker/Dockerfile is a link to ../../Dockerfile, "
+        "which is no file of the repository\n"
         "  give a path relative to the root of the repository\n"
     )
 

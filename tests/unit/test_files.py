@@ -10,7 +10,7 @@ import pytest
 
 from roslab import files
 from roslab.errors import ConfigurationError, RefusedError
-from roslab.files import Written, replace_with_backup, write_all
+from roslab.files import Written, replace_with_backup, write_all, write_configuration
 from roslab.render.output import MARKER, OutputFile, generated
 
 OURS = f"#!/bin/sh\n# {MARKER}.\n"
@@ -215,6 +215,14 @@ def test_a_backup_is_kept(tmp_path: Path) -> None:
     with pytest.raises(RefusedError, match=r"roslab.yaml.old already exists"):
         replace_with_backup(path, "newer\n")
     assert path.read_text() == "new\n"
+
+
+def test_a_file_that_cannot_be_changed_is_written_nowhere_else(tmp_path: Path) -> None:
+    """It has one place: no option names another."""
+    with pytest.raises(ConfigurationError, match="cannot write") as error:
+        write_configuration(tmp_path / "missing" / "roslab.yaml", None, "new\n")
+    assert "--output" not in str(error.value)
+    assert "its own folder, which you must be allowed to write" in str(error.value)
 
 
 def test_no_backup_of_a_link(tmp_path: Path) -> None:

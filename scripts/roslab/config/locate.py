@@ -34,7 +34,7 @@ def find(repository: Repository, named: Named | None = None) -> str | None:
     origin = named.origin if named else None
     for name in (named.path,) if named else NAMES:
         if name in repository.listing.outside:
-            message = f"{printable(name)} is a link that leads out of the repository"
+            message = f"{printable(name)} is {_link(repository, name)}"
             raise RefusedError(Problem(message=message, hint="make it a file of the repository", origin=origin))
         if name in repository.listing.closed:
             hint = f"`chmod u+r {printable(name)}` gives its owner the right"
@@ -76,7 +76,7 @@ def check_paths(config: Config, repository: Repository) -> None:
     problems = []
     for key, path in missing:
         outside = path in repository.listing.outside
-        what = "a link that leads out of the repository" if outside else "not there"
+        what = _link(repository, path) if outside else "not there"
         name = key.partition(".")[0]
         problems.append(
             Problem(
@@ -87,3 +87,7 @@ def check_paths(config: Config, repository: Repository) -> None:
         )
     if problems:
         raise ConfigurationError(*problems)
+
+
+def _link(repository: Repository, path: str) -> str:
+    return f"a link to {printable(repository.leads_to(path))}, which is no file of the repository"

@@ -60,6 +60,8 @@ def mapping_of(document: Document) -> Mapping:
     root = document.root
     if isinstance(root, Mapping) and root.pairs:
         return root
+    if isinstance(root, Mapping) and document.problems:  # of its keys, none of which is left
+        raise ConfigurationError(*document.problems)
     if root is None or (isinstance(root, Scalar) and root.kind == "null") or isinstance(root, Mapping):
         message, hint = "the file is empty", "begin with `format: 3`, or delete it: no roslab.yaml is needed"
     else:

@@ -197,7 +197,10 @@ def _admits(schema: Schema, node: Node) -> bool:
 def _takes(schema: Schema, text: str) -> bool:
     """Return whether a schema accepts a text."""
     branches = [vocabulary.resolve(branch) for branch in schema.get("anyOf", ())] or [schema]
-    return any("string" in _types(branch) and _matches(branch, text) for branch in branches)
+    return any(
+        "string" in _types(branch) and _matches(branch, text) and text in branch.get("enum", (text,))
+        for branch in branches
+    )
 
 
 def _example(schema: Schema) -> str:
