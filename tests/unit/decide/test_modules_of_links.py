@@ -51,6 +51,7 @@ def test_it_is_looked_for_there(tmp_path: Path) -> None:
         ("See https://github.com/lab/sight.\n", {}),
         (LINK.format("lab"), {"sight/src/look.py": "", "third_party/a/b.py": "import FaultFinder\n"}),
         (LINK.format("lab"), {"sight/CMakeLists.txt": MAKES}),
+        (LINK.format("lab"), {"sight/src/look.py": "", "pico/main.py": "import machine\nimport utime\n"}),
     ],
 )
 def test_what_another_owns_or_a_table_knows_is_not(tmp_path: Path, page: str, code: dict[str, str]) -> None:

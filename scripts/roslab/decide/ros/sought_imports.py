@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from roslab.decide.python.firmware import without_firmware
 from roslab.decide.python.on_index import on_index
 from roslab.decide.ros.sought import PACKAGE
 from roslab.decide.ros.sought_addresses import public_owner
@@ -61,7 +62,7 @@ def modules_of_links(evidence: Evidence, installed: Iterable[Requirement]) -> tu
     named |= {canonicalize_name(asked.name) for manifest in evidence.manifests for asked in manifest.dependencies}
     named |= {canonicalize_name(name) for made in evidence.cmake for name in (*made.targets, *made.made)}
     named |= {each.key for each in installed}
-    return tuple(
+    found = (
         used
         for used in evidence.code
         if used.namespace == "import"
@@ -70,6 +71,7 @@ def modules_of_links(evidence: Evidence, installed: Iterable[Requirement]) -> tu
         and canonicalize_name(used.name) not in named
         and not _known(used, evidence)
     )
+    return tuple(without_firmware(found))
 
 
 def linked_of_owner(evidence: Evidence) -> tuple[GitSource, ...]:
