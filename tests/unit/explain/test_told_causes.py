@@ -73,6 +73,16 @@ IGNORED = "ERROR: Ignored the following versions that require a different python
         (log("make", "a.cpp:3:1: error: 'CV_SVD_U_T' was not declared in this scope"), "api-known"),
         (log("make", "a.cpp:3:1: error: 'cvSolve' was not declared in this scope"), "api-known"),
         (log("make", "a.cpp:3:10: fatal error: cv.hpp: No such file or directory"), "api-known"),
+        # What is compiled of a package is no part that another release moved
+        (log("python a.py", "ModuleNotFoundError: No module named 'grasp_ops._ext'"), "python-extension-not-built"),
+        # The archives of ROS have Debian's releases in the same folder
+        (
+            log(
+                "apt-get update",
+                "E: The repository 'http://apt.example.org/ros2/ubuntu trixie Release' does not have a Release file.",
+            ),
+            "repository-dropped-release",
+        ),
         # A newer CMake says this too
         (
             log(
