@@ -16,6 +16,7 @@ from roslab.values.dataclass import dataclass
 from roslab.values.origin import Place
 
 ELSEWHERE = "write to another folder with --output DIR"
+_IN_PLACE = "it is changed in its own folder, which you must be allowed to write"
 MAX_SIZE = 64 * 1024 * 1024
 """Bytes read of an existing file: roslab writes nothing longer."""
 Action = Literal["created", "replaced", "unchanged"]
@@ -75,9 +76,7 @@ def replace_with_backup(path: str | Path, text: str) -> Path:
         _replace([(backup, old, False), (path, text.encode(), False)])
         path.chmod(mode)
     except OSError as error:
-        raise _unwritable(
-            path, error, hint="it is changed in its own folder, which you must be allowed to write"
-        ) from None
+        raise _unwritable(path, error, hint=_IN_PLACE) from None
     return backup
 
 
@@ -92,9 +91,7 @@ def write_configuration(path: Path, old: str | None, new: str) -> None:
     try:
         _replace([(path, new.encode(), False)])
     except OSError as error:
-        raise _unwritable(
-            path, error, hint="it is changed in its own folder, which you must be allowed to write"
-        ) from None
+        raise _unwritable(path, error, hint=_IN_PLACE) from None
 
 
 def _relative(file: OutputFile) -> str:
