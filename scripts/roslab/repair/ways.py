@@ -43,7 +43,8 @@ def python(found: Explanation, given: Given) -> Worked:
     names = dict(found.names)
     if given.plan.ros_distro:
         return Worked(why=f"the Python of ROS {given.plan.ros_distro} cannot be exchanged: take another release of it")
-    needs = names.get("needs", "") or required(names, found.log)
+    exact = names.get("release", "")
+    needs = f"=={exact}.*" if exact else names.get("needs", "") or required(names, found.log)
     needs = f">={needs}" if needs[:1].isdigit() else needs
     allowed = specifiers(needs) if needs else None
     if allowed is None:

@@ -215,6 +215,12 @@ def test_where_nothing_answers_it_says_why(tmp_path: Path, files: Mapping[str, s
     assert why in "".join(reason for _, reason in found.refused)
 
 
+def test_the_python_that_uv_does_not_find_is_taken_and_no_newer_one(tmp_path: Path) -> None:
+    text = log("uv sync", "error: No interpreter found for Python 3.9 in managed installations or search path")
+    (change,) = repaired(tmp_path, text, PYTHON).changes
+    assert (change.key, change.value) == ("base.python", "3.9")
+
+
 def test_a_submodule_that_is_not_checked_out(tmp_path: Path) -> None:
     made(tmp_path, CPP)
     module = '[submodule "maths"]\n\tpath = third_party/maths\n\turl = https://example.org/maths\n'
