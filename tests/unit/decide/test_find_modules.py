@@ -161,3 +161,13 @@ def test_a_package_that_the_page_leaves_out_stops_nothing(tree: Tree, module: st
     told, may_fail = _told(tree, module=module, builds="colcon build --packages-skip planner")
     assert [each.partition("; ")[0].rpartition(": ")[2] for each in told] == ["planner is left out of the build"]
     assert not may_fail
+
+
+def test_a_module_is_read_once_for_calls_that_are_alike(tree: Tree) -> None:
+    """Each of them asked for all that the module requires."""
+    calls = "find_package(Cable REQUIRED)\n" * 3000
+    module = "".join(f"find_package(Wire{number} REQUIRED)\n" for number in range(1500))
+    files = {"CMakeLists.txt": f"project(demo)\n{calls}add_executable(demo a.cpp)\n", "a.cpp": "int main() {}\n"}
+    with ends():
+        decision = tree({**files, "cmake/FindCable.cmake": module.replace("Wire7 ", "Boost ")})
+    assert "libboost-all-dev" in (*decision.apt, *decision.apt_guessed)

@@ -23,7 +23,7 @@ from roslab.evidence.native.added import Added
 from roslab.evidence.native.authors_parts import authors_parts
 from roslab.evidence.native.bare_links import with_bare
 from roslab.evidence.native.cmake_reading import Reading
-from roslab.evidence.native.find_modules import by_module, goes_on, required_by_module
+from roslab.evidence.native.find_modules import by_module, goes_on
 from roslab.evidence.native.installed_paths import code_not_there, installed, not_there
 from roslab.evidence.native.lost_libraries import lost, named
 from roslab.evidence.native.macros import macros
@@ -169,10 +169,10 @@ def _project(repository: Repository, file: File, added: dict[str, Added]) -> CMa
                     continue
                 cmake_since.note(needing, path, reading.newer)
                 _note(needing, path, reading)
-                reading.dependencies += required_by_module(needing, repository, file)
+                reading.dependencies += by_module(needing, repository, file, reading.modules, included=True)
         elif not goes_on(call, text, repository, file):
             _note(call, file.path, reading)
-            reading.dependencies += by_module(call, repository, file)
+            reading.dependencies += by_module(call, repository, file, reading.modules)
     reading.dependencies = [cmake_needs.of_lua(asked, text) for asked in reading.dependencies]
     reading.dependencies += searched(text, file.path, repository)
     own = reading.libraries | reading.executables.keys() | {reading.name}

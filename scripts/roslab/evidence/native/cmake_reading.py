@@ -7,6 +7,7 @@ from itertools import islice
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.evidence.installed_path import InstalledPath
 from roslab.evidence.lex.cmake import Call
+from roslab.evidence.native.find_modules import Asked
 from roslab.evidence.native.installed_paths import MAX_PATHS, code_not_there
 from roslab.evidence.native.made_targets import TARGET
 from roslab.evidence.native.outside import outside_of_workspaces
@@ -63,6 +64,8 @@ class Reading:
     compiled: set[str] = field(default_factory=set)
     """Those that libraries name."""
     dependencies: list[Dependency] = field(default_factory=list)
+    modules: set[Asked] = field(default_factory=set)
+    """What was asked of the tree's own modules."""
     sources: list[GitSource] = field(default_factory=list)
     brought: dict[str, None] = field(default_factory=dict)
     linked: dict[str, int] = field(default_factory=dict)

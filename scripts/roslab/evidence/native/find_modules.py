@@ -17,6 +17,10 @@ from roslab.repository.checkout import File, Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
+Asked = tuple[tuple[str, ...], tuple[str, ...], bool]
+"""Words and conditions of a call, and whether a function makes it."""
+MOST = 60
+"""Most calls of a file whose modules are read."""
 _FINDS = frozenset({"find_library", "find_path"})
 _TELLS = "find_package_handle_standard_args"
 _VARIABLES = "REQUIRED_VARS"
@@ -26,12 +30,21 @@ _STOPS = pattern(r"handle_standard_args|(?:FATAL|SEND)_ERROR", re.IGNORECASE)
 _WAYS = frozenset({"find_package", "find_library", "pkg_check_modules"})
 
 
-def by_module(call: Call, repository: Repository, file: File) -> Iterator[Dependency]:
-    """Yield what the tree's own module for what ``find_package`` asks for needs itself, nothing for another call."""
-    if call.name != "find_package":
+def by_module(
+    call: Call, repository: Repository, file: File, known: set[Asked], *, included: bool = False
+) -> Iterator[Dependency]:
+    """Yield what the tree's own module for what ``find_package`` asks for needs itself, nothing for another call.
+
+    ``known``: what calls of the file have asked of such modules so far. Of an ``included`` file, only what the module
+    requires.
+    """
+    asked = (call.words, call.conditions, call.in_function)
+    if call.name != "find_package" or asked in known or len(known) >= MOST or not module_of(call, repository, file):
         return
-    yield from of_module(call, repository, file)
-    yield from searched_by_module(call, repository, file)
+    known.add(asked)
+    if not included:
+        yield from of_module(call, repository, file)
+        yield from searched_by_module(call, repository, file)
     yield from required_by_module(call, repository, file)
 
 
