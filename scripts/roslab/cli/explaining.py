@@ -10,7 +10,7 @@ from typing import IO
 
 from roslab.cli.asking import asking
 from roslab.cli.planning import planned_of
-from roslab.cli.repairing import configuration, given
+from roslab.cli.repairing import configuration, given, image
 from roslab.config.addition import added
 from roslab.engine.docker import check
 from roslab.errors import BuildError, ConfigurationError, Problem
@@ -22,7 +22,7 @@ from roslab.pipeline import Planned
 from roslab.repair import dockerfile
 from roslab.repair import words as repair_words
 from roslab.repair.chain import NOBODY, proposed, unasked
-from roslab.repair.change import Repair
+from roslab.repair.change import Change, Repair
 from roslab.repository.checkout import printable
 from roslab.values.dataclass import replace
 
@@ -65,7 +65,23 @@ def _explained(stream: IO[bytes], log: str) -> Answer:
 def _proposed(answer: Answer, planned: Planned, options: argparse.Namespace) -> Repair:
     if options.ask:
         check()
-    return proposed(answer, given(planned), asking=asking(planned, options) if options.ask else NOBODY)
+    found = proposed(answer, given(planned), asking=asking(planned, options) if options.ask else NOBODY)
+    there = [change for change in found.changes if _planned_already(change, planned, options)]
+    new = tuple(change for change in found.changes if change not in there)
+    why = "{} is in the planned image already: the log is of another one, or it does not help"
+    return replace(found, changes=new, refused=(*found.refused, *((one.failure, why.format(one)) for one in there)))
+
+
+def _planned_already(change: Change, planned: Planned, options: argparse.Namespace) -> bool:
+    """Return whether the image is planned with what a change would add."""
+    if planned.plan.author_dockerfile or change.key == "submodules":
+        return False
+    file, old = configuration(planned, options)
+    try:
+        changed = planned_of(options, config_text=added(old, [change.entry], file=file))
+    except ConfigurationError:  # nothing is added to an old format
+        return False
+    return image(changed) == image(planned)
 
 
 def _alone(answer: Answer) -> str:
@@ -82,10 +98,11 @@ def _lines(answer: Answer, planned: Planned, found: Repair, options: argparse.Na
         own = dockerfile.diff(author.dockerfile, text, changes) if changes else ""
         return own + repair_words.text(replace(found, changes=()), begin=configuration(planned, options)[1] is None)
     said = repair_words.text(found, begin=configuration(planned, options)[1] is None)
-    if not options.ask:
-        return said + "".join(f"--ask asks {each}\n" for each in unasked(found, answer, given(planned)))
     fixes = {one.fix for one in answer.explanations}
-    return said + "".join(f"nothing to add: {why}\n" for _, why in found.refused if why not in fixes)
+    said += "".join(f"nothing to add: {why}\n" for _, why in found.refused if why not in fixes)
+    if options.ask:
+        return said
+    return said + "".join(f"--ask asks {each}\n" for each in unasked(found, answer, given(planned)))
 
 
 def _apply(options: argparse.Namespace, planned: Planned, found: Repair) -> None:

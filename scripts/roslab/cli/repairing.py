@@ -62,7 +62,7 @@ def _causes(answer: Answer) -> set[tuple[str, tuple[tuple[str, str], ...]]]:
     return {(one.id, one.names) for one in answer.explanations if one.id}
 
 
-def _image(planned: Planned) -> Plan:
+def image(planned: Planned) -> Plan:
     """Return what a plan says of the image, without the reasons."""
     return replace(planned.plan, reasons=(), warnings=())
 
@@ -176,7 +176,7 @@ class Repairing:
         except ConfigurationError as refused:
             needed = "; ".join(f"{change}, for {change.asked}" for change in changes)
             self._stop(error, f"it needs {needed}, which cannot be added: {refused.problems[0]}")
-        if _image(planned) == _image(self.planned) and not any(change.key == "submodules" for change in changes):
+        if image(planned) == image(self.planned) and not any(change.key == "submodules" for change in changes):
             self._stop(error, f"the image has {', '.join(map(str, changes))} already, and that did not help")
         return planned
 

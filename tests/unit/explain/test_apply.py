@@ -60,6 +60,29 @@ def test_an_existing_file_keeps_its_comments_and_its_old_self(robot: Path) -> No
     assert explain(robot, MISSING, "--apply") == 5, "it is there already: another repair is needed"
 
 
+def test_what_is_planned_already_is_not_added(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (robot / "CMakeLists.txt").write_text(
+        "project(robot CXX)\nfind_package(glog REQUIRED)\nadd_executable(robot main.cpp)\n"
+    )
+    there = (
+        "apt: [libgoogle-glog-dev] is in the planned image already: the log is of another one, or it does not help\n"
+    )
+    assert explain(robot, MISSING, "--apply") == 5
+    told = capsys.readouterr()
+    assert f"nothing to add: {there}" in told.out
+    assert "adds apt" not in told.out
+    assert told.err.endswith(f"  {there}")
+    assert not (robot / "roslab.yaml").exists()
+
+
+def test_what_roslab_yaml_has_already_is_told_unasked(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (robot / "roslab.yaml").write_text("format: 3\napt: [libgoogle-glog-dev]\n")
+    assert explain(robot, MISSING) == 0
+    assert (
+        "nothing to add: roslab.yaml has libgoogle-glog-dev already, and that did not help\n" in capsys.readouterr().out
+    )
+
+
 def test_what_has_no_certain_lines_is_not_written(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert explain(robot, OTHER, "--apply") == 5
     assert "nothing is written" in capsys.readouterr().err
