@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from roslab import __main__
 from roslab.cli import main
 
 
@@ -84,3 +85,16 @@ def test_what_follows_two_dashes_is_the_command_to_run(
     monkeypatch.setattr(main, "_handler", lambda _: kept)
     assert main.main(["run", *words]) == 0
     assert (seen[0].path, seen[0].arguments) == (path, command)
+
+
+def test_an_interrupt_while_modules_are_imported_is_one(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted() -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("roslab.cli.main.run", interrupted)
+    with pytest.raises(SystemExit) as stopped:
+        __main__.run()
+    assert stopped.value.code == 130
+    assert capsys.readouterr().err == "\nroslab: interrupted\n"
