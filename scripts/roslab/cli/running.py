@@ -11,6 +11,7 @@ import tempfile
 from pathlib import Path
 
 from roslab.cli.planning import planned_of
+from roslab.engine.docker import check, output
 from roslab.errors import BuildError, Problem
 from roslab.pipeline import rendered
 from roslab.plan.plan import Plan
@@ -36,13 +37,22 @@ def run(options: argparse.Namespace) -> int:
         text = next(file.text for file in rendered(planned, Path(folder)) if file.path == "docker_run.sh")
         script.write_text(text, encoding="utf-8")
         arguments = ["--notebook"] if options.notebook else []
-        environment = {
-            **os.environ,
-            "ROSLAB_IMAGE": os.environ.get("ROSLAB_IMAGE", f"{planned.plan.name}:{options.tag}"),
-        }
+        image = os.environ.get("ROSLAB_IMAGE", "")
+        if not image:
+            image = _built(f"{planned.plan.name}:{options.tag}")
+            arguments += ["--option", "--pull=never"]
         return subprocess.run(
             ["bash", str(script), *arguments, *options.arguments],
-            env=environment,
+            env={**os.environ, "ROSLAB_IMAGE": image},
             cwd=planned.repository.root,
             check=False,
         ).returncode
+
+
+def _built(image: str) -> str:
+    """Return an image that the engine has: a registry's of that name is somebody else's."""
+    if output(["docker", "image", "inspect", image]).returncode:
+        check()
+        hint = "run `roslab build` first, or name a published one in the variable ROSLAB_IMAGE"
+        raise BuildError(Problem(message=f"there is no image {image} here", hint=hint))
+    return image
