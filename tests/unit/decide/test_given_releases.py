@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import pytest
@@ -73,6 +74,15 @@ def test_a_pin_gives_way_to_one_that_stops_beside_it(tmp_path: Path, lines: str,
     assert any(each.startswith(f"{left}<") for each in plan.python.bounds) == bool(left) or not left
     warned = [f"{each.file}:{each.line}" for each in plan.warnings if " gives way to " in each.message]
     assert warned == (["requirements.txt:3"] if told else [])
+
+
+def test_pins_of_a_long_list_are_looked_at_once(tmp_path: Path) -> None:
+    lines = "".join(f"pandas==2.0.{each}\nnumpy==2.0.{each}\n" for each in range(300))
+    tree_of(tmp_path, {"requirements.txt": lines, "main.py": "import numpy\n", ".python-version": "3.10\n"})
+    started = time.process_time()
+    plan = plan_repository(tmp_path).plan
+    assert time.process_time() - started < 5
+    assert len([each for each in plan.warnings if " gives way to numpy<2" in each.message]) == 300
 
 
 def test_so_does_one_of_a_project(tmp_path: Path) -> None:

@@ -23,16 +23,16 @@ def clashing_pins(evidence: Evidence, python: str | None) -> Loose:
     """
     found: dict[Requirement, Warning_] = {}
     for asked in _together(evidence):
-        for each, known in _needs(asked):
+        for known, each in _needs(asked).items():
+            pins = [
+                pin for pin in asked if pin.key == known.limit.key and pin.release and excluded(known.limit, (pin,))
+            ]
+            if not pins or not _fits(known, each, pins, asked, python):
+                continue
             place = f" ({each.file}:{each.line})" if each.file else ""
-            for pin in asked:
-                if not (pin.key == known.limit.key and pin.release and excluded(known.limit, (pin,))):
-                    continue
-                free = stated(pin.name or pin.key, pin.origin, pin.file, pin.line)
-                beside = (free if line is pin else line for line in asked)
-                if known.limit in decide_undeclared(beside, python=python).answer.pip:
-                    why = f"{each.written}{place} needs that but does not say so, and stops beside {pin.written}"
-                    found.setdefault(pin, warn(f"{pin.written} gives way to {known.limit.written}: {why}", pin))
+            for pin in pins:
+                why = f"{each.written}{place} needs that but does not say so, and stops beside {pin.written}"
+                found.setdefault(pin, warn(f"{pin.written} gives way to {known.limit.written}: {why}", pin))
     return found
 
 
@@ -45,6 +45,21 @@ def _together(evidence: Evidence) -> Iterator[list[Requirement]]:
             yield plain
 
 
-def _needs(asked: Iterable[Requirement]) -> Iterator[tuple[Requirement, UndeclaredLimit]]:
+def _needs(asked: Iterable[Requirement]) -> dict[UndeclaredLimit, Requirement]:
+    """Return the limits of what is asked for, each with the first line that needs it."""
+    found: dict[UndeclaredLimit, Requirement] = {}
     for each in asked:
-        yield from ((each, known) for known in undeclared_limits().get(each.key, ()) if older(each, known))
+        for known in undeclared_limits().get(each.key, ()):
+            if older(each, known):
+                found.setdefault(known, each)
+    return found
+
+
+def _fits(
+    known: UndeclaredLimit, each: Requirement, pins: list[Requirement], asked: list[Requirement], python: str | None
+) -> bool:
+    """Tell whether the package is limited for the line that needs it, where the pins are free, beside the others."""
+    free = stated(pins[0].name or pins[0].key, pins[0].origin, pins[0].file, pins[0].line)
+    gone = {*pins}
+    others = (line for line in asked if line not in gone and line.key != each.key)
+    return known.limit in decide_undeclared((each, free, *others), python=python).answer.pip

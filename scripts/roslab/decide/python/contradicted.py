@@ -24,8 +24,12 @@ def contradicted(asked: Iterable[Requirement]) -> Iterator[Warning_]:
     """Yield a warning for each such pair in ``asked``, once, at the line to change, with what to write there."""
     named = [each for each in asked if each.name and not each.url]
     told: set[tuple[str, str]] = set()
+    seen: set[tuple[str, str]] = set()
     for each in named:
         for need in _needs(each):
+            if (each.key, need.written) in seen:
+                continue
+            seen.add((each.key, need.written))
             other = _excluding(need, named)
             if other is None or (each.key, other.key) in told:
                 continue

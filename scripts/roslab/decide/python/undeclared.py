@@ -52,10 +52,14 @@ def decide_undeclared(
     asked = (*asked, *packages)
     limited = {each.key for each in asked if each.limited and each.origin != "table"} | _stated(environment)
     found: dict[str, tuple[UndeclaredLimit, Reason]] = {}
+    seen: set[UndeclaredLimit] = set()
     for each in asked:
         for known in undeclared_limits().get(each.key, ()) if not each.url else ():
             bound = known.limit
-            if not older(each, known, day) or bound.key in limited or excluded(bound, asked) or _has(bound, asked):
+            if known in seen or not older(each, known, day):
+                continue
+            seen.add(known)
+            if bound.key in limited or excluded(bound, asked) or _has(bound, asked):
                 continue
             if bound.key == "numpy" and (not _has_both(python, bound.below) or needing_numpy(asked, bound.below)):
                 continue
