@@ -59,6 +59,24 @@ def test_a_file(roslab: Roslab, tmp_path: Path) -> None:
     )
 
 
+def test_an_address(roslab: Roslab, tmp_path: Path) -> None:
+    answer = roslab("plan", "https://example.org/lab/robot.git", cwd=tmp_path)
+    assert answer.returncode == 2
+    assert answer.stderr == (
+        "roslab: error: not a directory: https://example.org/lab/robot.git: it is an address\n"
+        "  clone it first (`git clone --recursive`), and give the folder\n"
+    )
+
+
+def test_a_link_to_itself(roslab: Roslab, tmp_path: Path) -> None:
+    (tmp_path / "loop").symlink_to("loop")
+    answer = roslab("plan", "loop", cwd=tmp_path)
+    assert answer.returncode == 2
+    assert answer.stderr == (
+        "roslab: error: not a directory: loop: it is a link that leads nowhere\n  give the root of a repository\n"
+    )
+
+
 def test_a_path_with_control_characters(roslab: Roslab, tmp_path: Path) -> None:
     answer = roslab("plan", "a\x1b[31m\nb", cwd=tmp_path)
     assert answer.returncode == 2

@@ -39,7 +39,9 @@ def explain(options: argparse.Namespace) -> int:
             with Path(options.log).open("rb") as stream:
                 answer = _explained(stream, options.log)
     except OSError as error:
-        raise ConfigurationError(Problem(message=f"cannot read {options.log}: {error.strerror}")) from None
+        hint = "the log, a file, comes first, then the repository: save it by `docker build . > LOG 2>&1`"
+        message = f"cannot read {printable(options.log)}: {error.strerror}"
+        raise ConfigurationError(Problem(message=message, hint=hint)) from None
     planned = planned_of(options) if options.path or options.apply or options.ask else None
     found = _proposed(answer, planned, options) if planned else Repair()
     if options.format == "json":

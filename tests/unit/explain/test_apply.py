@@ -129,3 +129,8 @@ def test_what_is_unknown_stays_short_and_can_be_tried(tmp_path: Path, capsys: py
     assert out[:2] == ["step: RUN ./odd", "no known cause. The lines that matter:"]
     assert 1 <= len([line for line in out if line.startswith("  ")]) <= 20
     assert out[-1].endswith("docker buildx debug --invoke /bin/sh build .")
+
+
+def test_a_folder_in_place_of_the_log_is_told_the_order(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["explain", str(robot), "build.log"]) == 2
+    assert "Is a directory\n  the log, a file, comes first, then the repository" in capsys.readouterr().err
