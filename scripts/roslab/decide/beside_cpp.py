@@ -13,8 +13,6 @@ from roslab.knowledge.guesses import tooling
 from roslab.values.endings import SHELL_SCRIPTS
 from roslab.values.name import canonicalize_name
 
-_OF_PYTHON = frozenset({"python", "python3", "pythoninterp", "pythonlibs", "pybind11", "numpy", "swig", "opencv"})
-"""What CMake asks for that an environment may have for its Python alone."""
 MEX = "mex.h"
 """The header of C++ that MATLAB compiles and loads: https://www.mathworks.com/help/matlab/ref/mex.html, 2026-11-28"""
 
@@ -25,7 +23,7 @@ def to_compile(evidence: Evidence, environment: CondaEnvironment) -> bool:
     development = bool(DEVELOPMENT.search(environment.file)) or not brought.isdisjoint(tooling("compilers"))
     top = top_of(evidence)
     asked = {canonicalize_name(each.name) for each in (top.dependencies if top else ()) if each.namespace == "cmake"}
-    return (development or not brought.isdisjoint(asked - _OF_PYTHON)) and of_cpp(evidence)
+    return (development or not brought.isdisjoint(asked - tooling("bindings"))) and of_cpp(evidence)
 
 
 def of_cpp(evidence: Evidence) -> bool:

@@ -13,14 +13,15 @@ from roslab.values.pattern import named_by
 
 @cache
 def tooling(
-    asked_by: Literal["installers", "checkers", "developers", "compilers", "backends", "ros", "anaconda"],
+    asked_by: Literal["installers", "checkers", "developers", "compilers", "bindings", "backends", "ros", "anaconda"],
 ) -> frozenset[str]:
     """Return the tools of one sort, by who asks for them.
 
     Installers; checkers, which also format; developers, whose are tests and documentation; those that compile C++ in
-    conda; backends, which compile nothing unless a script or a plugin of the project does; ROS's own, which its core
-    brings and ``pip freeze`` lists on a machine with it: pip's index has none; and Anaconda's, which its installer
-    brings: the index has none of their releases of then, or none at all.
+    conda; bindings, which CMake asks for too and an environment may have for its Python alone; backends, which compile
+    nothing unless a script or a plugin of the project does; ROS's own, which its core brings and ``pip freeze`` lists
+    on a machine with it: pip's index has none; and Anaconda's, which its installer brings: the index has none of their
+    releases of then, or none at all.
     """
     return frozenset(row["pip"] for row in rows("python_tooling") if row["asked_by"] == asked_by)
 
