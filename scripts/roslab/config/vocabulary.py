@@ -52,12 +52,21 @@ def rows(table: str) -> dict[str, Any]:
 
 
 def nearest(word: str, allowed: Iterable[str]) -> str | None:
-    """Return the allowed word that was probably meant, ``None`` if none is similar."""
+    """Return the allowed word that was probably meant, ``None`` if none is similar.
+
+    What stands before a ``/`` in both, ``linux/``, makes no two words similar.
+    """
     import difflib  # noqa: PLC0415 - needed only where something is wrong
 
-    plain = {name.replace("-", "_").lower(): name for name in allowed}
-    found = difflib.get_close_matches(word.replace("-", "_").lower(), plain, n=1, cutoff=_NEAR)
+    asked, names = _plain(word), {_plain(name): name for name in allowed}
+    before = asked[: asked.find("/") + 1]
+    plain = {each.removeprefix(before): name for each, name in names.items() if each.startswith(before)}
+    found = difflib.get_close_matches(asked.removeprefix(before), plain, n=1, cutoff=_NEAR)
     return plain[found[0]] if found else None
+
+
+def _plain(word: str) -> str:
+    return word.replace("-", "_").lower()
 
 
 @cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from roslab.config import Override, configure
+from roslab.config.vocabulary import nearest
 from roslab.errors import ConfigurationError
 from roslab.values.origin import Input, Option, Place
 
@@ -79,6 +80,13 @@ def test_every_problem_of_file_and_overrides_at_once() -> None:
     assert problems[3].hint.startswith("did you mean `jazzy`?")
     # The file's problem is told in the same words, with the name of the key
     assert problems[0].message == 'base.ros: "noetik" is no ROS distribution'
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"), [("linux/mips", None), ("Linux/AMD64", "linux/amd64"), ("arm64", "linux/arm64")]
+)
+def test_what_all_platforms_begin_with_makes_none_similar(word: str, meant: str | None) -> None:
+    assert nearest(word, ["linux/amd64", "linux/arm64", "linux/ppc64le", "linux/riscv64"]) == meant
 
 
 @pytest.mark.parametrize("text", ["a\nb", "a\x00b", "\udcff", "x" * 70_000])

@@ -268,7 +268,7 @@ def _fitted(cuda: str, cudnn: str | None, reasons: tuple[Reason, ...], others: t
     if others:
         having = accepted.cuda if accepted else "none"
         why += f"; of {', '.join(others)}, which the framework accepts too, {having} has one"
-    nearest = f"CUDA {cuda} was asked for, but {why}; this is the nearest that can be built"
+    nearest = f"CUDA {cuda} would be taken, but {why}; this is the nearest that can be built"
     note = because("cuda", instead.cuda, nearest, weight=Weight.NEAREST)
     said = reasons[0]
     loads = f"A framework that loads CUDA {cuda} itself will not see the GPU; set"
