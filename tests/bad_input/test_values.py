@@ -176,7 +176,9 @@ def test_build_arguments(roslab: Roslab, robot: Path, value: str) -> None:
 def test_explain_a_log_that_is_not_there(roslab: Roslab, tmp_path: Path) -> None:
     answer = roslab("explain", "build.log", cwd=tmp_path)
     assert answer.returncode == 2
-    assert answer.stderr == "roslab: error: cannot read build.log: No such file or directory\n"
+    error, advice = answer.stderr.splitlines()
+    assert error == "roslab: error: cannot read build.log: No such file or directory"
+    assert "comes first" in advice
 
 
 def test_unknown_question(roslab: Roslab, robot: Path) -> None:
