@@ -69,7 +69,8 @@ def parser(command: str | None = None) -> argparse.ArgumentParser:
         formatter_class=_Help,
     )
     top.add_argument("--version", action="version", version=f"roslab {__version__}", help="print the version and exit")
-    commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    # Whether one is given is looked at after the parsing: argparse would miss the command before a mistyped option
+    commands = top.add_subparsers(title="commands", metavar="COMMAND")
     if command == "github":
         from roslab.github.commands import add_parser  # noqa: PLC0415
 

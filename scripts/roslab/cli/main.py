@@ -77,6 +77,8 @@ def _parsed(arguments: list[str]) -> argparse.Namespace:
     options, unknown = top.parse_known_args(arguments[:end])
     if unknown:  # the usage of the command says what it takes, that of roslab alone does not
         getattr(options, "asked", top).error(f"unrecognized arguments: {' '.join(unknown)}")
+    if not hasattr(options, "handler"):
+        top.error("the following arguments are required: COMMAND")
     if end < len(arguments):
         options.arguments = [*options.arguments, *arguments[end + 1 :]]
     return options

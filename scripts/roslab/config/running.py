@@ -89,7 +89,7 @@ def environment(reading: Reading, root: Mapping, key: str = "env") -> tuple[tupl
 
 
 def day(reading: Reading, root: Mapping, key: Literal["date", "pip_date"]) -> str | None:
-    """Read a day; one that the calendar lacks is an error, and so are two, as ``date`` is the day of pip's too."""
+    """Read a day; one that is no day or still to come is an error, and so are two: ``date`` is the day of pip's too."""
     text = reading.text(root, key, key)
     if text is None:
         return None
@@ -99,9 +99,14 @@ def day(reading: Reading, root: Mapping, key: Literal["date", "pip_date"]) -> st
         import datetime as dt  # noqa: PLC0415 - few files name a day
 
         try:
-            dt.date.fromisoformat(text.value)
+            named = dt.date.fromisoformat(text.value)
         except ValueError:
             reading.complain(f'{key}: there is no day "{text.value}"', "write YEAR-MONTH-DAY, or `paper`", text.node)
+        else:
+            # The day has begun somewhere on earth while UTC still has the one before
+            if named > dt.datetime.now(dt.UTC).date() + dt.timedelta(days=1):
+                hint = "give a day that has been, or `paper`: the newest commit's"
+                reading.complain(f"{key}: {text.value} is still to come, no archive has its packages", hint, text.node)
     return text.value
 
 
