@@ -28,8 +28,8 @@ class Named:
 def find(repository: Repository, named: Named | None = None) -> str | None:
     """Return the configuration's path, relative to the repository, ``None`` if there is none.
 
-    Raises ``ConfigurationError`` if the named one is missing, or if it is a folder or may not be read,
-    ``RefusedError`` if it is a link out of the repository.
+    Raises ``ConfigurationError`` if the named one is missing or it may not be read, ``RefusedError`` if it is a link
+    out of the repository.
     """
     origin = named.origin if named else None
     for name in (named.path,) if named else NAMES:
@@ -42,9 +42,6 @@ def find(repository: Repository, named: Named | None = None) -> str | None:
             raise ConfigurationError(Problem(message=message, hint=hint, origin=Place(file=name)))
         if repository.has(name):
             return name
-        if named is None and (repository.root / name).is_dir():
-            hint = "make it a file, or give the folder another name"
-            raise ConfigurationError(Problem(message="it is a folder", hint=hint, origin=Place(file=name)))
     if named:
         message = f"no file {printable(named.path)} in the repository"
         raise ConfigurationError(Problem(message=message, hint="give a path relative to its root", origin=origin))

@@ -104,7 +104,7 @@ def day(reading: Reading, root: Mapping, key: Literal["date", "pip_date"]) -> st
             reading.complain(f'{key}: there is no day "{text.value}"', "write YEAR-MONTH-DAY, or `paper`", text.node)
         else:
             # The day has begun somewhere on earth while UTC still has the one before
-            if named > dt.datetime.now(dt.UTC).date() + dt.timedelta(days=1):
+            if named > dt.datetime.now(dt.timezone.utc).date() + dt.timedelta(days=1):
                 hint = "give a day that has been, or `paper`: the newest commit's"
                 reading.complain(f"{key}: {text.value} is still to come, no archive has its packages", hint, text.node)
     return text.value
