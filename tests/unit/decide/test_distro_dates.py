@@ -76,6 +76,27 @@ def test_rolling_is_what_it_was_at_the_last_commit(tmp_path: Path, date: str, na
 
 
 @pytest.mark.parametrize(
+    ("code", "name"),
+    [
+        ("", "humble"),
+        ("#include <cv_bridge/cv_bridge.h>\n", "humble"),
+        ("#include <cv_bridge/cv_bridge.h>\nceres::Manifold* manifold;\n", "humble"),  # Ceres is built there
+    ],
+)
+def test_todays_rolling_is_not_taken_for_code_of_an_earlier_day(tmp_path: Path, code: str, name: str) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>a</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    )
+    cmake = "project(a)\nfind_package(ament_cmake REQUIRED)\nfind_package(Ceres REQUIRED)\nadd_executable(a a.cpp)\n"
+    (tmp_path / "CMakeLists.txt").write_text(f"{cmake}ament_target_dependencies(a rclcpp)\n")
+    (tmp_path / "a.cpp").write_text(f"{code}int main() {{}}\n")
+    evidence = gather(Repository.open(tmp_path))
+    mention = Mention(topic="date", value="2024-10-07", source="commit", file=".git/HEAD", line=1, text="")
+    decided = decide(replace(evidence, mentions=(*evidence.mentions, mention)), Config(), folder_name="a")
+    assert decided.ros_distro == name
+
+
+@pytest.mark.parametrize(
     ("page", "name"),
     [
         ("Requires ROS Indigo+.", "kinetic"),

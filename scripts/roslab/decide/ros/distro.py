@@ -81,6 +81,8 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     if not reasons:
         from roslab.decide.ros.unnamed import of_unnamed  # noqa: PLC0415 - most trees name theirs
 
+        today = unincluded(evidence) if ros == 2 else {}  # nothing says that the rolling of another day is meant
+        unknown = {name: missing | today.get(name, frozenset()) for name, missing in unknown.items()}
         return _after_ended(evidence, ros, unknown) or of_unnamed(evidence, kind, unknown)
     best = max(reasons, key=_order)
     if (became := _became(evidence, best, unknown)) is not None:
