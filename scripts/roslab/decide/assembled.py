@@ -108,16 +108,15 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
     Where the author's Dockerfile is built, nothing is told of what it does in its own way.
     """
     distro, ubuntu = of.release.answer.name if of.release.answer else None, of.base.answer.ubuntu
-    ros = of.kind.answer in {"ros1", "ros2"}
-    not_there = decide_not_there(evidence, config, of.packages, of.left_out, of.build_tool.answer)
+    ros, tool = of.kind.answer in {"ros1", "ros2"}, of.build_tool.answer
+    linked = by_links(evidence, config, tool)
+    not_there = decide_not_there(evidence, config, of.packages, of.left_out, tool)
     interpreters = decide_interpreters(evidence, config, ubuntu)
     files: Choice[tuple[str, ...]] = Choice(answer=())
     if not of.own.answer:
         simulators = brought_simulators(evidence, config, of.command.answer.command, distro)
         files = own_packages(evidence, config, ubuntu, simulators, of.platforms.answer.built)
-    folders = decide_author_folders(
-        evidence, config, of.packages, of.layout.answer, of.build_tool.answer, image=of.base.answer.image
-    )
+    folders = decide_author_folders(evidence, config, of.packages, of.layout.answer, tool, image=of.base.answer.image)
     without = goes_without(of, evidence, config)
     hidden = decide_hidden(
         evidence, config, of.packages, of.build_tool.answer, command=of.command.answer.command, left_out=of.left_out
@@ -242,7 +241,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         lacking=() if of.own.answer else of.missing.answer.lacking,
         undeclared=of.missing.answer.undeclared,
         copied_scripts=tuple(m.value for m in evidence.mentions if m.topic == "copied_script"),
-        by_links=by_links(evidence, config, of.build_tool.answer),
+        by_links=linked,
         workspace=of.layout.answer.workspace,
         set_up_links=of.layout.answer.set_up_links,
         git_folder=not config.compatible and any(m.topic in {"git_folder", "own_history"} for m in evidence.mentions),
@@ -291,7 +290,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         ports=of.command.answer.ports,
         volumes=of.command.answer.volumes,
         warnings=(
-            *problems(evidence, of.dockerfile, of.build_tool.answer, of.python.answer.projects),
+            *problems(evidence, of.dockerfile, of.build_tool.answer, of.python.answer.projects, linked=linked),
             *(warn(message, origin) for message, origin in config.warnings),
             *(warning for choice in choices for warning in choice.warnings),
             *(() if of.on_cuda or of.own.answer or config.gpu is not None else told_of_no_gpu(evidence, of.everything)),

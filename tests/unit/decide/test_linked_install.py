@@ -121,3 +121,28 @@ def test_so_are_modules_that_setup_py_installs_as_data(
         "helping/reader.py": "def read(): ...\n",
     }
     assert tree(files).by_links is found
+
+
+@pytest.mark.parametrize(
+    ("page", "packages", "linked", "told"),
+    [
+        (BY_LINKS, "package_name", True, False),
+        (BY_LINKS.replace(" --symlink-install", ""), "package_name", False, True),
+        (BY_LINKS, "package_name, 'demo.parts'", False, False),
+    ],
+)
+def test_so_are_folders_that_setup_py_leaves_out(
+    tree: Tree, page: str, packages: str, *, linked: bool, told: bool
+) -> None:
+    files = {
+        "README.md": page,
+        "package.xml": PACKAGE.replace("ament_cmake", "ament_python"),
+        "setup.py": SETUP.format(packages),
+        "demo/__init__.py": "",
+        "demo/eye.py": "import rclpy\nfrom demo.parts import arm\n",
+        "demo/parts/__init__.py": "",
+        "demo/parts/arm.py": "",
+    }
+    decision = tree(files)
+    assert decision.by_links is linked
+    assert any("leaves out demo.parts" in warning.message for warning in decision.warnings) is told

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _ELSEWHERE = frozenset({"package_dir", "py_modules", "cmdclass", "**"})
 """Arguments of ``setup`` by which packages may be installed that are not named."""
+HINT = "what starts it stops, except where colcon installs links (`--symlink-install`)"
 _MOST = 200
 """Most modules of one package that are read."""
 
@@ -36,6 +37,11 @@ def problems(repository: Repository) -> Iterator[tuple[str, str, int]]:
             yield from _of_script(repository, module.file.path, folder, script)
 
 
+def hidden_by_links(problem: tuple[str, str | None, int | None]) -> bool:
+    """Tell whether a problem is one of these."""
+    return HINT in problem[0]
+
+
 def _of_script(repository: Repository, path: str, folder: str, script: SetupScript) -> Iterator[tuple[str, str, int]]:
     above = f"{folder}/" if folder else ""
     told: set[str] = set()
@@ -43,9 +49,8 @@ def _of_script(repository: Repository, path: str, folder: str, script: SetupScri
         omitted = next((part for part in _above(name) if _omits(repository, above, part, script.packages)), None)
         if omitted and omitted not in told:
             told.add(omitted)
-            what = f"`packages` of {path} leaves out {omitted}, which {file}:{line} imports: what starts it stops, "
-            hint = "except where colcon installs links (`--symlink-install`); write `packages=find_packages()`"
-            yield f"{what}{hint}", path, script.line
+            what = f"`packages` of {path} leaves out {omitted}, which {file}:{line} imports: "
+            yield f"{what}{HINT}; write `packages=find_packages()`", path, script.line
 
 
 def _started(scripts: Iterable[str]) -> Iterator[str]:
