@@ -5,18 +5,27 @@ from __future__ import annotations
 import posixpath
 
 from roslab.decide.scripts import bare
+from roslab.evidence.facts import Mention
 
 
-def module_of(argv: tuple[str, ...], programs: tuple[str, ...], above: tuple[str, ...]) -> tuple[str, ...] | None:
+def module_of(
+    argv: tuple[str, ...], programs: tuple[str, ...], page: Mention, projects: tuple[str, ...], *, by_path: bool
+) -> tuple[str, ...] | None:
     """Return the arguments of ``python -m`` if the module is at the root, or the one of that name below a folder.
 
-    ``above``: the folders that pip installs, whose packages any folder may import, and the one that the page goes to.
+    That is one of ``projects``, which pip installs and whose packages any folder may import, or the one that the page
+    goes to; or any, where PYTHONPATH can name it (``by_path``) and the name is dotted, as that of a package.
     """
+    above = (*projects, *filter(None, (page.inside,)))
     module = argv[2].replace(".", "/") if len(argv) > 2 else ""
     files = (f"{module}.py", f"{module}/__main__.py")
     if not {*files} & {*programs}:
         below = [program for program in programs if program.endswith(tuple(f"/{file}" for file in files))]
-        if len(below) != 1 or not any(not folder or below[0].startswith(f"{folder}/") for folder in above):
+        if len(below) != 1:
+            return None
+        if not (
+            any(not folder or below[0].startswith(f"{folder}/") for folder in above) or (by_path and "/" in module)
+        ):
             return None
     return argv[1:]
 

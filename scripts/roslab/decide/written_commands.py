@@ -208,7 +208,7 @@ def _runnable(
     named = (file for file in mention.files if file.endswith(".py") or bare(file))  # a script needs no guard to be run
     programs = tuple(dict.fromkeys((*tree.programs, *named)))
     if argv[1:2] == ("-m",):
-        here = module_of(argv, programs, (*tree.projects, *filter(None, (mention.inside,))))
+        here = module_of(argv, programs, mention, tree.projects, by_path=not (ros or compiled))
     else:
         here = program_here(argv, programs, mention.file.rpartition("/")[0])
     if here is None or (compiled and runs_tests(here)) or not tree.nodes.isdisjoint(here[:1]):

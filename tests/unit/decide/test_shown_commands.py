@@ -34,20 +34,14 @@ def test_a_program_starts_where_its_arguments_are_found(tree: Tree, argument: st
 
 
 @pytest.mark.parametrize(
-    ("path", "command"),
-    [
-        ("export PYTHONPATH=src\n", ("python", "-m", "points.align", "--fast")),
-        ("export PYTHONPATH=$PWD/src:$PYTHONPATH\n", ("python", "-m", "points.align", "--fast")),
-        ("export PYTHONPATH=other\n", ("bash",)),
-        ("", ("bash",)),
-    ],
+    "path", ["export PYTHONPATH=src\n", "export PYTHONPATH=$PWD/src:$PYTHONPATH\n", "export PYTHONPATH=other\n", ""]
 )
-def test_a_module_in_a_folder_that_the_page_puts_on_the_path_is_started(
-    tree: Tree, path: str, command: tuple[str, ...]
-) -> None:
+def test_a_module_below_a_folder_is_started_with_that_on_the_path(tree: Tree, path: str) -> None:
     files = {**PYTHON, "src/points/__init__.py": "", "src/points/align.py": PROGRAM, "src/points/show.py": PROGRAM}
     page = f"# Usage\n```\n{path}python -m points.align --fast\n```\n"
-    assert tree({**files, "other/a.txt": "", "README.md": page}).command == command
+    decision = tree({**files, "other/a.txt": "", "README.md": page})
+    assert decision.command == ("python", "-m", "points.align", "--fast")
+    assert "src" in decision.python_path
 
 
 @pytest.mark.parametrize(

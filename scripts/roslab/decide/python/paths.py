@@ -46,6 +46,9 @@ def python_path(evidence: Evidence, config: Config, kind: Kind, python: Python, 
     needed += [folder for folder in above if not _in_project(folder, python)]
     if (python.version or "").startswith("2"):
         return tuple(dict.fromkeys((*said, *needed)))
+    needed += [
+        f for f in _of_modules((default, *map(list, command.candidates)), evidence) if not _in_project(f, python)
+    ]
     beside = [m for m in evidence.mentions if m.topic == "sibling_folder" and m.file in offered]
     needed += [m.inside for m in beside if packages.isdisjoint(m.files)]
     return tuple(dict.fromkeys((*said, *needed)))
@@ -61,6 +64,17 @@ def _above(evidence: Evidence, offered: set[str], default: set[str]) -> Iterator
     for mention in sorted(found, key=lambda m: m.file not in default):
         if had.setdefault(mention.value, mention.inside) == mention.inside:
             yield mention
+
+
+def _of_modules(commands: Iterable[Sequence[str]], evidence: Evidence) -> Iterator[str]:
+    """Yield the folder below the root that holds the package of a module which `python -m` starts by a dotted name."""
+    for words in commands:
+        option, name = [*program_of(tuple(words))[1:3], "", ""][:2] if words else ("", "")
+        path = name.replace(".", "/")
+        files = (f"/{path}.py", f"/{path}/__main__.py")
+        found = [file for each in evidence.programs if (file := f"/{each.file}").endswith(files)]
+        if option == "-m" and "/" in path and len(found) == 1 and found[0] not in files:
+            yield found[0].removesuffix(files[0]).removesuffix(files[1])[1:]
 
 
 def _in_project(folder: str, python: Python) -> bool:
