@@ -34,6 +34,21 @@ fatal: unable to access 'https://example.org/a/': GnuTLS recv error (-110)
 git-lfs: git lfs pull
 git: 'lfs' is not a git command. See 'git --help'.
 
+git-lfs-refused: git clone https://example.org/a
+error: external filter 'git-lfs filter-process' failed
+fatal: arm.stl: smudge filter lfs failed
+
+git-lfs-quota: git lfs pull
+batch response: This repository is over its data quota. Account responsible for LFS bandwidth should purchase more
+
+conda-unsatisfiable: mamba install ros-noetic-desktop
+Encountered problems while solving:
+  - package ros-noetic-desktop-1.5.0-py39_15 requires ros-noetic-viz, but none of the providers can be installed
+
+python-api-removed: python train.py
+RuntimeError: Failed to import diffusers.models because of the following error (look up to see its traceback):
+module 'torch' has no attribute 'float8_e4m3fn'
+
 git-ssh: git clone --recursive https://example.org/a
 git@example.org: Permission denied (publickey).
 fatal: Could not read from remote repository.
@@ -239,3 +254,31 @@ def test_a_warning_is_the_cause_where_nothing_else_is_known() -> None:
     warning = 'CMake Warning at CMakeLists.txt:12 (find_package):\n  By not providing "FindPCL.cmake" in CMAKE_X this'
     one = found(f"{warning}\n-- Configuring incomplete, errors occurred!", "cmake .")
     assert (one.id, dict(one.names)["name"]) == ("cmake-package", "PCL")
+
+
+def test_the_frame_that_raised_an_exception_is_told() -> None:
+    frames = 'File "/app/move.py", line 4, in <module>\n    arm.load()\n  File "/app/arm.py", line 9, in load'
+    one = found(f"Traceback (most recent call last):\n  {frames}\n    f.read()\narm.ArmError: no arm at 3")
+    assert (one.id, one.cause.partition("(")[2]) == (
+        "python-exception",
+        "arm.ArmError, raised in /app/arm.py:9): no arm at 3.",
+    )
+
+
+def test_a_package_whose_metadata_cannot_be_made_is_the_last_collected() -> None:
+    said = (
+        "Collecting numpy\n  Downloading numpy.whl\nCollecting arm==1.0\n  error: subprocess-exited-with-error\n  stop"
+    )
+    assert dict(found(said, "pip install -r a.txt").names)["package"] == "arm==1.0".partition("=")[0]
+
+
+def test_a_library_is_named_once_where_it_lacks_the_symbol_itself() -> None:
+    one = found("/opt/ros/a/talker: symbol lookup error: /opt/ros/a/talker: undefined symbol: rcutils_strnlen")
+    assert one.cause.startswith(
+        "/opt/ros/a/talker and a library that it loads are of different releases: rcutils_strnlen,"
+    )
+
+
+def test_functions_of_cuda_are_in_no_packaged_opencv() -> None:
+    said = "a.o: undefined reference to `cv::cuda::createStereoBM(int)'\ncollect2: error: ld returned 1 exit status"
+    assert "OpenCV with CUDA" in found(said, "make").cause
