@@ -35,7 +35,7 @@ from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.included_interfaces import included_interfaces
 from roslab.decide.ros.keys import by_pip
 from roslab.decide.ros.layout import Layout
-from roslab.decide.ros.linked_install import by_links
+from roslab.decide.ros.linked_install import by_links, omitted
 from roslab.decide.ros.named import by_pages
 from roslab.decide.ros.not_there import decide_not_there
 from roslab.decide.ros.submodule_packages import may_fail_in
@@ -118,9 +118,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         files = own_packages(evidence, config, ubuntu, simulators, of.platforms.answer.built)
     folders = decide_author_folders(evidence, config, of.packages, of.layout.answer, tool, image=of.base.answer.image)
     without = goes_without(of, evidence, config)
-    hidden = decide_hidden(
-        evidence, config, of.packages, of.build_tool.answer, command=of.command.answer.command, left_out=of.left_out
-    )
+    hidden = decide_hidden(evidence, config, of.packages, tool, command=of.command.answer.command, left_out=of.left_out)
     compiler = decide_compiler(of, evidence, config)
     choices = (
         of.day,
@@ -190,7 +188,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         ros_distro=distro,
         ubuntu=of.base.answer.ubuntu,
         base_image=of.base.answer.image,
-        build_tool=of.build_tool.answer,
+        build_tool=tool,
         rosdep=of.system.answer.rosdep,
         rosdep_pip=by_pip(of.system.answer.rosdep),
         skip_keys=of.system.answer.skip_keys,
@@ -218,13 +216,11 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         scripts=() if of.own.answer else of.scripts.answer,
         downloads=() if of.own.answer else of.downloads.answer,
         packages=manifests_of(of.packages, of.left_out) if ros else (),
-        package_names=copied_names(
-            names_of(of.packages, of.kind.answer, of.left_out, of.build_tool.answer), of.dockerfile, evidence
-        ),
+        package_names=copied_names(names_of(of.packages, of.kind.answer, of.left_out, tool), of.dockerfile, evidence),
         by_pages=by_pages(
             evidence,
             config,
-            of.build_tool.answer,
+            tool,
             packages=of.packages,
             left_out=of.left_out,
             sources=of.sources.answer.sources,
@@ -234,7 +230,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         left_out=of.left_out,
         ignored=()
         if of.own.answer
-        else (*hidden.answer.above, *marked(of.build_tool.answer, of.missing.answer, of.packages, evidence)),
+        else (*hidden.answer.above, *marked(tool, of.missing.answer, of.packages, evidence)),
         hidden=() if of.own.answer else hidden.answer.folders,
         ended=of.missing.answer.ended,
         not_there=() if of.own.answer else not_there.answer,
@@ -249,10 +245,10 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         program_folders=of.layout.answer.program_folders,
         installed=of.layout.answer.installed,
         cmake_options=(
-            *where_built(own_options(evidence, config, folder_name, of.build_tool.answer), of.sources.answer.sources),
+            *where_built(own_options(evidence, config, folder_name, tool), of.sources.answer.sources),
             *of.missing.answer.options,
-            *options_of_program(evidence, config, of.build_tool.answer, of.command.answer.command, cuda=of.on_cuda),
-            *header_definitions_of(evidence, config, of.build_tool.answer),
+            *options_of_program(evidence, config, tool, of.command.answer.command, cuda=of.on_cuda),
+            *header_definitions_of(evidence, config, tool),
         ),
         cuda_options=host_options(of.system.answer.installed, of.base.answer.ubuntu),
         own_packages=files.answer,
@@ -262,7 +258,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         native=compiles_for_here(evidence) and not config.compatible,
         compiled_files=evidence.compiled_files,
         strict=stops_at_warnings(evidence) and not config.compatible,
-        compilers=own_compilers(evidence, config, folder_name) if of.build_tool.answer == "cmake" else (),
+        compilers=own_compilers(evidence, config, folder_name) if tool == "cmake" else (),
         dockerfile=of.dockerfile,
         context=of.own.answer.context if of.own.answer else None,
         bases=of.mended.answer,
@@ -275,9 +271,9 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         command_named=config.command is not None,
         command_candidates=of.command.answer.candidates,
         test=of.test.answer,
-        rostests=() if of.own.answer else rostests(evidence, of.kind.answer, of.build_tool.answer),
+        rostests=() if of.own.answer else rostests(evidence, of.kind.answer, tool),
         tests=() if of.own.answer else evidence.tests,
-        ctest=runs_ctest(evidence, config, folder_name, of.build_tool.answer, of.missing.answer.tests),
+        ctest=runs_ctest(evidence, config, folder_name, tool, of.missing.answer.tests),
         compiles=bool(compiled(evidence)),
         clones_day=of.clones_day.answer,
         without=of.platforms.answer.without,
@@ -290,7 +286,8 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         ports=of.command.answer.ports,
         volumes=of.command.answer.volumes,
         warnings=(
-            *problems(evidence, of.dockerfile, of.build_tool.answer, of.python.answer.projects, linked=linked),
+            *problems(evidence, of.dockerfile, tool, of.python.answer.projects),
+            *(() if linked else omitted(evidence)),
             *(warn(message, origin) for message, origin in config.warnings),
             *(warning for choice in choices for warning in choice.warnings),
             *(() if of.on_cuda or of.own.answer or config.gpu is not None else told_of_no_gpu(evidence, of.everything)),

@@ -13,7 +13,6 @@ from roslab.decide.system import own_packages
 from roslab.decide.system.unreached import unreached
 from roslab.evidence.facts import Evidence
 from roslab.evidence.native.cpu import told
-from roslab.evidence.python.omitted_packages import hidden_by_links
 from roslab.evidence.x86_only import X86Only
 from roslab.values.dataclass import dataclass
 
@@ -72,13 +71,12 @@ def stops_at_warnings(evidence: Evidence) -> bool:
 
 
 def problems(
-    evidence: Evidence, dockerfile: str | None, build_tool: BuildTool, projects: Collection[str], *, linked: bool
+    evidence: Evidence, dockerfile: str | None, build_tool: BuildTool, projects: Collection[str]
 ) -> tuple[Warning_, ...]:
     """Return what the readers found wrong as warnings, and of options for one machine what the build does about it.
 
     Of these only the first that is compiled, else the first, is told. ``dockerfile``: the author's own, if that is
-    built; ``projects``: the folders that pip installs; ``linked``: colcon installs links, which mend what is left out
-    of a package.
+    built; ``projects``: the folders that pip installs.
     """
     own = f"; {dockerfile}, which is the author's, compiles with it as it stands: take it out here"
     does = "; a generated Dockerfile compiles for usual PCs since 2013, or for ARM of 64 bits, in its place"
@@ -90,8 +88,6 @@ def problems(
     shown = (native[0] if dockerfile else first or native[0]) if native else None
     for message, file, line in dict.fromkeys(evidence.problems):
         what = ""
-        if linked and hidden_by_links((message, file, line)):
-            continue
         if told([(message, file, line)]):
             if (message, file, line) != shown:
                 continue

@@ -3,9 +3,18 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Iterable
 
 from roslab.decide.scripts import bare
 from roslab.evidence.facts import Mention
+
+
+def modules_called(name: str, programs: Iterable[str]) -> list[tuple[str, str]]:
+    """Return the programs that ``python -m`` means by a name, each after the folder to search, "" for the root."""
+    path = name.replace(".", "/")
+    ends = (f"/{path}.py", f"/{path}/__main__.py")
+    found = [f"/{program}" for program in programs if f"/{program}".endswith(ends)]
+    return [(file.removesuffix(ends[0]).removesuffix(ends[1])[1:], file[1:]) for file in found]
 
 
 def module_of(
@@ -17,15 +26,13 @@ def module_of(
     goes to; or any, where PYTHONPATH can name it (``by_path``) and the name is dotted, as that of a package.
     """
     above = (*projects, *filter(None, (page.inside,)))
-    module = argv[2].replace(".", "/") if len(argv) > 2 else ""
-    files = (f"{module}.py", f"{module}/__main__.py")
-    if not {*files} & {*programs}:
-        below = [program for program in programs if program.endswith(tuple(f"/{file}" for file in files))]
-        if len(below) != 1:
+    name = argv[2] if len(argv) > 2 else ""
+    found = modules_called(name, programs)
+    if not any(not folder for folder, _ in found):
+        if len(found) != 1:
             return None
-        if not (
-            any(not folder or below[0].startswith(f"{folder}/") for folder in above) or (by_path and "/" in module)
-        ):
+        inside = any(not folder or found[0][1].startswith(f"{folder}/") for folder in above)
+        if not inside and not (by_path and "." in name):
             return None
     return argv[1:]
 

@@ -155,7 +155,7 @@ class Mention:
         "on_gpu", "handed", "own_spelling", "optional_step", "started", "made_header", "start_import", "from_above",
         "lost_header", "needs_extension", "unbounded", "optional_ros", "typestore", "cuda_path", "lost_module",
         "screen", "mounted", "argument_count", "copied", "session_loaded", "system_library", "edited", "left_beside",
-        "strict", "shown", "usetex", "handed_place", "generates", "onnx_on_gpu",
+        "strict", "shown", "usetex", "handed_place", "generates", "onnx_on_gpu", "omitted_package",
         "copied_script", "python3_module", "speaks", "ending", "built_by",
     ]  # fmt: skip
     value: str

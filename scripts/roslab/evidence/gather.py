@@ -261,6 +261,7 @@ def gather(repository: Repository) -> Evidence:
             *called_in_scripts.unpackaged(own, prose.mentions),
             *(commit_date.read(repository) if dates else ()),
             *strict.read(repository),
+            *omitted_packages.read(repository),
         ),
         worked_on=worked_on.read(repository),
         old_code=extension_code.read(own, python_projects),
@@ -294,7 +295,6 @@ def gather(repository: Repository) -> Evidence:
             *authors_folders.read(repository, there),
             *made_elsewhere.read(whole),
             *pointers.read(repository),
-            *omitted_packages.problems(repository),
             *stopped_setup.problems(stopped),
         ),
     )

@@ -100,6 +100,12 @@ setup(
 """
 
 
+def in_python(packages: str) -> dict[str, str]:
+    """Return a package of Python whose setup.py names these packages."""
+    manifest = PACKAGE.replace("ament_cmake", "ament_python")
+    return {"package.xml": manifest, "setup.py": SETUP.format(packages), "demo/__init__.py": ""}
+
+
 @pytest.mark.parametrize(
     ("packages", "code", "page", "found"),
     [
@@ -114,9 +120,7 @@ def test_so_are_modules_that_setup_py_installs_as_data(
 ) -> None:
     files = {
         "README.md": page,
-        "package.xml": PACKAGE.replace("ament_cmake", "ament_python"),
-        "setup.py": SETUP.format(packages),
-        "demo/__init__.py": "",
+        **in_python(packages),
         "demo/eye.py": f"import rclpy\n{code}",
         "helping/reader.py": "def read(): ...\n",
     }
@@ -136,9 +140,7 @@ def test_so_are_folders_that_setup_py_leaves_out(
 ) -> None:
     files = {
         "README.md": page,
-        "package.xml": PACKAGE.replace("ament_cmake", "ament_python"),
-        "setup.py": SETUP.format(packages),
-        "demo/__init__.py": "",
+        **in_python(packages),
         "demo/eye.py": "import rclpy\nfrom demo.parts import arm\n",
         "demo/parts/__init__.py": "",
         "demo/parts/arm.py": "",

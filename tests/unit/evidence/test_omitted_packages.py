@@ -56,13 +56,11 @@ def tree(tmp_path: Path, files: dict[str, str]) -> Repository:
     ],
 )  # fmt: skip
 def test_a_folder_that_is_not_installed(tmp_path: Path, files: dict[str, str], places: list[str]) -> None:
-    found = list(omitted_packages.problems(tree(tmp_path, {**FILES, **files})))
-    assert [
-        message.partition("leaves out demo.parts, which ")[2].partition(" ")[0] for message, _, _ in found
-    ] == places
-    assert all((file, line) == ("src/demo/setup.py", 3) for _, file, line in found)
+    found = list(omitted_packages.read(tree(tmp_path, {**FILES, **files})))
+    assert [each.text for each in found] == places
+    assert all((each.value, each.file, each.line) == ("demo.parts", "src/demo/setup.py", 3) for each in found)
 
 
 def test_what_no_package_of_ros_is_installs_otherwise(tmp_path: Path) -> None:
     files = {path: text for path, text in FILES.items() if not path.endswith("package.xml")}
-    assert not list(omitted_packages.problems(tree(tmp_path, files)))
+    assert not list(omitted_packages.read(tree(tmp_path, files)))

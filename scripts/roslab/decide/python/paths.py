@@ -10,6 +10,7 @@ from roslab.decide.candidate import program_of
 from roslab.decide.command import Command
 from roslab.decide.python.image_python import Python
 from roslab.decide.python.installed import installed
+from roslab.decide.python_calls import modules_called
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.standard_modules import standard_modules
@@ -70,11 +71,10 @@ def _of_modules(commands: Iterable[Sequence[str]], evidence: Evidence) -> Iterat
     """Yield the folder below the root that holds the package of a module which `python -m` starts by a dotted name."""
     for words in commands:
         option, name = [*program_of(tuple(words))[1:3], "", ""][:2] if words else ("", "")
-        path = name.replace(".", "/")
-        files = (f"/{path}.py", f"/{path}/__main__.py")
-        found = [file for each in evidence.programs if (file := f"/{each.file}").endswith(files)]
-        if option == "-m" and "/" in path and len(found) == 1 and found[0] not in files:
-            yield found[0].removesuffix(files[0]).removesuffix(files[1])[1:]
+        if option == "-m" and "." in name:
+            found = modules_called(name, (each.file for each in evidence.programs))
+            if len(found) == 1 and found[0][0]:
+                yield found[0][0]
 
 
 def _in_project(folder: str, python: Python) -> bool:

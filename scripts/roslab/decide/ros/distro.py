@@ -56,7 +56,8 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     ros = 1 if kind == "ros1" else 2
     unknown = _unknown_keys(evidence, ros)
     lacking = misfits(evidence)
-    unlaunched, headers = unlaunchable(evidence), _headers(evidence)
+    unlaunched, code = unlaunchable(evidence), unincluded(evidence)
+    headers = _headers(code, evidence)
     other = without_library(evidence)
     unknown = {n: m | unlaunched.get(n, frozenset()) | other.get(n, frozenset()) for n, m in unknown.items()}
     unknown = {name: missing for name, missing in unknown.items() if existed(evidence, name)} or unknown
@@ -81,8 +82,8 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
     if not reasons:
         from roslab.decide.ros.unnamed import of_unnamed  # noqa: PLC0415 - most trees name theirs
 
-        today = unincluded(evidence) if ros == 2 else {}  # nothing says that the rolling of another day is meant
-        unknown = {name: missing | today.get(name, frozenset()) for name, missing in unknown.items()}
+        # Nothing says that the rolling of another day is meant
+        unknown = {name: missing | code.get(name, frozenset()) for name, missing in unknown.items()}
         return _after_ended(evidence, ros, unknown) or of_unnamed(evidence, kind, unknown)
     best = max(reasons, key=_order)
     if (became := _became(evidence, best, unknown)) is not None:
@@ -155,10 +156,10 @@ def _after(date: Mention | None) -> list[Distro]:
     return [d for d in distros().values() if date and d.ros == 2 and d.eol and d.released > date.value]
 
 
-def _headers(evidence: Evidence) -> dict[str, frozenset[str]]:
+def _headers(code: dict[str, frozenset[str]], evidence: Evidence) -> dict[str, frozenset[str]]:
     """Return what the code includes and a distribution does not have; of rolling, where today's is meant."""
     past = bool(_after(dated(evidence)))
-    return {n: m for n, m in unincluded(evidence).items() if not (past and distros()[n].never_ends)}
+    return {n: m for n, m in code.items() if not (past and distros()[n].never_ends)}
 
 
 def _order(reason: Reason) -> tuple[int, int]:

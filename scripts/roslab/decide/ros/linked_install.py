@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from roslab.config.model import BuildTool, Config
+from roslab.decide.decision import Warning_
 from roslab.evidence.facts import Evidence
-from roslab.evidence.python.omitted_packages import hidden_by_links
 
 OPTION = "--symlink-install"
 
@@ -18,6 +20,13 @@ def by_links(evidence: Evidence, config: Config, build_tool: BuildTool) -> bool:
     if build_tool != "colcon" or config.compatible or OPTION in config.build_args:
         return False
     said = (m for m in evidence.mentions if m.topic == "build_tool" and m.value == "colcon")
-    return any(OPTION in m.text for m in said) and (
-        any(m.topic == "left_beside" for m in evidence.mentions) or any(map(hidden_by_links, evidence.problems))
-    )
+    mended = {"left_beside", "omitted_package"}
+    return any(OPTION in m.text for m in said) and any(m.topic in mended for m in evidence.mentions)
+
+
+def omitted(evidence: Evidence) -> Iterator[Warning_]:
+    """Yield a warning for each folder that a setup.py leaves out and a program imports."""
+    for each in (m for m in evidence.mentions if m.topic == "omitted_package"):
+        what = f"`packages` of {each.file} leaves out {each.value}, which {each.text} imports: what starts it stops, "
+        hint = f"except where colcon installs links (`{OPTION}`); write `packages=find_packages()`"
+        yield Warning_(message=f"{what}{hint}", file=each.file, line=each.line)

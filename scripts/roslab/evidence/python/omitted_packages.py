@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from roslab.evidence.facts import Mention
 from roslab.evidence.python.modules import MAX_READ, setup_scripts
 from roslab.repository.checkout import Repository
 
@@ -18,39 +19,33 @@ if TYPE_CHECKING:
 
 _ELSEWHERE = frozenset({"package_dir", "py_modules", "cmdclass", "**"})
 """Arguments of ``setup`` by which packages may be installed that are not named."""
-HINT = "what starts it stops, except where colcon installs links (`--symlink-install`)"
 _MOST = 200
 """Most modules of one package that are read."""
 
 
-def problems(repository: Repository) -> Iterator[tuple[str, str, int]]:
-    """Yield a warning for each such folder: what imports it stops when it is started."""
+def read(repository: Repository) -> Iterator[Mention]:
+    """Yield each such folder at the call of ``setup``, its text the file and line that import it."""
     for module in setup_scripts(repository):
         folder = module.file.folder
         manifest = f"{folder}/package.xml".lstrip("/")
         if "packages" not in module.text or not repository.has(manifest):
             continue
-        from roslab.evidence.python.setup_py import read  # noqa: PLC0415 - it imports Python's own parser
+        from roslab.evidence.python.setup_py import read as packages_of  # noqa: PLC0415 - it imports Python's own parser
 
-        script = read(module.text)
+        script = packages_of(module.text)
         if script.packages and script.scripts and not script.catkin and not _ELSEWHERE & script.arguments:
             yield from _of_script(repository, module.file.path, folder, script)
 
 
-def hidden_by_links(problem: tuple[str, str | None, int | None]) -> bool:
-    """Tell whether a problem is one of these."""
-    return HINT in problem[0]
-
-
-def _of_script(repository: Repository, path: str, folder: str, script: SetupScript) -> Iterator[tuple[str, str, int]]:
+def _of_script(repository: Repository, path: str, folder: str, script: SetupScript) -> Iterator[Mention]:
     above = f"{folder}/" if folder else ""
     told: set[str] = set()
     for name, file, line in _imported(repository, above, _started(script.scripts)):
         omitted = next((part for part in _above(name) if _omits(repository, above, part, script.packages)), None)
         if omitted and omitted not in told:
             told.add(omitted)
-            what = f"`packages` of {path} leaves out {omitted}, which {file}:{line} imports: "
-            yield f"{what}{HINT}; write `packages=find_packages()`", path, script.line
+            by = f"{file}:{line}"
+            yield Mention(topic="omitted_package", value=omitted, source="code", file=path, line=script.line, text=by)
 
 
 def _started(scripts: Iterable[str]) -> Iterator[str]:
