@@ -80,7 +80,10 @@ def _read(overrides: Several[Override]) -> tuple[Config, tuple[Problem, ...]]:
             pairs.append((override.key, _scalar(override.key.rpartition(".")[2], mark), node))
     reading = Reading(where=where)
     config = reader.config_of(reading, _document(pairs), "today")
-    return config, (*shape.problems, *reading.problems)
+    # The option or input is named before the message, so that its key need not be
+    keys: dict[Origin | None, str] = {each.origin: each.key for each in overrides}
+    said = (replace(each, message=each.message.removeprefix(f"{keys.get(each.origin)}: ")) for each in reading.problems)
+    return config, (*shape.problems, *said)
 
 
 def laid_over(config: Config, said: Config) -> Config:

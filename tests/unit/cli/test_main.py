@@ -114,4 +114,4 @@ def test_a_day_still_to_come_is_refused(tmp_path: Path, capsys: pytest.CaptureFi
     assert "date: 2098-01-01 is still to come" in capsys.readouterr().err
     (tmp_path / "roslab.yaml").unlink()
     assert main.main(["plan", str(tmp_path), "--date", "2098-01-01"]) == 2
-    assert "2098-01-01 is still to come" in capsys.readouterr().err
+    assert "error: --date: 2098-01-01 is still to come" in capsys.readouterr().err
