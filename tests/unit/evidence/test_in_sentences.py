@@ -65,3 +65,35 @@ def command_of(folder: Path, said: str) -> tuple[str, ...] | str:
     for name, text in {**FILES, "README.md": f"# Demo\n\n## Usage\n\n{said}\n"}.items():
         (folder / name).write_text(text)
     return plan_repository(folder).plan.run.command
+
+
+@pytest.mark.parametrize(
+    ("said", "commands"),
+    [
+        ("Start the viewer with rosrun demo viewer.", ["rosrun demo viewer"]),
+        ("Then ros2 run demo viewer_node _rate:=5 shows it.", ["ros2 run demo viewer_node _rate:=5"]),
+        ("Call rosrun demo view-er.py, then look.", ["rosrun demo view-er.py"]),
+        ('"rosrun demo viewer" shows the map.', ["rosrun demo viewer"]),
+        ("Do not use rosrun demo viewer.", []),
+        ("You don't have to call rosrun demo viewer.", []),
+        ("Call the script instead of rosrun demo viewer.", []),
+        ("If rosrun demo viewer says no executable found, source it.", []),
+        ("If roslaunch demo map.launch fails, wait.", []),
+        ("Never start roslaunch demo map.launch.", []),
+        ("Use rosrun with /opt/demo/viewer.", []),
+        ("It does not need a map: rosrun demo viewer shows it.", ["rosrun demo viewer"]),
+    ],
+)
+def test_a_sentence_starts_a_node(said: str, commands: list[str]) -> None:
+    assert list(in_sentence(said)) == commands
+
+
+def test_a_node_in_a_sentence_is_the_default(tmp_path: Path) -> None:
+    package = (
+        "<package format='2'><name>demo</name><version>0</version><buildtool_depend>catkin</buildtool_depend></package>"
+    )
+    cmake = "find_package(catkin REQUIRED)\ncatkin_package()\nadd_executable(a a.cpp)\nadd_executable(viewer b.cpp)\n"
+    page = "# Demo for ROS Noetic\n\n## Usage\n\nOpen a terminal and start rosrun demo viewer there.\n"
+    for name, text in {"package.xml": package, "CMakeLists.txt": cmake, "README.md": page}.items():
+        (tmp_path / name).write_text(text)
+    assert plan_repository(tmp_path).plan.run.command == ("rosrun", "demo", "viewer")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslab.evidence.prose.failing import of_failure
 from roslab.evidence.prose.telling import Signs
 from roslab.values.pattern import pattern
 
@@ -44,8 +45,18 @@ _SAID_LAUNCH = pattern(
     r"(?: +\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
 )
 """A launch in a sentence, by a package or a path: ``Run "roslaunch demo map.launch" to start``."""
-
-
+_SAID_NODE = pattern(
+    r"(?<![`\w/-])(?:rosrun|ros2 run) +[a-z]\w+ +[A-Za-z]\w+(?:[.-]\w+)*(?![\w`/])"
+    r"(?: +_?\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
+)
+"""A node in a sentence, by its package: ``Then start rosrun demo viewer in a second terminal``."""
+_AVOIDED = pattern(
+    r"(?:\bnot|n['\u2019]t|\bnever|\bcannot|\binstead of|\brather than|\bno longer|\bwithout)\s"
+    r"(?:[\w-]+\s+){0,3}[\"'\u201c(]?\Z",
+    re.IGNORECASE,
+)
+"""What comes before a command that a sentence keeps the reader from."""
+_FARTHEST = 80
 _EMPHASISED = pattern(
     r"(?<![\w*`])(\*\*|<code>|<b>|<strong>)(?=[a-z.])([^*`<>\n]{4,300}?)(?:\1|</(?:code|b|strong)>)(?![\w*`])"
 )
@@ -74,7 +85,8 @@ def in_sentence(line: str, *, title: bool = False) -> Iterator[str]:
 
     ``title``: it is that of a block of commands below, which say how its program is started.
     """
-    yield from (said[0] for said in (_SAID_LAUNCH.finditer(line) if "launch " in line else ()))
+    if "ros" in line:
+        yield from (said[0] for form in (_SAID_LAUNCH, _SAID_NODE) for said in form.finditer(line) if _meant(said))
     yield from (f"git clone {named[1]}" for named in (_CLONED.finditer(line) if "://" in line else ()))
     quoted = "`" in line
     if not quoted and ".py" in line and "python" in line:
@@ -84,6 +96,12 @@ def in_sentence(line: str, *, title: bool = False) -> Iterator[str]:
     yield from (f"python {named[1]}" for named in _NAMED_PYTHON.finditer(line))
     shell = any(part in line for part, _ in _SHELL)
     yield from (f"./{named[1]}" for named in (_NAMED_SHELL.finditer(line) if shell else ()))
+
+
+def _meant(said: re.Match[str]) -> bool:
+    """Tell whether a sentence has the reader start what it names, and not avoid or mend it."""
+    line, (start, end) = said.string, said.span()
+    return not (_AVOIDED.search(line[max(0, start - _FARTHEST) : start]) or of_failure(line, start, end, said[0]))
 
 
 def _call(said: re.Match[str]) -> str:
