@@ -53,7 +53,7 @@ class Candidate:
     alone: bool = False
     """A node of ROS 1 whose page starts no master but by launch files."""
     unmade: bool = False
-    """A node that it starts is installed by no package, so that it stops."""
+    """A node that it starts is installed by no package, so that it stops; or its launch file starts none."""
     contained: bool = False
     """A container of an author's Dockerfile starts it."""
     session: bool = False

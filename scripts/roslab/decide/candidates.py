@@ -55,7 +55,7 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     said = tuple(with_endings(said, evidence)) if ros else said
     unmade = with_unmade(evidence)
     names = tuple(names_of_whole(evidence))
-    stops = [calls[file] for file in unmade if file in calls]
+    stops = [call for call, each in files.items() if each.idle or each.file in unmade]
     for each in said:
         told = with_demands(_below(each, evidence) if compiled else each, files)
         yield replace(told, unmade=_starts(each, stops), names=names)

@@ -79,3 +79,26 @@ def test_a_package_that_the_table_has_for_other_distributions_is_told(tree: Tree
     }
     warned = [warning.message for warning in tree(files).warnings if "baxter_gazebo" in warning.message]
     assert bool(warned) is told
+
+
+SETS = '<param name="a" value="1"/><rosparam file="$(find demo)/a.yaml"/><!-- <node pkg="demo"/> -->'
+
+
+def test_what_sets_parameters_alone_starts_nothing(tree: Tree) -> None:
+    assert command(tree, SETS) == NODE
+    assert command(tree, SETS, {"CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"}) == ("bash",)
+
+
+@pytest.mark.parametrize("beside", [OWN, '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'])
+def test_what_starts_a_node_or_another_launch_file_beside_them_does(tree: Tree, beside: str) -> None:
+    assert command(tree, f"{SETS}{beside}") == LAUNCH
+
+
+def test_a_page_that_runs_such_a_launch_file_first_means_what_it_runs_then(tree: Tree) -> None:
+    page = "# Run\n```\nroslaunch demo dataset.launch\nroslaunch demo start.launch\n```\n"
+    more = {"README.md": page, "launch/start.launch": f"<launch>{OWN}</launch>"}
+    assert command(tree, SETS, more) == ("roslaunch", "demo", "start.launch")
+
+
+def test_a_page_that_names_one_alone_means_the_program(tree: Tree) -> None:
+    assert command(tree, SETS, {"README.md": "# Run\nAll is set in launch/dataset.launch.\n"}) == NODE
