@@ -54,6 +54,8 @@ class Candidate:
     """A node of ROS 1 whose page starts no master but by launch files."""
     unmade: bool = False
     """A node that it starts is installed by no package, so that it stops; or its launch file starts none."""
+    views: bool = False
+    """Its launch file shows the model of a robot, and starts nothing else."""
     contained: bool = False
     """A container of an author's Dockerfile starts it."""
     session: bool = False

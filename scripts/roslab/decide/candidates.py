@@ -12,6 +12,7 @@ from roslab.decide.contained import contained
 from roslab.decide.demanded_arguments import with_demands
 from roslab.decide.first_command import helps
 from roslab.decide.launch_calls import launch_calls
+from roslab.decide.model_views import shows_model
 from roslab.decide.notebook_server import served, server
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.programs import in_packages
@@ -56,9 +57,10 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
     unmade = with_unmade(evidence)
     names = tuple(names_of_whole(evidence))
     stops = [call for call, each in files.items() if each.idle or each.file in unmade]
+    views = [call for call, each in files.items() if said and shows_model(each, evidence)]
     for each in said:
         told = with_demands(_below(each, evidence) if compiled else each, files)
-        yield replace(told, unmade=_starts(each, stops), names=names)
+        yield replace(told, unmade=_starts(each, stops), views=_starts(each, views), names=names)
     yield from contained(evidence, kind, compiled=compiled)
     yield from in_sessions(evidence, kind, compiled=compiled, written=any(each.strong for each in said))
     if not compiled and not any(each.strong for each in said):
@@ -93,10 +95,7 @@ def once(found: Iterable[Candidate]) -> Iterator[Candidate]:
 
 
 def _explained(evidence: Evidence, *, ros: bool) -> Iterator[Candidate]:
-    """Yield the programs of Python of which a page at the root says what they show, or that they are the main one.
-
-    Beside nodes, not those of which it only says what they can be used for.
-    """
+    """Yield the programs of Python that a page at the root says are meant; beside nodes, none that it only offers."""
     for said in evidence.mentions:
         if said.topic != "pointed":
             continue

@@ -24,13 +24,15 @@ def of_whole(candidate: Candidate) -> bool:
 def without_robot(ordered: Sequence[Candidate], rank: Callable[[Candidate], object]) -> Candidate:
     """Return the first command, or the first of the same rank that starts a simulation where that one needs the robot.
 
-    ``rank``: what makes two of them equally meant. What the same section runs later is the next step after it.
+    So it is where the first shows the robot's model alone. ``rank``: what makes two of them equally meant. What the
+    same section runs later is the next step after it.
     """
     first = ordered[0]
-    if first.argv[0] not in LAUNCHERS or not _needs_robot(first):
+    if first.argv[0] not in LAUNCHERS or not (first.views or _needs_robot(first)):
         return first
     for each in ordered[1:]:
         whole = not (each.cut or each.lacking or each.unmade or each.elsewhere or each.behind or each.demands)
+        whole = whole and not each.views
         apart = (each.file, each.heading) != (first.file, first.heading)
         if whole and apart and each.argv[0] in LAUNCHERS and _simulates(each) and rank(each) == rank(first):
             return each

@@ -30,8 +30,8 @@ def unstartable(evidence: Evidence, *, programs: bool) -> frozenset[str]:
 
     Those stop that need, without a condition, a package which neither the tree has, nor a package.xml asks for, nor any
     distribution or table knows; what a page or a list clones may hold it, and then all may start. So do those that
-    include a launch file which a package of the tree does not have. What sets parameters alone starts nothing. Without ``programs`` of its own, the repository may
-    consist of launch files for what others wrote.
+    include a launch file which a package of the tree does not have. What sets parameters alone starts nothing. Without
+    ``programs`` of its own, the repository may consist of launch files for what others wrote.
     """
     files = {launch.file.rpartition("/")[2] for launch in evidence.launch}
     cloned = any(git.kind not in {"link", "fetch"} for git in evidence.sources)

@@ -86,3 +86,45 @@ def test_of_two_sections_the_one_without_the_robot() -> None:
     first = candidate("roslaunch arm bringup.launch", "README.md", "Demo / With it")
     then = candidate("roslaunch arm sim.launch", "README.md", "Demo / Without it")
     assert first_of([first, then]) == then
+
+
+STATE = '<node pkg="robot_state_publisher" type="robot_state_publisher" name="s"/>'
+VIEW = f'<param name="a" command="$(find xacro)/xacro a"/>{STATE}<node pkg="rviz" type="rviz" name="r"/>'
+WORLD = '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'
+
+
+def described(name: str, launch: str, shown: str) -> dict[str, str]:
+    manifest = f"<package><name>{name}</name><buildtool_depend>catkin</buildtool_depend></package>"
+    return {
+        f"{name}/package.xml": manifest,
+        f"{name}/CMakeLists.txt": f"project({name})\nfind_package(catkin REQUIRED)\n",
+        f"{name}/launch/{launch}.launch": f"<launch>{shown}</launch>",
+        f"{name}/README.md": f"# Start\n```\nroslaunch {name} {launch}.launch\n```\n",
+    }
+
+
+CONTROL = {file: text for file, text in described("arm_control", "go", STATE).items() if "README" not in file}
+
+
+@pytest.mark.parametrize(
+    ("shown", "other", "meant"),
+    [
+        (VIEW, "arm_gazebo", True),
+        (f'{VIEW}<include file="$(find arm_description)/launch/up.launch"/>', "arm_gazebo", True),
+        ('<include file="$(find urdf_tutorial)/launch/display.launch"/>', "arm_gazebo", True),
+        (VIEW, "arm_hardware", False),  # nothing stands in for the robot
+        (f'{VIEW}<node pkg="arm_control" type="a" name="a"/>', "arm_gazebo", False),
+        (f'{VIEW}<include file="$(find moveit_demo)/launch/a.launch"/>', "arm_gazebo", False),
+        (STATE, "arm_gazebo", False),
+    ],
+)
+def test_a_simulation_comes_before_what_shows_the_model_alone(tree: Tree, shown: str, other: str, meant: bool) -> None:
+    up = {"arm_description/launch/up.launch": '<launch><param name="b" value="1"/></launch>'}
+    files = up | CONTROL | described("arm_description", "view", shown) | described(other, "start", WORLD)
+    first = ("roslaunch", "arm_description", "view.launch")
+    assert tree(files).command == (("roslaunch", other, "start.launch") if meant else first)
+
+
+def test_of_two_that_show_models_the_first(tree: Tree) -> None:
+    files = CONTROL | described("arm_description", "view", VIEW) | described("leg_demo", "show", VIEW)
+    assert tree(files).command == ("roslaunch", "arm_description", "view.launch")
