@@ -69,6 +69,28 @@ def test_a_project_without_a_manifest(tmp_path: Path, path: str, named: list[str
     assert _named(user) == named
 
 
+@pytest.mark.parametrize(
+    ("config", "cmake", "named"),
+    [
+        ("cmake/ArmConfig.cmake.in", "configure_package_config_file(cmake/ArmConfig.cmake.in ArmConfig.cmake)", True),
+        ("arm-config.cmake", "install(FILES arm-config.cmake DESTINATION lib/cmake/arm)", True),
+        ("cmake/ArmConfig.cmake", "list(APPEND CMAKE_MODULE_PATH cmake)", False),  # how it finds another one
+        ("cmake/Config.cmake.in", "install(FILES ArmConfig.cmake DESTINATION lib)", False),
+    ],
+)
+def test_a_library_that_cmake_finds_by_another_name(tmp_path: Path, config: str, cmake: str, *, named: bool) -> None:
+    wanted = "arm" if config.startswith("arm") else "Arm"
+    user = _package(tmp_path, "driver", f"find_package({wanted} 0.13 REQUIRED)", "arm_msgs")
+    own = _package(tmp_path, "libarm", f"{cmake}\nfind_package({wanted} REQUIRED)")
+    made = own.parent / config
+    made.parent.mkdir(exist_ok=True)
+    made.touch()
+    assert ("driver requires libarm" in _run(tmp_path)) is named
+    assert _named(user) == (["arm_msgs", "libarm"] if named else ["arm_msgs"])
+    assert _named(own) == []
+    assert not _run(tmp_path)
+
+
 def test_a_link_to_another_machines_distribution_is_no_project(tmp_path: Path) -> None:
     user = _package(tmp_path, "arm", "find_package(catkin REQUIRED COMPONENTS utils)")
     _package(tmp_path, "utils", "")
