@@ -731,6 +731,15 @@ def test_what_copies_it_to_other_machines_is_no_command(script: str, copies: boo
     assert upkeep(Candidate(argv=argv, why="", file="README.md", line=1, strong=True)) is copies
 
 
+@pytest.mark.parametrize(
+    ("script", "cleans"),
+    [("distclean.sh", True), ("clean_up.bash", True), ("uninstall.sh", True), ("clean_room.sh", False)],
+)
+def test_what_takes_away_what_was_built_is_no_command(script: str, *, cleans: bool) -> None:
+    argv = ("bash", f"lib/{script}")
+    assert upkeep(Candidate(argv=argv, why="", file="lib/INSTALL.txt", line=1, strong=True)) is cleans
+
+
 def test_a_program_that_only_sounds_like_it_is_one(tree: Tree) -> None:
     page = {
         "README.md": "```\npython deploy.py\n```\n",
