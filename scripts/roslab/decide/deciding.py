@@ -190,6 +190,7 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         base.answer.ubuntu,
         (*everything, *(each for project in projects for each in project.build_requires)),
         command=page,
+        argv=command.answer.command,
         image=base.answer.image,
         ros=distro,
         gui=command.answer.gui,

@@ -16,6 +16,7 @@ from roslab.decide.reasons import because, warn
 from roslab.decide.ros.author_variables import author_variables
 from roslab.decide.ros.linked_folders import linked_folders
 from roslab.decide.ros.nested_headers import nested_headers
+from roslab.decide.ros.robot_models import untold_models
 from roslab.decide.system.cmake_version import KEPT_BY_NEW, POLICY, refused_by_new
 from roslab.decide.system.cmeel import PREFIX
 from roslab.decide.system.header_folders import compiler_variables
@@ -50,6 +51,7 @@ def decide_variables(
     asked: Iterable[Requirement],
     *,
     command: Candidate | None = None,
+    argv: tuple[str, ...] | str = (),
     image: str = "",
     ros: str | None = None,
     gui: bool = True,
@@ -60,12 +62,12 @@ def decide_variables(
 ) -> Choice[tuple[tuple[str, str], ...]]:
     """Return each variable with the value that roslab.yaml gives it, else a page first.
 
-    After them those that a page starts the default ``command`` with, without those of one machine, and what keeps a
-    new CMake from refusing old code; ``asked``: what pip installs or builds with. Where the base ``image`` has CUDA's
-    compiler, the folder that it lies in: NVIDIA's images do not say it, and build files read it. Without ``gui``, what
-    has packages draw where there is no display; with it, what they need to open a window. ``dockerfile``: the author's
-    that the image is made with; ``apt``: what is installed; ``downloads``: what is fetched, some of it for the home;
-    ``libraries``: those that are built.
+    After them those that a page starts the default ``command`` with, without those of one machine, what its words
+    ``argv`` stop without, and what keeps a new CMake from refusing old code; ``asked``: what pip installs or builds
+    with. Where the base ``image`` has CUDA's compiler, the folder that it lies in: NVIDIA's images do not say it, and
+    build files read it. Without ``gui``, what has packages draw where there is no display; with it, what they need to
+    open a window. ``dockerfile``: the author's that the image is made with; ``apt``: what is installed;
+    ``downloads``: what is fetched, some of it for the home; ``libraries``: those that are built.
     """
     if config.compatible:
         return Choice(answer=())
@@ -97,11 +99,14 @@ def decide_variables(
         why = f"CMake 4 may be in the image, and refuses code for {old.version}"
         reasons.append(because("workspace", f"{POLICY}={KEPT_BY_NEW}", why, old, weight=SET))
     windows = _windows(command, evidence)
+    authors = tuple(author_variables(evidence, ros, dockerfile, apt))
+    untold = () if dockerfile else untold_models(evidence, argv, {*pairs, *given, *(name for name, *_ in authors)})
     further: list[tuple[str, str, str, Requirement | Dependency | Mention | None]] = [
-        *author_variables(evidence, ros, dockerfile, apt),
+        *authors,
         *compiler_variables(evidence, ubuntu),
         *nested_headers(evidence, ros),
         *linked_folders(evidence, ros),
+        *(each.set for each in untold),
         *((name, value, why, None) for name, value, why in variables_of(libraries)),
         *(
             (
@@ -120,7 +125,7 @@ def decide_variables(
     demanded = [m for m in evidence.mentions if m.topic == "demanded" and m.value not in {*pairs, *given}]
     demanded = [m for m in demanded if not (of_every_image(m.value) or m.value.startswith("-D"))]
     lacking = () if dockerfile or (evidence.python and not ros) else _options_lacking(evidence, config)
-    warnings = (*map(_demanded, demanded), *lacking)
+    warnings = (*map(_demanded, demanded), *lacking, *(each.warning for each in untold if each.warning))
     return Choice(answer=tuple(pairs.items()), reasons=tuple(reasons), warnings=warnings)
 
 

@@ -54,6 +54,7 @@ from roslab.evidence.ros import (
     on_machines,
     own_setup,
     program_endings,
+    robot_models,
     started_by_scripts,
 )
 from roslab.repository.checkout import Repository
@@ -82,7 +83,7 @@ OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""
 _OF_ROS = (
     *(on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read),
-    *(copied_scripts.read, given_as_data.read, python3_modules.read),
+    *(copied_scripts.read, given_as_data.read, python3_modules.read, robot_models.read),
 )
 
 
