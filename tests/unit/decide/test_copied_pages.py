@@ -52,6 +52,15 @@ CAMERA = ("ros2", "launch", "driver", "camera.launch.py")
         ({**PACKED, **OWN, "camera-main/io/package.xml": None}, CAMERA),  # a part of its own
         ({path.replace("-main", "-arm"): text for path, text in {**PACKED, **OWN}.items()}, CAMERA),
         ({**COPY, **OWN, "camera/LICENSE": None}, CAMERA),  # a part of its own
+        *(
+            ({**COPY, **OWN, "camera/LICENSE": None, f"camera/{path}": ""}, command)
+            for path, command in (
+                (".github/workflows/ci.yml", ("ros2", "launch", "arm", "arm.launch.py")),
+                (".gitmodules", ("ros2", "launch", "arm", "arm.launch.py")),
+                (".github/dependabot.yml", CAMERA),
+                ("driver/.travis.yml", CAMERA),  # a package that tests itself
+            )
+        ),
     ],
 )
 def test_the_page_of_a_copy_gives_no_command(

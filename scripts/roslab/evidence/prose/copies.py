@@ -12,6 +12,10 @@ from roslab.values.pattern import pattern
 
 _LICENCES = ("LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE", "COPYING", "LICENSE.rst", "License.txt")
 _PAGES = ("README.md", "README.rst", "README", "README.txt", "Readme.md", "readme.md", "ReadMe.md")
+_OF_ROOT = pattern(
+    r"(.+)/(?:\.github/(?:workflows|ISSUE_TEMPLATE)/[^/]+|\.gitmodules|\.gitlab-ci\.yml|\.travis\.yml|Jenkinsfile)"
+)
+"""What is read at the root of a repository alone, behind the folder that it lies in."""
 _RECIPES = pattern(r"(?:^|/)\.?docker\w*(?:/.*)?$", re.IGNORECASE)
 """The end of a path in which images are described."""
 
@@ -25,9 +29,14 @@ def read(repository: Repository, manifests: Sequence[PackageManifest]) -> tuple[
 
 
 def repositories(repository: Repository, manifests: Sequence[PackageManifest]) -> tuple[str, ...]:
-    """Return the folders that hold a whole repository of packages: a licence and a page, or as GitHub packs it."""
+    """Return the folders that hold a whole repository of packages: a page and a licence or what only a root has.
+
+    So do those that are called as GitHub packs them.
+    """
     own = {manifest.file.rpartition("/")[0] for manifest in manifests}
     licensed = {file.folder for file in repository.named(*_LICENCES)} - {"", *own}
+    if manifests:
+        licensed |= {match[1] for file in repository.files if (match := _OF_ROOT.fullmatch(file.path))} - own
     found = licensed & {file.folder for file in repository.named(*_PAGES)} if licensed else set[str]()
     found |= {*packed(repository)} - own
     return tuple(folder for folder in sorted(found) if any(below(manifest.file, [folder]) for manifest in manifests))
