@@ -37,6 +37,23 @@ def test_every_package_is_named_once_where_its_plugin_is_loaded(tmp_path: Path) 
     ]
 
 
+@pytest.mark.parametrize(
+    ("files", "found"),
+    [
+        ({"launch/sim.launch": '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>\n{}'}, True),
+        ({"launch/view.launch": "{}"}, False),
+        ({"launch/view.launch": "{}", "worlds/a.world": "<sdf/>"}, True),
+        ({"launch/sim.launch": "<!-- {} -->", "worlds/a.world": "<sdf/>"}, False),
+        ({"urdf/robot.xacro": "{}", "worlds/a.world": "<sdf/>"}, True),
+        ({"third_party/launch/sim.launch": "{}", "worlds/a.world": "<sdf/>"}, False),
+    ],
+)
+def test_what_the_robot_of_another_package_loads(tmp_path: Path, files: dict[str, str], *, found: bool) -> None:
+    robot = '<param name="r" command="xacro $(find turtlebot3_description)/urdf/turtlebot3_waffle.urdf.xacro"/>'
+    repository = _write(tmp_path, {path: text.replace("{}", robot) for path, text in files.items()})
+    assert [each.name for each in read(repository)] == (["gazebo_plugins"] if found else [])
+
+
 def test_a_plugin_without_the_beginning_and_the_end_of_its_library(tmp_path: Path) -> None:
     plugin = '<plugin\n  filename="gz_ros2_control-system"\n  name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
     files = {"urdf/robot.xacro": f"<robot>\n{plugin}\n</plugin>\n</robot>\n", "urdf/b.xacro": '<mesh filename="gz"/>'}

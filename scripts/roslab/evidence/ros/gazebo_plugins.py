@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
@@ -20,6 +21,7 @@ _LIBRARY = pattern(r"lib[\w-]{1,80}\.so\b(?!\.)")
 _BARE = pattern(r"filename\s{0,9}=\s{0,9}[\"']([\w-]{1,80})[\"']")
 """As today's Gazebo finds it: ``gz_ros2_control-system`` is libgz_ros2_control-system.so."""
 
+_FOUND = pattern(r"\$\(find[ ]([a-z0-9]\w{0,40}_description)\)")
 _ROBOTS = (".xacro", ".urdf", ".gazebo")
 """Descriptions of robots, which name plugins for whoever simulates them."""
 _BUILD = ("package.xml", "CMakeLists.txt", "Dockerfile")
@@ -29,14 +31,20 @@ _SIMULATES = pattern(r"gazebo|ignition|(?<![a-z])gz(?![a-z])|simulat|spawn", re.
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return the packages of the libraries that are loaded, each once, where it is loaded first.
 
-    None of those that descriptions of robots name where nothing else of the tree speaks of a simulation.
+    None of those that descriptions of robots name where nothing else of the tree speaks of a simulation; so it is with
+    what robots and sensors of other packages load that the tree finds there.
     """
     described = repository.suffixed(".xacro", ".urdf", ".sdf", ".world", ".gazebo", ".launch")
     launching = (file for file in repository.suffixed(".py") if "launch" in file.name)
     files = [file for file in (*described, *launching) if file.size <= MAX_SIZE and not places.vendored(file.path)]
     found: dict[str, Dependency] = {}
+    described: dict[str, Dependency] = {}
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
+        for name, start in _of_others(text):
+            line = text.count("\n", 0, start) + 1
+            loaded = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec")
+            described.setdefault(name, loaded)
         loads = ".so" in text or "filename" in text
         text = without_xml_comments(text) if loads else ""
         named = [(match.start(), match[0]) for match in matches_at(_LIBRARY, text, "lib")]
@@ -49,9 +57,21 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 found[name] = Dependency(
                     namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec"
                 )
-    if found and all(each.file.endswith(_ROBOTS) for each in found.values()) and not _simulates(repository):
+    described = {name: each for name, each in described.items() if name not in found}
+    unsure = not found or all(each.file.endswith(_ROBOTS) for each in found.values())
+    if unsure and (found or described) and not _simulates(repository):
         return ()
-    return tuple(found.values())
+    return (*found.values(), *described.values())
+
+
+def _of_others(text: str) -> Iterator[tuple[str, int]]:
+    """Yield the packages that descriptions of other packages load, each with the place where these are found."""
+    if "_description)" not in text:
+        return
+    from roslab.knowledge.described_plugins import described_plugins  # noqa: PLC0415 - few trees find one
+
+    for match in _FOUND.finditer(without_xml_comments(text)):
+        yield from ((name, match.start()) for name in described_plugins().get(match[1], ()))
 
 
 def _simulates(repository: Repository) -> bool:
