@@ -13,7 +13,8 @@ def held(target: Target, variant: str) -> frozenset[str]:
     """Return the apt names of the ROS packages that the base of a variant of ROS, ``ros-base`` if empty, has."""
     if target.ros_distro is None or variant == "ros-core":
         return frozenset()
-    return frozenset(target.ros(name) for name in base_holds(distros()[target.ros_distro].ros))
+    ros = distros()[target.ros_distro]
+    return frozenset(target.ros(name) for name in (*base_holds(ros.ros), *filter(None, (ros.middleware,))))
 
 
 def brought(installed: Iterable[str], target: Target, *, directly: bool = False) -> frozenset[str]:

@@ -11,6 +11,7 @@ from roslab.evidence.ros import (
     hardware_plugins,
     image_transports,
     looked_up,
+    middlewares,
     ros2_verbs,
     started_by_scripts,
 )
@@ -24,6 +25,7 @@ _READERS = (
     ros2_verbs.read,
     started_by_scripts.read,
     looked_up.read,
+    middlewares.read,
 )
 
 
