@@ -31,6 +31,7 @@ from roslab.decide.python_in_scripts import decide_python_in_scripts
 from roslab.decide.reasons import warn
 from roslab.decide.ros.built_sources import Sources
 from roslab.decide.ros.hidden_packages import decide_hidden
+from roslab.decide.ros.in_bin import in_bin
 from roslab.decide.ros.in_tree import apart
 from roslab.decide.ros.included_interfaces import included_interfaces
 from roslab.decide.ros.keys import by_pip
@@ -237,6 +238,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         lacking=() if of.own.answer else of.missing.answer.lacking,
         undeclared=of.missing.answer.undeclared,
         copied_scripts=tuple(m.value for m in evidence.mentions if m.topic == "copied_script"),
+        in_bin=in_bin(evidence),
         by_links=linked,
         workspace=of.layout.answer.workspace,
         set_up_links=of.layout.answer.set_up_links,

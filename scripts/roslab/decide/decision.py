@@ -235,6 +235,8 @@ class Decision:
     """colcon installs links to the source: a program imports what lies beside it and is not installed."""
     copied_scripts: tuple[str, ...] = ()
     """Names of scripts that CMake copies among the programs of ROS 2 without the right to be executed."""
+    in_bin: tuple[tuple[str, str], ...] = ()
+    """Packages of Python whose programs ROS 2 would not find once they are installed: folder and name of each."""
     ended: tuple[str, ...] = ()
     """Packages that manifests of rosbuild name and this ROS no longer has."""
     workspace: Literal["none", "overlay", "root"] = "none"

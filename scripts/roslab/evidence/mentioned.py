@@ -51,6 +51,7 @@ from roslab.evidence.python import (
 from roslab.evidence.ros import (
     copied_scripts,
     handed_lists,
+    in_bin,
     on_machines,
     own_setup,
     program_endings,
@@ -83,7 +84,7 @@ OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""
 _OF_ROS = (
     *(on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read),
-    *(copied_scripts.read, given_as_data.read, python3_modules.read, robot_models.read),
+    *(copied_scripts.read, given_as_data.read, python3_modules.read, robot_models.read, in_bin.read),
 )
 
 

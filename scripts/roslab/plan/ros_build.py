@@ -61,6 +61,8 @@ class RosBuild:
     """Packages may require others of the workspace that their package.xml does not name."""
     executable: tuple[str, ...] = ()
     """Names of scripts that get the right to be executed where they are installed: ros2 finds no program without it."""
+    in_bin: tuple[tuple[str, str], ...] = ()
+    """Packages of Python that do not say where their programs go, and ros2 finds them nowhere else: folder and name."""
     raised: tuple[tuple[str, str], ...] = ()
     """Standards of C++ that the Ubuntu's libraries ask for, each with the names of these: cloned packages that need one
     and name an older standard are compiled with this one."""
@@ -96,6 +98,7 @@ def ros_build(decision: Decision, config: Config, sisters: tuple[Source, ...], f
         not_there=decision.not_there if own else (),
         undeclared=not config.compatible and tool != "rosmake" and (decision.undeclared or bool(sisters)),
         executable=_executable(decision, config) if own and tool == "colcon" else (),
+        in_bin=decision.in_bin if own and tool == "colcon" and not config.compatible else (),
         raised=raised(decision.ubuntu) if sisters and not config.compatible and tool != "rosmake" else (),
     )
 

@@ -14,6 +14,8 @@ WITHOUT_LACKING = "leave-out-lacking"
 
 MAKES_FOLDERS = "make-installed-folders"
 """The script that makes what packages install and git does not keep."""
+_IN_LIB = r"\n[develop]\nscript_dir=$base/lib/%s\n[install]\ninstall_scripts=$base/lib/%s\n"
+"""What setup.cfg says for a package of ROS 2; the first line end is for a file without its last one."""
 RAISED = "raise-standard"
 """The script that compiles cloned packages with the standard of C++ that libraries ask for."""
 
@@ -36,6 +38,13 @@ def not_there(source: str, build: RosBuild) -> Iterator[str]:
         yield f"mkdir --parents {' '.join(folders)}"
     if files:
         yield f"touch {' '.join(files)}"
+
+
+def in_bin(source: str, build: RosBuild) -> Iterator[str]:
+    """Yield the commands by which packages of Python install their programs where ROS 2 looks for them."""
+    for folder, name in build.in_bin:
+        into = _within(source, f"{folder}/setup.cfg".lstrip("/"))
+        yield f"printf '{_IN_LIB}' {quote.shell(name)} {quote.shell(name)} >>{into}"
 
 
 def lacking(source: str, build: RosBuild) -> Iterator[str]:

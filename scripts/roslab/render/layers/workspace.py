@@ -235,6 +235,7 @@ def _commands(plan: Plan, build: RosBuild, again: str = "") -> list[str]:
     unsure = [without_doubles(build)] if build.unsure else []
     declared = [f"{DECLARED} src"] if build.undeclared else []
     before = [*prepared.not_there(source, build), *prepared.ignoring(source, build), *unsure]
+    before += prepared.in_bin(source, build)
     before += [*prepared.lacking(source, build), *prepared.of_clones(plan, build), *declared]
     behind = prepared.executable(build, moved=REUSES in again)
     return [*before, *prepared.raised(plan.workspace, build), *_building(plan, build, again), *behind]
