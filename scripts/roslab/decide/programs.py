@@ -122,9 +122,14 @@ def _run_by_path(said: Mention) -> bool:
     return said.topic == "command" and said.source == "readme" and said.value.startswith("./")
 
 
-def folders_of(programs: Iterable[Compiled]) -> tuple[str, ...]:
-    """Return the folders of programs, each once; where the processor's name is a part of one, for each platform."""
-    found = (each.folder.replace(PROCESSOR, machine) for each in programs for machine in _MACHINES)
+def folders_of(programs: Iterable[Compiled], evidence: Evidence) -> tuple[str, ...]:
+    """Return the folders of programs, each once; where the processor's name is a part of one, for each platform.
+
+    Those of the programs that a page runs come first: PATH holds no folders without end.
+    """
+    run = {posixpath.basename(m.value.split(" ")[0]) for m in evidence.mentions if m.topic == "command"}
+    ordered = sorted(programs, key=lambda each: each.name not in run)
+    found = (each.folder.replace(PROCESSOR, machine) for each in ordered for machine in _MACHINES)
     return tuple(dict.fromkeys(found))
 
 

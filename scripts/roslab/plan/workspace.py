@@ -14,7 +14,7 @@ FEWEST_PROGRAMS = 3
 """Fewest programs of which one may be missing."""
 FEWEST_KEPT = 10
 """Fewest files for which a cache of what was compiled is worth the package that keeps it."""
-MAX_FOLDERS = 8
+MAX_FOLDERS = 24
 """Most folders of programs on PATH beside the build folder itself."""
 
 

@@ -10,6 +10,7 @@ import pytest
 from roslab.decide.decision import Decision
 from roslab.pipeline import plan_repository
 from roslab.render.dockerfile import dockerfile
+from trees import tree_of
 
 Tree = Callable[[dict[str, str]], Decision]
 MADE = (
@@ -189,3 +190,18 @@ def test_the_options_of_a_workspace(tmp_path: Path, tool: str, page: str, option
     planned = plan_repository(tmp_path)
     assert planned.plan.workspace.ros is not None
     assert planned.plan.workspace.ros.cmake_options == ("-DCMAKE_BUILD_TYPE=Release", *options)
+
+
+def test_path_has_the_folders_of_many_programs_and_first_those_that_a_page_runs(tmp_path: Path) -> None:
+    names = [f"tool_{number:02}" for number in range(30)]
+    made = "project(demo)\n" + "".join(f"add_subdirectory({name})\n" for name in names)
+    files = {"CMakeLists.txt": made, "README.md": "# Run\n```\n./tool_29 --fast\n```\n"}
+    for name in names:
+        files |= {f"{name}/CMakeLists.txt": f"add_executable({name} a.cpp)\n", f"{name}/a.cpp": "int main() {}\n"}
+    tree_of(tmp_path / "demo", files)
+    planned = plan_repository(tmp_path / "demo")
+    assert planned.decision.command[0] == "tool_29"
+    assert planned.decision.program_folders[:2] == ("build/tool_29", "build/tool_00")
+    assert planned.plan.workspace.program
+    assert planned.plan.workspace.program.programs[:2] == ("demo-build/tool_29", "demo-build/tool_00")
+    assert "demo-build/tool_20" in planned.plan.workspace.program.programs

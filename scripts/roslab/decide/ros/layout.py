@@ -54,7 +54,7 @@ def decide_layout(evidence: Evidence, kind: Kind, packages: Packages) -> Choice[
     """
     if kind not in {"ros1", "ros2"}:
         top = top_of(evidence)
-        folders = folders_of(compiled(evidence))
+        folders = folders_of(compiled(evidence), evidence)
         folder = top.file.rpartition("/")[0] if top else ""
         warnings = _alone(evidence, top) if top and kind == "cpp" else ()
         installed = kind == "cpp" and (_installed(evidence) or bool(linking(evidence, top)))
