@@ -27,6 +27,7 @@ from roslab.evidence.prose import (
     here_lists,
     libtorch,
     links,
+    made_lists,
     makes,
     mentions,
     octave,
@@ -135,7 +136,10 @@ def named(
     for file in pages(repository):
         text = text_of(repository, file)
         runs = any(name in text for name in programs) and called.search(text)
+        lists = made_lists.listing(text) if runs else frozenset()
         for line, code, heading in _code(text, called) if runs else ():
+            if line in lists:
+                continue
             for start, logical in logical_lines(BLANK.sub("$UNKNOWN", with_arguments(code)), line):
                 found += (
                     Mention(
