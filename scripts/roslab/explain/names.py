@@ -266,6 +266,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "python-end": lambda names, _: worked.python_end(names),
     "program": _table("programs", "program", "apt", "program"),
     "ros": lambda names, where: ros_names.package(names, where.ros, where.ubuntu),
+    "ros-dropped": lambda names, where: ros_names.dropped(names, where.ros),
     "ros-elsewhere": lambda names, where: ros_names.elsewhere(names, where.ros),
     "ros-library": lambda names, where: ros_names.known(names, where.ros),
     "ros-module": lambda names, where: ros_names.module(names, where.ros),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from roslab.knowledge import libraries
+from roslab.knowledge.code_limits import OF_ROS2, limits
 from roslab.knowledge.distros import distro, distros
 from roslab.knowledge.frameworks import imports
 from roslab.knowledge.gazebo_plugins import gazebo_plugins
@@ -48,6 +49,21 @@ def elsewhere(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
         return {}
     others = [each.name for each in distros().values() if each.ros == this.ros and said in released(each.name)]
     return {"ros": ros, "releases": ", ".join(others)} if others else {}
+
+
+def dropped(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
+    """Name the newest ROS 2 that has a command of CMake, or a header of ROS, which this one has dropped."""
+    this = distro(ros)
+    said = {"cmake": names.get("command", ""), "include": names.get("header", "")}
+    for row in limits() if this is not None else ():
+        without = distro(row.below or "") if row.library.startswith(OF_ROS2) and said.get(row.where) else None
+        if this is None or without is None or not row.pattern.search(said[row.where]):
+            continue
+        before = [each for each in distros().values() if each.ros == without.ros and not each.never_ends]
+        before = [each for each in before if each.released < without.released]
+        if before and (this.never_ends or this.released >= without.released):
+            return {"ros": this.name, "name": said[row.where], "last": before[-1].name}
+    return {}
 
 
 def _is_released(name: str, ros: str | None) -> bool:

@@ -192,6 +192,14 @@ def older_ros(found: Explanation, given: Given) -> Worked:
     return Worked(values=tuple(d.name for d in older[-1:]), certain=False, why=why)
 
 
+def ros_before(found: Explanation, given: Given) -> Worked:
+    """Take the newest ROS that has what the code uses, if it has all keys which the packages name and this one has."""
+    last, now = dict(found.names)["last"], given.plan.ros_distro
+    lacking = released(now or last).intersection(given.plan.rosdep_keys) - released(last)
+    why = f"ROS {last} lacks {', '.join(sorted(lacking))}: {found.fix}" if lacking else ""
+    return Worked(values=() if lacking else (last,), certain=False, why=why)
+
+
 def newer_ubuntu(_: Explanation, given: Given) -> Worked:
     """Take the next release of Ubuntu that is still supported."""
     if given.plan.ros_distro:
@@ -282,6 +290,7 @@ WAYS: Mapping[str, Way] = {
     "release": release,
     "released": ros,
     "renamed": renamed,
+    "ros-before": ros_before,
     "standard": standard,
     "submodules": submodules,
     "unpinned": unpinned,

@@ -136,6 +136,9 @@ GLIBC = "./tool: /lib/libc.so.6: version `GLIBC_2.38' not found"
 GENERIC = "TypeError: 'type' object is not subscriptable"
 CATKIN = 'By not providing "Findcatkin.cmake" in CMAKE_MODULE_PATH'
 BOOST = 'Could not find a package configuration file provided by "boost_system" (requested version 1.90.0)'
+SOURCED = "source /opt/ros/lyrical/setup.bash && colcon build"
+GONE = 'Unknown CMake command "ament_target_dependencies".'
+GONE_HEADER = "a.cpp:2:10: fatal error: message_filters/subscriber.h: No such file or directory"
 ASIO = "a.cpp:2:16: error: 'io_service' is not a member of 'boost::asio'"
 
 
@@ -152,6 +155,8 @@ ASIO = "a.cpp:2:16: error: 'io_service' is not a member of 'boost::asio'"
         ("kind: python\nbase: {python: '3.8'}", log("./tool", GENERIC), "base.python: 3.8 becomes 3.9"),
         ("base: {ros: lyrical}", log("colcon build", BOOST), "base.ros: lyrical becomes kilted"),
         ("base: {ros: lyrical}", log("colcon build", ASIO), "base.ros: lyrical becomes kilted"),
+        ("base: {ros: lyrical}", log(SOURCED, GONE), "base.ros: lyrical becomes kilted"),
+        ("base: {ros: lyrical}", log(SOURCED, GONE_HEADER), "base.ros: lyrical becomes kilted"),
     ],
 )
 def test_another_base_is_likely_and_never_certain(tmp_path: Path, yaml: str, text: str, wanted: str) -> None:
