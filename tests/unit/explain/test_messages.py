@@ -130,6 +130,32 @@ Included launch description missing required argument 'map' (description: 'no de
 
 cuda-without-driver:
 CUDA driver version is insufficient for CUDA runtime version
+
+api-member: colcon build
+error: 'armBuffer' has no member named 'offset'
+
+pkg-config: bazel build //arm
+Error in fail: error 1 from [/usr/bin/pkg-config, "spdlog"]:
+ERROR: /app/WORKSPACE:10:22: fetching spdlog_repository rule //external:spdlog: Traceback
+
+bazel-download-gone: bazel build //arm
+java.io.IOException: Error downloading [https://example.org/a.tgz] to /root/a.tgz: GET returned 404 Not Found
+
+cuda-home-is-list: pip install .
+FileNotFoundError: [Errno 2] No such file or directory: '/usr/local/cuda:/opt/cuda/bin/nvcc'
+
+cuda-architecture-notation: make
+nvcc fatal   : Unsupported gpu architecture 'compute_native'
+
+pip-editable-no-folder: pip install -e ./arm
+ERROR: ./arm is not a valid editable requirement. It should either be a path to a local project
+
+link-two-versions: make
+/usr/bin/ld: warning: libcam.so.1, needed by /usr/lib/libarmmap.so, may conflict with libcam.so.2
+a.cpp:(.text+0x1): undefined reference to `cam::open(bool)'
+
+ros-core-key: rosdep install --from-paths src
+arm: Cannot locate rosdep definition for [std_msgs]
 """
 """Each failure with the step that ended, and what it printed; without a step, a log of its own."""
 
@@ -178,6 +204,18 @@ def test_a_header_that_all_ubuntus_have_in_one_package_needs_none() -> None:
 def test_a_log_without_steps_shows_its_ros() -> None:
     one = found("Caught exception in launch: \"package 'nav2_bringup' not found, searching: ['/opt/ros/humble']\"")
     assert one.repair == (("apt", ("ros-humble-nav2-bringup",)),)
+
+
+def test_a_file_that_a_server_refuses_is_no_image() -> None:
+    for name in ("no such package: /root/a.tgz", "https://example.org/a.tgz"):
+        assert found(f"ERROR: {name}: All mirrors are down: [GET returned 403 Forbidden]\n").id != "image-refused"
+    assert found("ERROR: arm/base:1: unexpected status: 403 Forbidden\n").id == "image-refused"
+
+
+def test_keys_of_every_ubuntu_are_not_to_be_skipped() -> None:
+    said = "arm: Cannot locate rosdep definition for [{}]\n"
+    one = found(said.format("std_msgs") + said.format("python3-yaml"), "rosdep install --from-paths src")
+    assert (one.id, one.repair) == ("rosdep-tables-missing", ())
 
 
 def test_what_stopped_a_build_from_outside_is_found_around_its_steps() -> None:
