@@ -16,7 +16,7 @@ import yaml
 
 from benchmarks.running.rows import Whose
 from roslab.explain.answer import Explanation, explain
-from roslab.knowledge.code_limits import version_of
+from roslab.knowledge.code_limits import bounds_of, version_of
 from roslab.knowledge.distros import cmake_of_ubuntu, python_of_ubuntu
 from roslab.knowledge.released import released, rosdep_keys
 from roslab.values.version import version_of as parsed
@@ -106,6 +106,8 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
             return "stand-in"
         if found.id in known["python"]["ids"] and _python_is_another(base):
             return "stand-in"
+        if found.id in known["release"]["ids"] and _asks_for_the_plans(dict(found.names), base):
+            return "stand-in"
         told = f"{said}\n{found.log}"
         if any(_between(row, base) and re.search(row["pattern"], told) for row in known["change"]):
             return "stand-in"
@@ -114,6 +116,18 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
 
 def _python_is_another(base: Base) -> bool:
     return base.python is not None and not facts()["versions"][base.stand_in]["python"].startswith(base.python)
+
+
+def _asks_for_the_plans(names: Mapping[str, str], base: Base) -> bool:
+    """Tell whether CMake asks for a release of a library that the plan's base has, and the stand-in has not."""
+    library, asked = names.get("name", ""), names.get("version", "")
+    there = facts()["versions"].get(base.stand_in, {}).get(library)
+    real, now, wanted = (parsed(text) if text else None for text in (_of_plan(library, base), there, asked))
+    if not (real and now and wanted):
+        return False
+    least, below = (parsed(text) if text else None for text in bounds_of(library, asked))
+    fits = [bool(least and least <= each and not (below and each >= below)) for each in (real, now)]
+    return fits == [True, False]
 
 
 def _between(change: Mapping[str, str], base: Base) -> bool:

@@ -23,6 +23,7 @@ NOBLE = replace(FOCAL, ubuntu="noble", python="3.12")
 OLDEST = replace(FOCAL, name="ubuntu:20.04", stand_in="Debian 11")
 EDITION = "error: this version of Cargo is older than the `2021` edition, and only supports `2015` and `2018` editions."
 REAL = replace(FOCAL, stand_in="", lacking=frozenset())
+ASKED = 'Could not find a configuration file for package "OpenCV" that is compatible with requested version "{}".'
 BOOST = "/ws/src/a.cpp:8:30: error: '_1' was not declared in this scope"
 CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
 INDEX = """\
@@ -51,6 +52,13 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         ("a.cpp:7:8: error: 'pcl_isnan' was not declared in this scope", FOCAL, "stand-in"),
         ("a.cpp:7:8: error: 'pcl_isnan' was not declared in this scope",
          replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),
+        ("a.cpp:23:8: error: 'uint64_t' is not a member of 'pcl'", FOCAL, "stand-in"),
+        ("a.cpp:23:8: error: 'uint64_t' is not a member of 'pcl'",
+         replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),
+        (ASKED.format("2.4"), replace(OLDEST, ubuntu="xenial"), "stand-in"),
+        (ASKED.format("2.4"), OLDEST, "ours or the code's"),
+        (ASKED.format("3"), replace(OLDEST, ubuntu="xenial"), "ours or the code's"),
+        (ASKED.format("4.5"), replace(OLDEST, ubuntu="jammy", stand_in="Debian 11"), "ours or the code's"),
         ("a.cpp:1:10: fatal error: nmea_msgs/Sentence.h: No such file or directory", FOCAL, "stand-in"),
         ("a.cpp:1:10: fatal error: sensor_msgs/Imu.h: No such file or directory", FOCAL, "ours or the code's"),
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory", FOCAL, "stand-in"),
