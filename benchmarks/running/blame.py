@@ -104,9 +104,8 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
         names = {value for _, value in found.names}
         if (_asked(said) | names) & base.lacking or {*map(_bare, names)} & _left_out(log, base):
             return "stand-in"
-        if found.id in known["python"]["ids"] and _python_is_another(base):
-            return "stand-in"
-        if found.id in known["release"]["ids"] and _asks_for_the_plans(dict(found.names), base):
+        of_python = found.id in known["python"]["ids"] and _python_is_another(base)
+        if of_python or (found.id in known["release"]["ids"] and _asks_for_the_plans(dict(found.names), base)):
             return "stand-in"
         told = f"{said}\n{found.log}"
         if any(_between(row, base) and re.search(row["pattern"], told) for row in known["change"]):
