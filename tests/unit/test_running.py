@@ -25,6 +25,10 @@ EDITION = "error: this version of Cargo is older than the `2021` edition, and on
 REAL = replace(FOCAL, stand_in="", lacking=frozenset())
 ASKED = 'Could not find a configuration file for package "OpenCV" that is compatible with requested version "{}".'
 BOOST = "/ws/src/a.cpp:8:30: error: '_1' was not declared in this scope"
+HIDDEN = (
+    "/usr/bin/ld: liba.a(loop.cpp.o): relocation R_X86_64_PC32 against undefined hidden symbol "
+    "`_ZTCN5boost10wrapexceptINS_17bad_function_callEEE0_NS_16exception' can not be used when making a PIE object"
+)
 CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
 INDEX = """\
 WARNING: Retrying (Retry(total=0)) after connection broken by 'NewConnectionError': /whl/cpu/torch/
@@ -46,6 +50,8 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (BOOST, FOCAL, "stand-in"),
         (BOOST, REAL, "ours or the code's"),
         (BOOST, NOBLE, "ours or the code's"),
+        (HIDDEN, replace(FOCAL, ubuntu="bionic"), "stand-in"),
+        (HIDDEN, replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),
         ("/usr/include/pcl/pcl_config.h:7:4: error: #error PCL requires C++14 or above", FOCAL, "ours or the code's"),
         ("/usr/include/pcl/pcl_config.h:7:4: error: #error PCL requires C++14 or above",
          replace(FOCAL, ubuntu="bionic"), "stand-in"),
