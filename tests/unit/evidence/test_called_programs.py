@@ -47,3 +47,12 @@ def test_the_packages_of_these_programs_are_needed_and_those_of_copied_code_are_
     assert [(each.name, each.role, each.file, each.line) for each in found] == [
         (name, "run", "solver/CMakeLists.txt", 2) for name in ("autoconf", "automake", "libtool", "pkg-config")
     ]
+
+
+def test_a_library_of_csharp_is_compiled_with_what_brings_its_compiler(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(
+        "project(demo)\nadd_custom_target(api ALL COMMAND mcs -out:api.dll -pkg:dotnet -target:library *.cs)\n",
+        encoding="utf-8",
+    )
+    found = fetching.read(Repository.open(tmp_path)).programs
+    assert [(each.name, each.line) for each in found] == [("mono-devel", 2)]

@@ -115,6 +115,13 @@ def test_comments_and_strings_hide_calls(tmp_path: Path) -> None:
     assert [(d.name, d.line) for d in project.dependencies] == [("D", 7)]
 
 
+def test_a_binding_of_swig_links_as_a_library_does(tmp_path: Path) -> None:
+    project = one(
+        tmp_path, "set(LIBS zmq)\nswig_add_library(api LANGUAGE python SOURCES a.i)\nswig_link_libraries(api ${LIBS})"
+    )
+    assert ("link", "zmq", "used") in found(project)
+
+
 def test_link_names_and_pkg_config_modules(tmp_path: Path) -> None:
     text = (
         "pkg_check_modules(YAML REQUIRED yaml-cpp>=0.5)\nadd_library(mine a.cpp)\nadd_executable(node b.cpp)\n"
