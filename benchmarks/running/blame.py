@@ -107,8 +107,9 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
         of_python = found.id in known["python"]["ids"] and _python_is_another(base)
         if of_python or (found.id in known["release"]["ids"] and _asks_for_the_plans(dict(found.names), base)):
             return "stand-in"
+        had_wheel = found.id in known["wheels"]["ids"] and _had_wheel(log, names, base)
         told = f"{said}\n{found.log}"
-        if any(_between(row, base) and re.search(row["pattern"], told) for row in known["change"]):
+        if had_wheel or any(_between(row, base) and re.search(row["pattern"], told) for row in known["change"]):
             return "stand-in"
     return "ours or the code's" if found.id or found.error else "unclear"
 
@@ -127,6 +128,23 @@ def _asks_for_the_plans(names: Mapping[str, str], base: Base) -> bool:
     least, below = (parsed(text) if text else None for text in bounds_of(library, asked))
     fits = [bool(least and least <= each and not (below and each >= below)) for each in (real, now)]
     return fits == [True, False]
+
+
+def _had_wheel(log: str, names: set[str], base: Base) -> bool:
+    """Tell whether a release that pip compiled, and could not, has a wheel for the plan's Python, not the stand-in's.
+
+    ``names`` are those of the failure; the release is that of the archive of sources which the log names.
+    """
+    here = ".".join(facts()["versions"][base.stand_in]["python"].split(".")[:2])
+    for row in facts()["wheel"]:
+        first = {python: parsed(release) for python, release in row["first"].items()}
+        begun, ended = first.get(base.python or ""), first.get(here)
+        if row["package"] not in names or not begun or not ended:
+            continue
+        found = re.findall(rf"\b{re.escape(row['package'])}-(\d+(?:\.\d+)+)\.(?:tar\.gz|zip)\b", log)
+        if any((release := parsed(text)) and begun <= release < ended for text in found):
+            return True
+    return False
 
 
 def _between(change: Mapping[str, str], base: Base) -> bool:

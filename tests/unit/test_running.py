@@ -30,6 +30,19 @@ HIDDEN = (
     "`_ZTCN5boost10wrapexceptINS_17bad_function_callEEE0_NS_16exception' can not be used when making a PIE object"
 )
 CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
+JAMMY = replace(FOCAL, name="ubuntu:22.04", ubuntu="jammy", python="3.10")
+FORMAT = "/src/a.hpp:7:10: fatal error: format: No such file or directory"
+CHOSEN = """\
+Could not find compiler set in environment variable CC:
+#9 1.1
+#9 1.1   gcc-14.
+#9 1.1 CMake Error: CMAKE_C_COMPILER not set"""
+NO_ARGUMENTS = "src/Matrix.c:45:40: error: unknown type name 'PyNoArgsFunction'; did you mean 'PyCFunction'?"
+WHEEL = """\
+Collecting matplotlib<3.6
+#9 1.1   Downloading matplotlib-{release}.tar.gz (35.9 MB)
+#9 1.2   error: subprocess-exited-with-error
+#9 1.3   src/a.c:1:2: error: too few robots"""
 INDEX = """\
 WARNING: Retrying (Retry(total=0)) after connection broken by 'NewConnectionError': /whl/cpu/torch/
 #9 2.0 ERROR: No matching distribution found for torch==1.13.1+cpu"""
@@ -86,6 +99,17 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", FOCAL, "stand-in"),
         ("a.cpp:2:10: fatal error: zmq.hpp: No such file or directory", FOCAL, "stand-in"),
         ("a.cpp:2:10: fatal error: zmq.hpp: No such file or directory", NOBLE, "ours or the code's"),
+        (FORMAT, NOBLE, "stand-in"),
+        (FORMAT, JAMMY, "ours or the code's"),
+        (CHOSEN, NOBLE, "stand-in"),
+        (CHOSEN, JAMMY, "ours or the code's"),
+        (NO_ARGUMENTS, OLDEST, "stand-in"),
+        (NO_ARGUMENTS, NOBLE, "ours or the code's"),
+        (WHEEL.format(release="3.5.3"), JAMMY, "stand-in"),
+        (WHEEL.format(release="3.4.3"), JAMMY, "ours or the code's"),  # neither Python has a wheel of that
+        (WHEEL.format(release="3.6.2"), JAMMY, "ours or the code's"),  # both have
+        (WHEEL.format(release="3.5.3"), OLDEST, "ours or the code's"),
+        (WHEEL.format(release="3.5.3").replace("matplotlib", "other"), JAMMY, "ours or the code's"),
         (INDEX, FOCAL, "stand-in"),
         (INDEX, REAL, "ours or the code's"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", REAL,
