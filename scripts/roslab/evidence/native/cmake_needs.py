@@ -25,12 +25,11 @@ CALLS = _FINDING | frozenset(
         "pkg_check_modules",
         "pkg_search_module",
         "target_link_libraries",
-        "swig_link_libraries",
+        "swig_link_libraries",  # https://cmake.org/cmake/help/latest/module/UseSWIG.html, read 2026-11-29
         "link_libraries",
         "find_library",
     ]
 )
-"""``swig_link_libraries``: https://cmake.org/cmake/help/latest/module/UseSWIG.html, read 2026-11-29"""
 FETCHING = frozenset({"fetchcontent_declare", "externalproject_add"})
 BRINGING = FETCHING | {"cpmaddpackage", "cpmfindpackage", "download_project"}
 """https://github.com/cpm-cmake/CPM.cmake, its README.md, read 2026-11-26, and

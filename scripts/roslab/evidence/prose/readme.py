@@ -266,7 +266,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
         if also:
             tells = bool(fenced and not drawn and also.search(line))
         else:
-            tells = index in signed and _tells(line, signs, fenced=fenced)
+            tells = index in signed and (telling(line, signs) or (not fenced and telling(line, IN_SENTENCES)))
         without = bool(elsewhere and tells) and simulated(lead, titles)
         if len(line) > MAX_LINE or not tells or index in commented or (elsewhere and not without):
             continue
@@ -278,11 +278,6 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
         title = not fenced and "`" in line and titles_commands(lines, first)
         for shell in _shell(line, signs, fenced=fenced, title=title):
             yield first, shell, " / ".join((*titles.values(), *((lead.strip(" :*_"),) if without else ())))
-
-
-def _tells(line: str, signs: Signs, *, fenced: bool) -> bool:
-    """Tell whether a line may hold a command; ``signs`` are those of its page."""
-    return telling(line, signs) or (not fenced and telling(line, IN_SENTENCES))
 
 
 def _shell(line: str, signs: Signs, *, fenced: bool, title: bool) -> Iterator[str]:
