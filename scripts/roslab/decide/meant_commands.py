@@ -17,6 +17,7 @@ from roslab.decide.sections import about_running
 from roslab.decide.startable_launches import known
 from roslab.evidence.facts import Evidence, Mention
 from roslab.values.endings import SHELL_SCRIPTS
+from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
 _DEMONSTRATION = ("run", "demo", "main", "bringup", "start", "all", "default", "simulation", "sim", "system", "example")
@@ -29,6 +30,8 @@ _SHOWS = pattern(r"(?:^|_)(?:demos?|tutorials?|examples?|samples?)(?:_|$)", re.I
 """The name of a package that shows something."""
 FEWEST_OF_A_RIVAL = 3
 """Fewest launch files of a package for its programs to be as much of the tree as another's."""
+_OF_NODE = pattern(r"[_-](?:node|main|ros2?)$")
+"""What a node is called beside the name of its package."""
 FEWEST = 2
 """Fewest launch files that the one for the whole brings."""
 LARGE = 40
@@ -112,8 +115,12 @@ def named_like_it(candidates: Iterable[Candidate], evidence: Evidence, brings: B
     """Return the one launch file that is named like its package, else the one named like a demonstration.
 
     Of many launch files, none is told apart by its name. What another package of the tree includes is a part of that.
+    Where there is none, it is the node that is named like the only package which has nodes.
     """
+    candidates = tuple(candidates)
     launched = _launched(candidates)
+    if not launched:
+        return _node_like_its_package(candidates)
     if len(launched) > MANY:
         return None
     launched = [c for c in launched if not _part(c, evidence, brings)]
@@ -166,6 +173,14 @@ def _shows_others(package: str, evidence: Evidence) -> bool:
 
 def _launched(candidates: Iterable[Candidate]) -> list[Candidate]:
     return [c for c in candidates if launched_by(c.argv)]
+
+
+def _node_like_its_package(candidates: Iterable[Candidate]) -> Candidate | None:
+    """Return the one node that has the name of its package, where no other package has nodes and no page runs any."""
+    nodes = [c for c in candidates if c.argv[0] in LAUNCHERS]
+    own = [c for c in nodes if bare_name(_OF_NODE.sub("", c.argv[-1])) == bare_name(_OF_NODE.sub("", c.argv[-2]))]
+    lone = len({c.argv[:-1] for c in nodes}) == 1 and not any(c.strong for c in nodes)
+    return own[0] if lone and len(own) == 1 else None
 
 
 def _stem(candidate: Candidate) -> str:
