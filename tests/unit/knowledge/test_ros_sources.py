@@ -36,3 +36,8 @@ def test_a_package_that_left_a_distribution_comes_from_its_last_commit_there() -
     assert [source.repo for source in found] == ["https://github.com/ros-drivers/joystick_drivers.git"]
     assert found[0].prepare.count("CATKIN_IGNORE") == 4
     assert ros_sources("ps3joy", 1, "melodic") == ()
+
+
+def test_a_repository_with_submodules_holds_what_is_in_them() -> None:
+    held = packages_at("https://github.com/whoenig/crazyflie_ros")
+    assert {"crazyflie_cpp", "crazyflie_demo", "crazyflie_driver"} <= held
