@@ -9,6 +9,7 @@ from roslab.decide.reasons import because, configured, ranked, warn
 from roslab.decide.ros.addresses import beside_packages
 from roslab.decide.ros.by_code import by_code
 from roslab.decide.ros.compared import by_comparison
+from roslab.decide.ros.complete import complete
 from roslab.decide.ros.distro_dates import dated
 from roslab.decide.ros.distro_evidence import reasons_for, stale
 from roslab.decide.ros.distro_weights import Weight
@@ -86,6 +87,9 @@ def decide_distro(evidence: Evidence, config: Config, kind: Kind) -> Choice[Dist
         unknown = {name: missing | code.get(name, frozenset()) for name, missing in unknown.items()}
         return _after_ended(evidence, ros, unknown) or of_unnamed(evidence, kind, unknown)
     best = max(reasons, key=_order)
+    if (full := complete(best, reasons, _declared_keys(evidence, ros), evidence)) is not best:
+        reasons = [*reasons, full]
+        best = full
     if (became := _became(evidence, best, unknown)) is not None:
         reasons = [*reasons, became]
         best = became
