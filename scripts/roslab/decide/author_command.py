@@ -29,10 +29,16 @@ _LAST = pattern(r"&&|\|\||;|\n")
 
 
 def started(authored: AuthorDockerfile) -> tuple[str, ...]:
-    """Return the program that a container starts by itself, ``()`` for a shell."""
+    """Return the program that a container starts by itself, ``()`` for a shell.
+
+    An ENTRYPOINT leaves nothing of its base's CMD: its script is given no words where the Dockerfile has no CMD.
+    https://docs.docker.com/reference/dockerfile/#understand-how-cmd-and-entrypoint-interact, read 2026-11-29.
+    """
     entry, command = authored.entrypoint, _command(authored)
     if entry_point_of(authored) == "program":
         return entry if taken_by(authored) == "nothing" or idle(command) else (*entry, *command)
+    if not command and authored.entry and authored.entry.alone and entry_point_of(authored) == "wrapper":
+        return entry
     return () if idle(command) else command
 
 

@@ -21,6 +21,8 @@ class EntryScript:
     takes: Taken
     shell: bool = False
     """It ends with a shell, and starts no program before."""
+    alone: bool = False
+    """It starts what it is given, and a program where it is given nothing."""
     unset: tuple[tuple[str, int], ...] = ()
     """Variables that it reads without a default, and neither it nor the Dockerfile sets; each with its line."""
     absent: tuple[tuple[str, str, int], ...] = ()

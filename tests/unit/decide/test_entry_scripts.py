@@ -179,3 +179,40 @@ def test_many_folders_take_no_time(tree: Tree) -> None:
     decision = of(tree, f'{script}exec "$@"\n')
     assert any("changes to" in warning.message for warning in decision.warnings)
     assert time.process_time() - before < 5
+
+
+ALONE = IMAGE.replace('CMD ["bash"]\n', "")
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        'if [ $# -eq 0 ]; then\n  exec python3 other.py\nelse\n  exec "$@"\nfi\n',
+        'if [[ -z "$1" ]]\nthen\n  if [ -d x ]; then\n    ls\n  fi\n  python3 other.py\n  exit\nfi\nexec "$@"\n',
+        'if [ "$#" -gt 0 ]; then\n  exec "$@"\nfi\nsource /opt/a.sh\nroslaunch demo a.launch\n',
+        'if [ -n "$1" ]; then\n  exec "$@"\nelse\n  ros2 launch demo a.launch.py\nfi\n',
+        "exec ${@:-python3 other.py}\n",
+        '[ $# -eq 0 ] && exec python3 other.py\nexec "$@"\n',
+        'if (( $# == 0 )); then\n  rosrun demo a\nfi\nexec "$@"\n',
+    ],
+)
+def test_a_script_that_starts_a_program_where_it_is_given_nothing(tree: Tree, script: str) -> None:
+    decision = of(tree, script, Dockerfile=ALONE, **{"README.md": "# Demo\n"})
+    assert (decision.command, decision.command_given) == (("/app/docker/entry.sh",), False)
+    assert decision.entrypoint_takes == "commands"
+    other = of(tree, script, **{"README.md": "# Demo\n"})  # CMD gives it a shell
+    assert other.command == ("bash",)
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        'exec "$@"\n',
+        'python3 set_up.py\nexec "$@"\n',
+        'if [ "$1" = train ]; then\n  python3 other.py\nfi\nexec "$@"\n',
+        'if [ $# -gt 0 ]; then\n  python3 other.py\nfi\nexec "$@"\n',
+        'if [ $# -eq 0 ]; then\n  bash\nelse\n  python3 check.py\n  exec "$@"\nfi\n',
+    ],
+)
+def test_a_script_that_starts_no_program_alone(tree: Tree, script: str) -> None:
+    assert of(tree, script, Dockerfile=ALONE, **{"README.md": "# Demo\n"}).command == ("bash",)

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 
 from roslab.evidence.entry_script import EntryScript, Taken
 from roslab.evidence.lex.dockerfile import Instruction
+from roslab.evidence.prose.entry_defaults import PROGRAM, starts_alone
 from roslab.evidence.prose.entry_folders import absent
 from roslab.knowledge.machine_variables import of_every_image
 from roslab.repository.checkout import File, Repository
@@ -20,13 +21,11 @@ _SHELLS = frozenset({"bash", "sh", "dash"})
 _SOURCES = frozenset({"source", "."})
 _HANDED = pattern(r"\$(?:[@*#1-9]|\{[@*#1-9!])|\bBASH_ARGV\b|(?:^|[ \t;])(?:shift|getopts)\b", re.MULTILINE)
 """A script looks at what it was given."""
-_STARTS_IT = pattern(r"(?m)^[ \t]*(?:exec[ \t]+(?:\S+[ \t]+)*?)?[\"']?\$(?:[@*]|\{[@*]\})[\"']?[ \t]*$")
+_STARTS_IT = pattern(
+    r"(?m)^[ \t]*(?:exec[ \t]+(?:\S+[ \t]+)*?)?[\"']?\$(?:[@*]|\{[@*](?::?-[^}\n]{1,300})?\})[\"']?[ \t]*$"
+)
 _SHELL = pattern(r"(?:exec[ \t]+)?(?:/usr)?(?:/bin/)?(?:ba|z|da)?sh(?:[ \t]+-+[a-z-]+)*[ \t]*[;'\"]*$")
 _CLOSES = frozenset({"fi", "done", "esac", "}", ";;", "else"})
-_PROGRAM = pattern(
-    r"(?:^|[;&|(\s'\"])"
-    r"(?:python[\d.]*[ \t]+(?!\S*setup\.py)(?:-\S+[ \t]+)*\S+|roslaunch|rosrun|ros2[ \t]+(?:launch|run))\b"
-)
 _STOPS = pattern(r"(?m)^[ \t]*set[ \t]+-[a-z]*e|^#!\S*sh[ \t]+-[a-z]*e")
 _READ = pattern(r"(?<!\\)\$(?:([A-Z][A-Z0-9_]{2,})\b|\{([A-Z][A-Z0-9_]{2,})(\}|[^}])?)")
 _SET = pattern(r"(?:^|[;&|(\s])([A-Z][A-Z0-9_]{2,})\+?=|\b(?:read(?:[ \t]+-\w+)*|for)[ \t]+([A-Z][A-Z0-9_]{2,})\b")
@@ -79,7 +78,8 @@ def entry_script(
         file=file.path,
         line=ends,
         takes=takes,
-        shell=bool(_SHELL.fullmatch(last.strip())) and not _PROGRAM.search(text),
+        shell=bool(_SHELL.fullmatch(last.strip())) and not PROGRAM.search(text),
+        alone=takes == "commands" and starts_alone([line for _, line in lines]),
         unset=tuple(_unset(lines, text, {*known})),
         absent=tuple(absent(repository, lines, written)),
         stops=bool(_STOPS.search(text)),
