@@ -27,6 +27,12 @@ def page(text: str) -> str:
         (f"include_directories({FOLDER}/include)", "libs/tinymesh"),
         (f"set(LIBS {FOLDER})\ninclude_directories(${{LIBS}}/include)", "libs/tinymesh"),
         (f"target_include_directories(a PUBLIC {FOLDER}/include)", "libs/tinymesh"),
+        ("include_directories(${CMAKE_CURRENT_LIST_DIR}/libs/tinymesh/include)", "libs/tinymesh"),
+        ("include_directories(${a_SOURCE_DIR}/libs/tinymesh/include)", "libs/tinymesh"),
+        ("include(libs/tinymesh/cmake/all.cmake)", "libs/tinymesh"),
+        ("file(GLOB MESH libs/tinymesh/src/*.cpp)\nadd_library(m ${MESH})", "libs/tinymesh"),
+        ("file(GLOB_RECURSE MESH ${CMAKE_SOURCE_DIR}/libs/tinymesh/*.cpp)", "libs/tinymesh"),
+        (f"target_sources(a PRIVATE {FOLDER}/mesh.cpp)", "libs/tinymesh"),
     ],
 )
 def test_a_folder_that_cmake_names_is_cloned(tree: Tree, line: str, path: str) -> None:
@@ -76,6 +82,10 @@ def test_a_clone_into_a_folder_of_another_name_lies_there(tree: Tree, clone: str
     ("line", "more"),
     [
         ("target_link_libraries(a tinymesh)", {}),  # a library by its name
+        ("link_libraries(tinymesh)", {}),
+        ("include(tinymesh)", {}),  # a module
+        ("include_directories(${other_SOURCE_DIR}/libs/tinymesh)", {}),  # of another project
+        ("file(DOWNLOAD https://a.b/c libs/tinymesh/a.h)", {}),
         ("include_directories(${PROJECT_SOURCE_DIR}/../tinymesh)", {}),  # outside
         ("add_subdirectory(libs/tinymesh)", {"libs/tinymesh/CMakeLists.txt": "project(tinymesh)\n"}),  # there
         ("add_subdirectory(libs/tinymeshes)", {}),  # another name

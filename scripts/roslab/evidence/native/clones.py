@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
@@ -20,19 +20,25 @@ MAX_FILES = 300
 """Most CMake files that are searched, those nearest to the root first."""
 MAX_SIZE = 256 * 1024
 _OF_FOLDERS = frozenset({"add_subdirectory", "include_directories", "link_directories"})
+_OF_FILES = frozenset({"include", "link_libraries"})
 _OF_TARGETS = frozenset(
     [
         "target_include_directories",
         "target_link_directories",
         "target_link_libraries",
+        "target_sources",
         "add_library",
         "add_executable",
         "cuda_add_library",
         "cuda_add_executable",
+        "file",
     ]
 )
+_FIRST = frozenset({"add_subdirectory", "include"})
+"""Calls whose first word alone is a path."""
 _PATH = pattern(
-    r"(?:\$\{(PROJECT|CMAKE|CMAKE_CURRENT)_SOURCE_DIR\}/)?((?:(?:\.\.?|[\w+-][\w.+-]*)/){0,11}(?:\.\.?/|[\w+-][\w.+-]*/?))$"
+    r"(?:\$\{(?:CMAKE_CURRENT_(?:SOURCE|LIST)_DIR|([\w-]{1,60})_SOURCE_DIR)\}(/))?"
+    r"((?:(?:\.\.?|[\w+-][\w.+-]*)/){0,11}(?:\.\.?/|[\w+-][\w.+-]*/?))$"
 )
 
 
@@ -48,7 +54,7 @@ def read(repository: Repository, sources: Iterable[GitSource], projects: Iterabl
     clones = {git.folder: git for git in reversed(near) if not places.vendored(git.file)}
     if not clones:
         return
-    tops = frozenset(project.file.rpartition("/")[0] for project in projects if project.name)
+    tops = {project.file.rpartition("/")[0]: project.name for project in projects if project.name}
     files = [file for file in repository.named("CMakeLists.txt") if not places.vendored(file.path)]
     files = nearest(files)[:MAX_FILES]
     for file in files:
@@ -61,24 +67,31 @@ def read(repository: Repository, sources: Iterable[GitSource], projects: Iterabl
                     yield replace(clones.pop(git.folder), name=place, kind="inside")
 
 
-def _paths(text: str, file: File, tops: frozenset[str]) -> Iterator[str]:
+def _paths(text: str, file: File, tops: Mapping[str, str]) -> Iterator[str]:
     """Yield the paths below the root that calls name; a bare word is one only where a call takes folders alone."""
-    for call in calls(text, _OF_FOLDERS | _OF_TARGETS):
+    for call in calls(text, _OF_FOLDERS | _OF_FILES | _OF_TARGETS):
         for word in _words(call):
             match = _PATH.match(word)
-            if match and (match[1] or "/" in match[2] or call.name in _OF_FOLDERS):
-                folder = _top(file.folder, tops) if match[1] in {"PROJECT", "CMAKE"} else file.folder
-                path = posixpath.normpath(posixpath.join(folder, match[2]))
-                if not path.startswith(".."):
+            if match and (match[2] or "/" in match[3] or call.name in _OF_FOLDERS):
+                folder = file.folder if match[1] is None else _top(match[1], file.folder, tops)
+                path = posixpath.normpath(posixpath.join(folder or "", match[3]))
+                if folder is not None and not path.startswith(".."):
                     yield path
 
 
 def _words(call: Call) -> tuple[str, ...]:
-    return call.words[:1] if call.name == "add_subdirectory" else call.words[call.name in _OF_TARGETS :]
+    """Return the words of a call that may be paths: of ``file(GLOB VARIABLE …)``, what is before the first ``*``."""
+    if call.name == "file":
+        globs = call.words[2:] if call.words[0:1] in {("GLOB",), ("GLOB_RECURSE",)} else ()
+        return tuple(word.partition("*")[0] for word in globs)
+    return call.words[:1] if call.name in _FIRST else call.words[call.name in _OF_TARGETS :]
 
 
-def _top(folder: str, tops: frozenset[str]) -> str:
-    """Return the folder of the project that a folder belongs to."""
+def _top(named: str, folder: str, tops: Mapping[str, str]) -> str | None:
+    """Return the folder of the project that a folder belongs to, or of the only one of that name; else ``None``."""
+    if named not in {"PROJECT", "CMAKE"}:
+        found = [place for place, name in tops.items() if name == named]
+        return found[0] if len(found) == 1 else None
     while folder and folder not in tops:
         folder = folder.rpartition("/")[0]
     return folder
