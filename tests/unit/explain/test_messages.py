@@ -154,6 +154,19 @@ link-two-versions: make
 /usr/bin/ld: warning: libcam.so.1, needed by /usr/lib/libarmmap.so, may conflict with libcam.so.2
 a.cpp:(.text+0x1): undefined reference to `cam::open(bool)'
 
+ros-message-header: catkin_make
+fatal error: arm_msgs/Grip.h: No such file or directory
+
+ros1-linked-in-ros2: build.sh
+--- stderr: arm_interface
+libarm.so: undefined reference to `ros::console::initialize()'
+
+api-known: colcon build
+a.cc:3:10: fatal error: gz/common/av/Util.hh: No such file or directory
+
+bazel-newer-than-rules: bazel build //arm
+Error: trying to mutate a frozen list value
+
 ros-core-key: rosdep install --from-paths src
 arm: Cannot locate rosdep definition for [std_msgs]
 """
@@ -210,6 +223,12 @@ def test_a_file_that_a_server_refuses_is_no_image() -> None:
     for name in ("no such package: /root/a.tgz", "https://example.org/a.tgz"):
         assert found(f"ERROR: {name}: All mirrors are down: [GET returned 403 Forbidden]\n").id != "image-refused"
     assert found("ERROR: arm/base:1: unexpected status: 403 Forbidden\n").id == "image-refused"
+
+
+def test_what_no_name_fills_leaves_no_gap() -> None:
+    assert found("FileNotFoundError: [Errno 2] No such file or directory: 'arm.txt'\n").cause.endswith(" archive.")
+    said = "no such target '//a:b': target 'b' not declared in package 'a' defined by /a/BUILD"
+    assert found(f"{said}\n", "bazel build //a").fix.endswith(" is called now.")
 
 
 def test_keys_of_every_ubuntu_are_not_to_be_skipped() -> None:
