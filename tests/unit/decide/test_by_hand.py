@@ -617,6 +617,13 @@ def test_a_library_built_by_hand_has_the_headers_that_the_page_installs_and_ubun
     assert "libunheardof-dev" not in decision.source[0].depends
 
 
+def test_a_library_built_by_hand_is_built_with_what_apt_of_roslab_yaml_names(tmp_path: Path) -> None:
+    pages = ros1("find_package(PkgConfig REQUIRED)\npkg_search_module(CAM REQUIRED libacmecam)\n", UVC)
+    for name, text in {**pages, "roslab.yaml": "apt: [groff]\n"}.items():
+        (tmp_path / name).write_text(text)
+    assert "groff" in plan_repository(tmp_path).plan.libraries[0].depends
+
+
 @pytest.mark.parametrize(
     ("lines", "ref"),
     [

@@ -104,6 +104,7 @@ IGNORED = "ERROR: Ignored the following versions that require a different python
             "cmake-call-wrong",
         ),
         # wget and make go on after these
+        (log("cmake .", "CMake Error at Find.cmake:310 (message):", "  Missing executable groff!"), "program-missing"),
         (
             log("./get", "WARNING: The certificate of 'example.org' is not trusted.", "/bin/sh: 1: screen: not found"),
             "program-missing",

@@ -77,7 +77,8 @@ def decide_libraries(
     taken = sources.names | ((packages.names | own) - wrapped(evidence)) | elsewhere
     taken |= {plain(name) for name in by_own_source((git.name for git in evidence.sources), evidence)}
     guessed = (name for name in system.apt_guessed if name in packaged(target.ubuntu))  # a page's may not exist
-    depends = tuple(name for name in (*system.apt, *system.brought, *guessed) if name.endswith("-dev"))
+    given = () if config.compatible else config.apt  # as a repair gives what a library's own build asked for
+    depends = (*(name for name in (*system.apt, *system.brought, *guessed) if name.endswith("-dev")), *given)
     linked = by_hand(evidence, config, kind, target=target, packages=packages, taken=taken)
     torch = libtorch(evidence, config, kind, packages, cuda) if "libtorch" not in taken else ()
     needing = (
