@@ -101,8 +101,8 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
         if "cuda" in base.name and found.id in known["cuda"]["ids"]:
             return "stand-in"
         said = "\n".join((found.error, *found.lines)) or log[-4000:]
-        names = {value for _, value in found.names}
-        if (_asked(said) | names) & base.lacking or {*map(_bare, names)} & _left_out(log, base):
+        names = {name for _, value in found.names for name in value.split(", ")}
+        if (_asked(said) | names) & (base.lacking | _lacks(base)) or {*map(_bare, names)} & _left_out(log, base):
             return "stand-in"
         of_python = found.id in known["python"]["ids"] and _python_is_another(base)
         if of_python or (found.id in known["release"]["ids"] and _asks_for_the_plans(dict(found.names), base)):
@@ -112,6 +112,12 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
         if had_wheel or any(_between(row, base) and re.search(row["pattern"], told) for row in known["change"]):
             return "stand-in"
     return "ours or the code's" if found.id or found.error else "unclear"
+
+
+def _lacks(base: Base) -> frozenset[str]:
+    """Return what the world has of the ROS packages that the stand-in has for its table alone."""
+    distro = base.name.removeprefix("ros:").partition("-")[0] if base.name.startswith("ros:") else ""
+    return released(distro) & frozenset(facts()["lacks"].get(base.stand_in, ()))
 
 
 def _python_is_another(base: Base) -> bool:

@@ -29,6 +29,11 @@ HIDDEN = (
     "/usr/bin/ld: liba.a(loop.cpp.o): relocation R_X86_64_PC32 against undefined hidden symbol "
     "`_ZTCN5boost10wrapexceptINS_17bad_function_callEEE0_NS_16exception' can not be used when making a PIE object"
 )
+GENERATORS = """\
+CMake Error at CMakeLists.txt:14 (find_package):
+#9 1.0   By not providing "Findrosidl_default_generators.cmake" in CMAKE_MODULE_PATH
+#9 1.0   this project has asked CMake to find a package configuration file provided
+#9 1.0   by "rosidl_default_generators", but CMake did not find one."""
 CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
 JAMMY = replace(FOCAL, name="ubuntu:22.04", ubuntu="jammy", python="3.10")
 FORMAT = "/src/a.hpp:7:10: fatal error: format: No such file or directory"
@@ -63,6 +68,11 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (BOOST, FOCAL, "stand-in"),
         (BOOST, REAL, "ours or the code's"),
         (BOOST, NOBLE, "ours or the code's"),
+        (GENERATORS, replace(NOBLE, name="ros:jazzy-ros-base"), "stand-in"),
+        (GENERATORS, replace(NOBLE, name="ubuntu:24.04"), "ours or the code's"),
+        (f"{GENERATORS}\n#9 1.1 {GENERATORS.replace('rosidl_default_generators', 'arm_msgs')}",
+         replace(NOBLE, name="ros:jazzy-ros-base"), "stand-in"),
+        (GENERATORS, FOCAL, "ours or the code's"),
         (HIDDEN, replace(FOCAL, ubuntu="bionic"), "stand-in"),
         (HIDDEN, replace(FOCAL, ubuntu="jammy", python="3.10"), "ours or the code's"),
         ("/usr/include/pcl/pcl_config.h:7:4: error: #error PCL requires C++14 or above", FOCAL, "ours or the code's"),
