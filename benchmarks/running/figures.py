@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from benchmarks.running.rows import BUILT, Row
 
-READINGS = ("first", "second", "third", "fourth", "fifth")
+READINGS = ("first", "second", "third", "fourth", "fifth", "sixth")
 """In their order; one with another name comes after them."""
 
 INTRODUCTION = """\
