@@ -115,6 +115,7 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (CHOSEN, JAMMY, "ours or the code's"),
         (NO_ARGUMENTS, OLDEST, "stand-in"),
         (NO_ARGUMENTS, NOBLE, "ours or the code's"),
+        ("src/a.c:4:33: error: ‘PyNoArgsFunction’ undeclared (first use in this function)", OLDEST, "stand-in"),  # noqa: RUF001
         (WHEEL.format(release="3.5.3"), JAMMY, "stand-in"),
         (WHEEL.format(release="3.4.3"), JAMMY, "ours or the code's"),  # neither Python has a wheel of that
         (WHEEL.format(release="3.6.2"), JAMMY, "ours or the code's"),  # both have
