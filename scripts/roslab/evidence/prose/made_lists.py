@@ -23,7 +23,8 @@ def listing(text: str) -> frozenset[int]:
     if ("```" not in text and "~~~" not in text) or not _LISTS.search(text):
         return frozenset()
     found: set[int] = set()
-    lead, block, begun = "", {}, 0
+    block: dict[int, str] = {}
+    lead, begun = "", 0
     for number, line in enumerate(text.split("\n"), 1):
         if fence(line):
             lists = begun and len(block) >= _FEWEST and all(map(_NAME.fullmatch, block.values()))

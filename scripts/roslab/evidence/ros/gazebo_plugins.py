@@ -34,9 +34,9 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     None of those that descriptions of robots name where nothing else of the tree speaks of a simulation; so it is with
     what robots and sensors of other packages load that the tree finds there.
     """
-    described = repository.suffixed(".xacro", ".urdf", ".sdf", ".world", ".gazebo", ".launch")
+    descriptions = repository.suffixed(".xacro", ".urdf", ".sdf", ".world", ".gazebo", ".launch")
     launching = (file for file in repository.suffixed(".py") if "launch" in file.name)
-    files = [file for file in (*described, *launching) if file.size <= MAX_SIZE and not places.vendored(file.path)]
+    files = [file for file in (*descriptions, *launching) if file.size <= MAX_SIZE and not places.vendored(file.path)]
     found: dict[str, Dependency] = {}
     described: dict[str, Dependency] = {}
     for file in nearest(files)[:MAX_FILES]:
@@ -52,10 +52,10 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
         for start, library in sorted(named):
             from roslab.knowledge.gazebo_plugins import gazebo_plugins  # noqa: PLC0415 - few trees load a library by its file
 
-            if (name := gazebo_plugins().get(library)) and name not in found:
+            if (plugin := gazebo_plugins().get(library)) and plugin not in found:
                 line = text.count("\n", 0, start) + 1
-                found[name] = Dependency(
-                    namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec"
+                found[plugin] = Dependency(
+                    namespace="ros", name=plugin, strength="used", file=file.path, line=line, role="exec"
                 )
     described = {name: each for name, each in described.items() if name not in found}
     unsure = not found or all(each.file.endswith(_ROBOTS) for each in found.values())
