@@ -47,3 +47,39 @@ def test_an_opencv_that_is_listed_is_the_only_one(tree: Tree) -> None:
 def test_without_ros_the_newest_is_taken_anyway(tree: Tree) -> None:
     found = tree({"run.py": "import cv2\nfrom cv2.typing import MatLike\n"})
     assert [each.written for each in found.pip if "opencv" in each.key] == ["opencv-python"]
+
+
+ROTATION = "import rclpy\nfrom scipy.spatial.transform import Rotation as R\n"
+
+
+@pytest.mark.parametrize(
+    ("distro", "code", "found"),
+    [
+        ("noetic", "R.from_quat(q).as_matrix()", "scipy>=1.4,<1.9"),
+        ("noetic", "rotation = R.from_matrix(m)", "scipy>=1.4,<1.9"),
+        ("noetic", "R.from_quat(q).as_euler('xyz')", ""),
+        ("noetic", "r = R.as_matrix(q) if new else r.as_dcm()", ""),
+        ("noetic", "r.inv().as_quat()  # .as_matrix", ""),
+        ("melodic", "R.from_quat(q).as_euler('xyz')", "scipy>=1.2,<1.5"),
+        ("melodic", "R.from_quat(q).as_matrix()", "scipy>=1.4,<1.5"),
+        ("humble", "R.from_quat(q).as_matrix()", ""),
+    ],
+)
+def test_rotations_need_a_newer_scipy_than_old_distributions_have(
+    tree: Tree, distro: str, code: str, found: str
+) -> None:
+    page = {"README.md": f"    source /opt/ros/{distro}/setup.bash\n"}
+    if distro != "humble":
+        page["package.xml"] = "<package><name>eyes</name><buildtool_depend>catkin</buildtool_depend></package>"
+        page["CMakeLists.txt"] = "project(eyes)\nfind_package(catkin REQUIRED)\n"
+        page["setup.py"] = ""
+    code = ROTATION.replace("rclpy", "rospy" if distro != "humble" else "rclpy") + code + "\n"
+    decided = tree({**FILES, **page, "eyes/turn.py": code})
+    assert [each.written for each in decided.python.pip_guessed if each.key == "scipy"] == ([found] if found else [])
+    assert any(each.endswith("-scipy") for each in decided.apt_guessed)
+
+
+def test_a_scipy_that_is_listed_is_the_only_one(tree: Tree) -> None:
+    lists = {"README.md": "    pip install -r requirements.txt\n", "requirements.txt": "scipy\n"}
+    decided = tree({"run.py": f"{ROTATION.partition(chr(10))[2]}R.from_matrix(m)\n", **lists})
+    assert [each.written for each in decided.pip if each.key == "scipy"] == ["scipy"]

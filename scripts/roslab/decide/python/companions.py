@@ -28,7 +28,7 @@ def companions_of(
             if asked.key not in named:
                 named.add(asked.key)
                 yield asked
-        elif not (guess.extras or guess.url if guess else _has(asked, extras)):
+        elif asked.extras and not (guess.extras or guess.url if guess else _has(asked, extras)):
             yield stated(f"{used.text}{guess.specifier if guess else ''}", "import", used.file, used.line)
 
 

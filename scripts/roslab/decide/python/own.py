@@ -52,7 +52,7 @@ def decide_version(
     cuda: str | None,
 ) -> Choice[OwnPython]:
     """Return the Python that the image needs; it is decided before the base, which depends on it."""
-    chosen = choose(evidence, config, kind, pins)
+    chosen = choose(evidence, config, kind, pins, known.ubuntu if (known := distro(ros_distro)) else None)
     said = python_version(evidence, config, pins, chosen.projects, chosen.conda)
     if kind in {"ros1", "ros2"} or _plain(evidence, config, kind, chosen):
         meant = None if _only_bounded(said) else said.answer.version

@@ -53,8 +53,8 @@ class Chosen:
         return frozenset({each.key for project in self.projects for each in project.build_requires} - _THERE)
 
 
-def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]) -> Chosen:
-    """Return what pip or conda installs."""
+def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...], ubuntu: str | None = None) -> Chosen:
+    """Return what pip or conda installs; ``ubuntu``: that of ROS, whose packages of Python are there."""
     conda = conda_file(evidence, config, kind)
     files = requirement_files(evidence, config, kind, conda)
     whole = conda is None and config.requirements is None
@@ -74,7 +74,7 @@ def choose(evidence: Evidence, config: Config, kind: Kind, pins: tuple[Pin, ...]
     guessed += tuple(listed.values())
     if not (files or conda):
         guessed += tuple(of_unmade(evidence, kind, folders, known | {each.key for each in guessed}))
-    guessed += tuple(newer_parts(evidence, kind, known | {each.key for each in guessed}))
+    guessed += tuple(newer_parts(evidence, kind, known | {each.key for each in guessed}, ubuntu))
     guessed += tuple(of_nodes(evidence, kind, known | {each.key for each in guessed}))
     return Chosen(
         files=kept,
