@@ -140,7 +140,8 @@ def _plain(evidence: Evidence, config: Config, kind: Kind, chosen: Chosen) -> bo
 def _of_ros(evidence: Evidence, ros_distro: str | None, said: str | None) -> tuple[str | None, tuple[Reason, ...]]:
     """Return Python 2 if the distribution's nodes run on it, and why; ``None`` for Python 3.
 
-    They do if the author says so, or says nothing and starts a program by ``python``, which is Python 2 there.
+    They do if the author says so, or says nothing and starts a node by that number, or a program by ``python``, which
+    is Python 2 there.
     """
     known = distro(ros_distro) if ros_distro else None
     if known is None or known.ros != 1 or not known.python.startswith("2"):
@@ -148,6 +149,10 @@ def _of_ros(evidence: Evidence, ros_distro: str | None, said: str | None) -> tup
     if said:
         return (known.python if said == known.python else None), ()
     node = next((d for d in evidence.code if d.role == "shebang" and not places.vendored(d.file)), None)
+    numbered = next((each for each in evidence.mentions if each.topic == "python2_node"), None)
+    if numbered is not None:
+        why = f"the first line of a node starts {numbered.value}"
+        return known.python, (because("python", known.python, why, numbered, weight=VersionWeight.DEFAULT),)
     if node is None:
         return None, ()
     why = f"its first line starts `python`, which is Python 2 on ROS {known.name}"
