@@ -31,7 +31,7 @@ def launch_calls(evidence: Evidence) -> Mapping[str, tuple[str, ...]]:
     """
     named = [(each.file, each.package, each.file.rpartition("/")[2]) for each in evidence.launch if each.package]
     often = Counter((package, name) for _, package, name in named)
-    alone = {each.file for each in evidence.launch if each.by_path}
+    alone = {each.file for each in evidence.launch if each.by_path or not each.installed}
     return {
         file: (file,) if file in alone or often[package, name] > 1 else (package, name) for file, package, name in named
     }
@@ -43,8 +43,9 @@ def found_by_path(evidence: Evidence) -> Mapping[tuple[str, str], str]:
     Only their paths start them.
     """
     often = Counter((each.package, each.file.rpartition("/")[2]) for each in evidence.launch)
-    apart = ((each.package, each.file.rpartition("/")[2], each.file) for each in evidence.launch if each.by_path)
-    return {(package, name): file for package, name, file in apart if package and often[package, name] == 1}
+    apart = (each for each in evidence.launch if each.by_path or not each.installed)
+    named = ((each.package, each.file.rpartition("/")[2], each.file) for each in apart)
+    return {(package, name): file for package, name, file in named if package and often[package, name] == 1}
 
 
 def as_found(words: tuple[str, ...], by_path: Mapping[tuple[str, str], str]) -> tuple[str, ...]:
@@ -127,6 +128,12 @@ def call_of(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collectio
         or ((path,) if path in alone else ())
         or (named[0] if len(named) == 1 else without_package(written, alone, page))
     )
+
+
+def is_path(written: str, calls: Mapping[str, tuple[str, ...]], alone: Collection[str], page: str) -> bool:
+    """Tell whether what follows ``ros2 launch`` is the path of a launch file of the tree: no package stands before."""
+    by_path = without_package(written, alone, page)
+    return bool(by_path or ("/" in written and call_of(written, calls, (), page)))
 
 
 def without_package(written: str, alone: Collection[str], page: str) -> tuple[str, ...]:

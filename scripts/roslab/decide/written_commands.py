@@ -15,6 +15,7 @@ from roslab.decide.launch_calls import (
     call_of,
     found_by_path,
     from_root,
+    is_path,
     launch_calls,
     names_of_launch_files,
     of_own_package,
@@ -44,8 +45,7 @@ from roslab.values.dataclass import dataclass, replace
 from roslab.values.pattern import pattern
 from roslab.values.words import written as as_written
 
-_WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}
-"""Fewest words of a command that starts something."""
+_WORDS = {"ros2": 4, "roslaunch": 2, "rosrun": 3}  # the fewest of a command that starts something
 _BESIDE = pattern(r"\./[\w.+-]+")
 _ABOVE = pattern(r"^(--?[\w-]+=)?(?:\.\./)+(?=[\w-])")
 _NO_NODES = ("python", "bash", "jupyter")
@@ -195,7 +195,7 @@ def _runnable(
     argv = with_a_launch_file(task_of(words, tree.tasks), tree.launched)
     if not argv or any(map(PLACEHOLDER.search, program_of(argv))) or any(p.rpartition("/")[2] in TOOLS for p in argv):
         return None
-    direct = argv[:2] == ("ros2", "launch") and argv[2:3] and without_package(argv[2], tree.alone, mention.file)
+    direct = argv[:2] == ("ros2", "launch") and argv[2:3] and is_path(argv[2], tree.calls, tree.alone, mention.file)
     if len(argv) < _WORDS.get(argv[0], 1) + is_component(argv) - bool(direct):
         return None  # a sentence about the command
     if argv[0] in _WORDS or argv[0] in SIMULATORS:

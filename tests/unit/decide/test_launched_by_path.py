@@ -20,6 +20,7 @@ FILES = {
     "eye/a.cpp": "",
 }
 INSTALLS = "install(DIRECTORY launch DESTINATION share/eye)\n"
+CONFIG = "install(DIRECTORY config DESTINATION share/eye)\n"
 PATH = "ros2 launch eye/launch/see.launch.py"
 
 
@@ -41,6 +42,8 @@ def test_of_two_packages_that_of_the_named_one_is_started(tree: Tree) -> None:
         ("", "ros2 launch eye see.launch.py rate:=5", f"{PATH} rate:=5"),
         ("", "ros2 launch eye/launch/see.launch.py", PATH),
         (INSTALLS, "ros2 launch eye see.launch.py rate:=5", "ros2 launch eye see.launch.py rate:=5"),
+        (f"# {INSTALLS}{CONFIG}", "ros2 launch eye see.launch.py rate:=5", f"{PATH} rate:=5"),
+        (CONFIG, "ros2 launch eye/launch/see.launch.py", PATH),
     ],
 )
 def test_the_call_of_a_launch_file(tree: Tree, installs: str, page: str, command: str) -> None:
@@ -54,3 +57,21 @@ def test_an_option_may_stand_before_its_name() -> None:
     words = ("eye", "--debug", "see.launch.py", "a:=1")
     assert as_found(words, {("eye", "see.launch.py"): path}) == ("--debug", path, "a:=1")
     assert as_found(words, {("arm", "see.launch.py"): path}) == words
+
+
+@pytest.mark.parametrize(
+    ("written", "command"),
+    [
+        ("eye/launch/see.launch.py", "ros2 launch eye see.launch.py"),
+        ("./src/robot/eye/launch/see.launch.py rate:=5", "ros2 launch eye see.launch.py rate:=5"),
+        ("launch/see.launch.py", "ros2 launch eye see.launch.py"),
+        ("launch/gone.launch.py", "bash"),
+        ("see.launch.py", "bash"),  # the sentence may be about it
+    ],
+)
+def test_a_page_starts_one_of_several_by_its_path(tree: Tree, written: str, command: str) -> None:
+    cmake = FILES["eye/CMakeLists.txt"].format(INSTALLS)
+    other = {"eye/launch/other.launch.py": FILES["eye/launch/see.launch.py"]}
+    readme = f"# Eye\nFor ROS Humble.\n## Usage\n```\nros2 launch {written}\n```\n"
+    found = tree({**FILES, **other, "eye/CMakeLists.txt": cmake, "README.md": readme}).command
+    assert " ".join(found or ("bash",)) == command

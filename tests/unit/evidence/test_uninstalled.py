@@ -14,6 +14,7 @@ LAUNCH = (
     "from launch import LaunchDescription\n\ndef generate_launch_description():\n    return LaunchDescription([])\n"
 )
 SETUP = "from setuptools import setup\nname = 'eye'\nsetup(name=name, packages=[name], data_files=[{}])\n"
+COMMENTED = "find_package(launch_testing)\n# install(DIRECTORY launch DESTINATION share)\n"
 GLOB = "(os.path.join('share', name, 'launch'), glob('launch/*.launch.py'))"
 
 
@@ -34,7 +35,28 @@ GLOB = "(os.path.join('share', name, 'launch'), glob('launch/*.launch.py'))"
         ("more/a.launch.py", "setup.py", SETUP.format(GLOB), False),
         ("more/a.launch.py", "setup.py", SETUP.format("*(f for d in os.listdir('.') for f in files(d))"), True),
         ("more/a.launch.py", "setup.py", "import os\nfor each in os.walk('.'): pass\n", True),
+        ("launch/a_launch.py", "setup.py", SETUP.format(GLOB), False),
+        ("launch/a_launch.py", "setup.py", SETUP.format(f"{GLOB}, ('share', ['launch/a_launch.py'])"), True),
+        ("launch/a_launch.py", "setup.py", SETUP.format(f"{GLOB}, ('share', glob('launch/*_launch.py'))"), True),
+        ("launch/a_launch.py", "setup.py", SETUP.format(f"{GLOB}, *more(glob(each))"), True),
+        ("launch/a_launch.py", "setup.py", SETUP.format(f"{GLOB}, *Path('launch').glob('*.py')"), True),
+        ("launch/a_launch.py", "setup.py", SETUP.format("('share', glob.glob('launch/' + '*.launch.py'))"), False),
+        ("launch/a_launch.py", "setup.py", SETUP.format("('share', glob(os.path.join('launch', '*.xml')))"), False),
+        (
+            "launch/a_launch.py",
+            "setup.py",
+            SETUP.format("('share', glob(join('launch', '*launch.[pxy][yma]*')))"),
+            True,
+        ),
+        ("launch/a_launch.py", "setup.py", SETUP.format("('share/eye/launch', glob('config/*.yaml'))"), True),
+        ("launch/a.launch.py", "setup.py", SETUP.format(f"\n    # {GLOB}\n    ('share', ['package.xml'])"), False),
         ("launch/a.launch.py", "CMakeLists.txt", "install(DIRECTORY launch DESTINATION share)\n", True),
+        (
+            "launch/a.launch.py",
+            "CMakeLists.txt",
+            f"{COMMENTED}install(DIRECTORY config DESTINATION share)\n",
+            False,
+        ),
         ("more/a.launch.py", "CMakeLists.txt", "install(DIRECTORY launch DESTINATION share)\n", False),
         ("more/a.launch.py", "CMakeLists.txt", "install(DIRECTORY . DESTINATION share)\n", True),
         ("more/a.launch.py", "CMakeLists.txt", 'install(DIRECTORY "${PROJECT_SOURCE_DIR}/" DESTINATION x)\n', True),

@@ -7,7 +7,9 @@ from collections.abc import Iterable, Mapping
 
 from roslab.evidence import places
 from roslab.evidence.launch_file import LaunchFile
+from roslab.evidence.ros.launch_globs import left_by_globs
 from roslab.evidence.ros.only_programs import only_programs
+from roslab.evidence.ros.unmade_nodes import COMMENT
 from roslab.repository.checkout import Repository
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -45,13 +47,16 @@ def _left(path: str, folder: str, repository: Repository, packages: Mapping[str,
     inside = f"{folder}/" if folder else ""
     place, _, name = path[len(inside) :].rpartition("/")
     first = place.partition("/")[0]
-    cmake, setup = (repository.read(f"{inside}{each}") for each in ("CMakeLists.txt", "setup.py"))
+    cmake, setup = (COMMENT.sub("", repository.read(f"{inside}{each}")) for each in ("CMakeLists.txt", "setup.py"))
     text = cmake or setup
     if not place or name in text or not _SHARES.search(text) or _ANY.search(text):
         return False
     # A package of Python is named for its modules, which lie elsewhere than what launch finds
     module = not cmake and repository.has(f"{inside}{first}/__init__.py") and first == packages[folder]
-    return not (_in_module(place, text) if module else first in text)
+    if module:
+        return not _in_module(place, text)
+    named = re.search(rf"(?<![\w-]){re.escape(first)}(?![\w-])", text)
+    return not named or (not cmake and left_by_globs(place, name, text))
 
 
 def _in_module(place: str, text: str) -> bool:
