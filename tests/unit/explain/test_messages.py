@@ -231,6 +231,12 @@ def test_what_no_name_fills_leaves_no_gap() -> None:
     assert found(f"{said}\n", "bazel build //a").fix.endswith(" is called now.")
 
 
+def test_a_module_that_no_table_has_may_be_of_the_project() -> None:
+    said = "ModuleNotFoundError: No module named '{}'\n"
+    assert "PYTHONPATH" in found(said.format("armwrap")).fix
+    assert "PYTHONPATH" not in found(said.format("cv2")).fix
+
+
 def test_keys_of_every_ubuntu_are_not_to_be_skipped() -> None:
     said = "arm: Cannot locate rosdep definition for [{}]\n"
     one = found(said.format("std_msgs") + said.format("python3-yaml"), "rosdep install --from-paths src")
