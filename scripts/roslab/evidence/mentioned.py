@@ -85,7 +85,8 @@ OF_DOCKERFILES = (container_starts.read, unbounded_jobs.read)
 """What the authors' Dockerfiles start and run."""
 _OF_ROS = (
     *(on_machines.read, own_setup.read, handed_lists.read, laid_as_sources.read, typestores.read),
-    *(copied_scripts.read, given_as_data.read, python3_modules.read, robot_models.read, in_bin.read, python2_nodes.read),
+    *(copied_scripts.read, given_as_data.read, in_bin.read),
+    *(python2_nodes.read, python3_modules.read, robot_models.read),
 )
 
 
