@@ -18,7 +18,9 @@ from benchmarks.running.rows import Whose
 from roslab.explain.answer import Explanation, explain
 from roslab.knowledge.code_limits import bounds_of, version_of
 from roslab.knowledge.distros import cmake_of_ubuntu, python_of_ubuntu
+from roslab.knowledge.frameworks import framework
 from roslab.knowledge.released import released, rosdep_keys
+from roslab.values.version import minor_of
 from roslab.values.version import version_of as parsed
 
 if sys.version_info >= (3, 11):
@@ -39,6 +41,8 @@ ASKED = re.compile(
 
 LEFT_OUT = re.compile(r"roslab: left out: apt ros-[a-z]+-([a-z0-9-]+)\s*$", re.MULTILINE)
 """A package of ROS that the base does not know, as the image's own script tells it."""
+ALONE = re.compile(r"Cannot install ([\w.-]+)==([\w.]+) because these package versions have conflicting dependencies")
+"""What pip says where one package alone conflicts with itself: it finds none."""
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
@@ -104,7 +108,7 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
         names = {name for _, value in found.names for name in value.split(", ")}
         if (_asked(said) | names) & (base.lacking | _lacks(base)) or {*map(_bare, names)} & _left_out(log, base):
             return "stand-in"
-        of_python = found.id in known["python"]["ids"] and _python_is_another(base)
+        of_python = (found.id in known["python"]["ids"] and _python_is_another(base)) or _no_wheel(said, base)
         if of_python or (found.id in known["release"]["ids"] and _asks_for_the_plans(dict(found.names), base)):
             return "stand-in"
         had_wheel = found.id in known["wheels"]["ids"] and _had_wheel(log, names, base)
@@ -122,6 +126,17 @@ def _lacks(base: Base) -> frozenset[str]:
 
 def _python_is_another(base: Base) -> bool:
     return base.python is not None and not facts()["versions"][base.stand_in]["python"].startswith(base.python)
+
+
+def _no_wheel(said: str, base: Base) -> bool:
+    """Tell whether pip has no release of a framework for the stand-in's Python, and one for the plan's.
+
+    What else asks for it, be it a constraint of the same number, makes it a conflict to pip.
+    """
+    asked = ALONE.search(said)
+    row = framework(asked[1], asked[2]) if asked else None
+    there = minor_of(facts()["versions"][base.stand_in]["python"])
+    return bool(row and base.python and there and row.runs_with(base.python) and not row.runs_with(there))
 
 
 def _asks_for_the_plans(names: Mapping[str, str], base: Base) -> bool:

@@ -51,6 +51,7 @@ Collecting matplotlib<3.6
 INDEX = """\
 WARNING: Retrying (Retry(total=0)) after connection broken by 'NewConnectionError': /whl/cpu/torch/
 #9 2.0 ERROR: No matching distribution found for torch==1.13.1+cpu"""
+CONFLICT = "ERROR: Cannot install {} because these package versions have conflicting dependencies."
 LOG = """\
 #9 [5/5] RUN catkin_make
 #9 1.0 {error}
@@ -124,6 +125,10 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (WHEEL.format(release="3.6.2"), JAMMY, "ours or the code's"),  # both have
         (WHEEL.format(release="3.5.3"), OLDEST, "ours or the code's"),
         (WHEEL.format(release="3.5.3").replace("matplotlib", "other"), JAMMY, "ours or the code's"),
+        (CONFLICT.format("tensorflow-gpu==1.13.2"), replace(OLDEST, ubuntu="bionic", python="3.6"), "stand-in"),
+        (CONFLICT.format("tensorflow-gpu==1.13.2"), OLDEST, "ours or the code's"),
+        (CONFLICT.format("tensorflow==2.6.0"), OLDEST, "ours or the code's"),
+        (CONFLICT.format("gym==0.2 and tensorflow==1.13.2"), replace(OLDEST, python="3.6"), "ours or the code's"),
         (INDEX, FOCAL, "stand-in"),
         (INDEX, REAL, "ours or the code's"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", REAL,
