@@ -13,14 +13,18 @@ SCRIPT = Path(__file__).parents[3] / "scripts/roslab/render/image_scripts/instal
 APT = """\
 #!/bin/bash
 # Stands in for apt-get: of what begins with no- it knows nothing, virtual- has no package, clash-… and other-… exclude
-# each other, broken- can be chosen and not unpacked, and stuck- has a dependency that is nowhere
+# each other, broken- can be chosen and not unpacked, and stuck- has a dependency that is nowhere;
+# g++-14 is a pattern to it
 echo "$*" >>{folder}/calls
 if [ "$1" = update ]; then exit; fi
-simulated='' asked=() code=0
+simulated='' exact='' asked=() code=0
 for word in "${{@:2}}"; do
   case "${{word}}" in
     --simulate) simulated=yes ;;
+    -oAPT::Cmd::Pattern-Only=true) exact=yes ;;
     -*) ;;
+    g++-14) if [ -z "${{exact}}" ]; then asked+=(clang-14)
+      else echo "E: Unable to locate package ${{word}}" >&2 && code=100; fi ;;
     no-*) echo "E: Unable to locate package ${{word}}" >&2 && code=100 ;;
     virtual-*) echo "E: Package '${{word}}' has no installation candidate" >&2 && code=100 ;;
     stuck-*) echo "E: Unable to correct problems, you have held broken packages." >&2 && code=100 ;;
@@ -44,6 +48,7 @@ exit "${{code}}"
         ("clash-a other-b c", "clash-a other-b c", "", 10),
         ("a broken-x b", "a b", "broken-x", 6),
         ("a a.b no-a", "a a.b", "no-a", 4),
+        ("a g++-14", "a", "g++-14", 4),
     ],
 )
 def test_what_apt_knows_is_installed(tmp_path: Path, asked: str, installed: str, left: str, calls: int) -> None:

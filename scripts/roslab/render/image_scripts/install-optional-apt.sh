@@ -5,7 +5,8 @@ set -euo pipefail
 
 left_out=/usr/local/share/roslab/left-out.txt
 said=/tmp/install-optional-apt
-install=(apt-get install --yes --no-remove --no-install-recommends)
+# A name with a plus that apt does not have is a pattern to it: g++-14 is found in clang-14
+install=(apt-get install -oAPT::Cmd::Pattern-Only=true --yes --no-remove --no-install-recommends)
 known=("$@")
 possible() { LC_ALL=C "${install[@]}" --simulate "$@" >/dev/null 2>"${said}"; }
 

@@ -112,10 +112,14 @@ def words(items: Iterable[str]) -> str:
 
 
 def apt_install(packages: Sequence[str], secrets: Secrets = NONE, around: Around = NOTHING) -> str:
-    """Return a RUN that installs packages and leaves no times behind."""
+    """Return a RUN that installs packages and leaves no times behind.
+
+    To apt a name with a plus that it does not have is a pattern, and ``g++-14`` is found in ``clang-14``.
+    """
+    exact = " -oAPT::Cmd::Pattern-Only=true" if any("+" in name for name in packages) else ""
     return run(
         "apt-get update",
-        f"apt-get install --yes --no-install-recommends{words(packages)}",
+        f"apt-get install{exact} --yes --no-install-recommends{words(packages)}",
         *FORGET,
         secrets=secrets,
         around=around,
