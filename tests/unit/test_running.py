@@ -116,6 +116,8 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (FORMAT, NOBLE, "stand-in"),
         (FORMAT, JAMMY, "ours or the code's"),
         (CHOSEN, NOBLE, "stand-in"),
+        ("E: Unable to locate package g++-14", NOBLE, "stand-in"),
+        ("E: Unable to locate package g++-14", JAMMY, "ours or the code's"),
         (CHOSEN, JAMMY, "ours or the code's"),
         (NO_ARGUMENTS, OLDEST, "stand-in"),
         (NO_ARGUMENTS, NOBLE, "ours or the code's"),
