@@ -38,13 +38,13 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     launching = (file for file in repository.suffixed(".py") if "launch" in file.name)
     files = [file for file in (*descriptions, *launching) if file.size <= MAX_SIZE and not places.vendored(file.path)]
     found: dict[str, Dependency] = {}
-    described: dict[str, Dependency] = {}
+    elsewhere: dict[str, Dependency] = {}
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
-        for name, start in _of_others(text):
+        for package, start in _of_others(text):
             line = text.count("\n", 0, start) + 1
-            loaded = Dependency(namespace="ros", name=name, strength="used", file=file.path, line=line, role="exec")
-            described.setdefault(name, loaded)
+            loaded = Dependency(namespace="ros", name=package, strength="used", file=file.path, line=line, role="exec")
+            elsewhere.setdefault(package, loaded)
         loads = ".so" in text or "filename" in text
         text = without_xml_comments(text) if loads else ""
         named = [(match.start(), match[0]) for match in matches_at(_LIBRARY, text, "lib")]
@@ -57,11 +57,11 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
                 found[plugin] = Dependency(
                     namespace="ros", name=plugin, strength="used", file=file.path, line=line, role="exec"
                 )
-    described = {name: each for name, each in described.items() if name not in found}
+    elsewhere = {name: each for name, each in elsewhere.items() if name not in found}
     unsure = not found or all(each.file.endswith(_ROBOTS) for each in found.values())
-    if unsure and (found or described) and not _simulates(repository):
+    if unsure and (found or elsewhere) and not _simulates(repository):
         return ()
-    return (*found.values(), *described.values())
+    return (*found.values(), *elsewhere.values())
 
 
 def _of_others(text: str) -> Iterator[tuple[str, int]]:
