@@ -28,6 +28,7 @@ from roslab.decide.programs import by_source, in_packages, installed_by_pip, one
 from roslab.decide.programs import compiled as programs_of
 from roslab.decide.reasons import of_readme
 from roslab.decide.renamed_launches import Declared, declared_by, renamed
+from roslab.decide.ros.installed_programs import with_installed
 from roslab.decide.ros.workspace import packages_of
 from roslab.decide.run_by_page import why_run
 from roslab.decide.scripts import bare, script_of, task_of
@@ -65,7 +66,7 @@ def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tup
     that the page of one package runs in a collection of packages; and, where packages have launch files, what the
     page of a folder without any runs.
     """
-    found = tuple(calls_of(evidence, kind, ros=ros, compiled=compiled))
+    found = tuple(with_installed(calls_of(evidence, kind, ros=ros, compiled=compiled), evidence))
     nodes = ros and any(each.strong and not each.argv[0].startswith(_NO_NODES) for each in found)
     folders = tuple(f"{m.file.rpartition('/')[0]}/" for m in packages_of(evidence).built if "/" in m.file)
     many = ros and len(folders) >= _MANY
@@ -182,8 +183,7 @@ class _Tree:
     """Programs that pip installs with the repository."""
     projects: tuple[str, ...]
     """Folders that pip installs, or a page puts on PYTHONPATH."""
-    tasks: Mapping[str, str]
-    """pixi's, by their names."""
+    tasks: Mapping[str, str]  # pixi's, by their names
     made: Mapping[str, str]
     """Programs that a Makefile may compile, each with its folder."""
 
