@@ -123,3 +123,26 @@ COMPILED = {"CMakeLists.txt": TWO, "a.cpp": "int main() {}\n"}
 )
 def test_a_sentence_runs_what_is_compiled_by_its_path(tree: Tree, text: str, command: tuple[str, ...]) -> None:
     assert tree({**COMPILED, "README.md": f"# Demo\n\n## Use\n\n{text}\n"}).command == command
+
+
+@pytest.mark.parametrize(
+    ("sentence", "runs"),
+    [
+        ("- execute run.sh", True),
+        ("Then run the script `./run.sh`.", True),
+        ("1. Install it. Then execute: run.sh", True),
+        ("- do not run run.sh", False),
+        ("- execute install_all.sh", False),
+        ("- execute gone.sh", False),
+        ("- execute run.sh only for the tests", False),
+        ("- see how tools start run.sh", False),
+        ("- execute run.sh\n\n```bash\npython demo/plan.py\n```", False),
+    ],
+)
+def test_a_sentence_runs_a_script_of_the_shell(tree: Tree, sentence: str, runs: bool) -> None:
+    """All that the script runs is meant, and not its first program."""
+    script = "python demo/plan.py\npython demo/next.py\n"
+    scripts = {"run.sh": script, "install_all.sh": script, "demo/next.py": PLAN}
+    decision = tree({**FILES, **scripts, "README.md": f"# Demo\n\n{sentence}\n"})
+    said = [each for each in decision.reasons if each.question == "command" and "README runs it" in each.reason]
+    assert ("bash run.sh" in [each.answer for each in said]) is runs

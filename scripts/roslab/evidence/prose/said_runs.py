@@ -16,7 +16,8 @@ from roslab.values.pattern import pattern
 from roslab.values.words import joined
 
 _FILE = r"(?<!`)`{1,2}(?P<path>(?:\./)?(?:[\w.-]+/)*[\w-]+\.(?:py|(?:ba)?sh))(?P<rest>(?: [^`<\n]{1,200})?)`{1,2}(?!`)"
-_ENDINGS = (".py", ".sh", ".bash")
+_SHELL = (".sh", ".bash")
+_ENDINGS = (".py", *_SHELL)
 _SPAN = pattern(_FILE)
 _THING = r"(?:scripts?|files?|programs?|modules?|code|entry[- ]?points?)"
 _RUN = r"(?:run|execut\w+|start\w*|launch\w*)\b(?! by\b)"
@@ -48,6 +49,19 @@ _ITEM = pattern(
     r"^[ \t]{0,6}[-*+][ \t]+`{1,2}(?P<name>[A-Za-z]\w*(?:-\w+)*)`{1,2}[ \t]*(?:[:\u2013\u2014]|-[ \t])", re.MULTILINE
 )
 """An item of a list that begins with a name in code and tells what it does: only that of a program counts later."""
+_TOLD = pattern(
+    r"(?:^[ \t>]{0,8}(?:[-*+]|\d{1,3}[.)])?[ \t]{0,4}|[.:;,] |\b(?:then|and|please|just|simply) )"
+    r"(?:run|execute|start|launch)(?: (?:the|our|this))?(?: (?:script|file|program))?(?::|) "
+    r"(?P<mark>`{0,2})(?P<path>(?:\./)?(?:[\w-]{1,80}/){0,9}[\w-]{1,80}\.(?:ba)?sh)(?P=mark)(?![\w`/-])",
+    re.IGNORECASE,
+)
+"""A sentence that has a script of the shell run, in code or in plain words: ``- execute run.sh``."""
+_HELPS = pattern(
+    r"install|setup|set_up|build|compile|make|config|depend|deps|require|download|fetch|docker|container|image|conda|"
+    r"v?env|clean|format|lint|update|upgrade|deploy|flash|udev|clone|submodule|test|ci(?:[_./-]|$)",
+    re.IGNORECASE,
+)
+"""The name of a script that prepares or looks after the tree."""
 _TESTS = pattern(r"\b(?:unit)?tests?\b|\bCI\b", re.IGNORECASE)
 """What such a sentence runs for those who work on the code."""
 _NO_MORE = pattern(r"\b(?:not|never|no longer|used to|old|deprecated|obsolete)\b|n't\b", re.IGNORECASE)
@@ -75,7 +89,7 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
     It starts in its folder where it, or a module beside it, names a path that is in the tree from there alone.
     ``mentions``: what the page runs by commands. What is compiled starts by the path that the sentence has.
     """
-    if "`" not in text or not (any(ending in text for ending in _ENDINGS) or _built(text) or _ITEM.search(text)):
+    if not _may_say(text):
         return
     commands = [m for m in mentions if m.topic == "command"]
     known = {word for m in commands for word in m.value.split()}
@@ -92,9 +106,10 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
     taken = {m.heading for m in (*commands, *found.values())}
     for line, written, rest in _alone(lines, taken, page, repository):
         _keep(found, _mention(written, rest, line, page, repository), known)
-    by_path = any("/" in m.value.partition(" ")[0] for m in commands)  # what a block starts is meant first
-    for line, name in () if by_path else _items(lines, taken | known):
+    for line, name in _items(lines, taken | known, commands):
         found.setdefault(name, _command((name,), line, page))
+    for line, path in _told(lines, commands, found):
+        _keep(found, _mention(path, "", line, page, repository), known)
     for each in found.values():
         yield each
         yield Mention(
@@ -114,6 +129,33 @@ def _named(text: str) -> Iterator[tuple[str, str]]:
             said = _SPAN.sub("", match[0])
             if not (_TESTS.search(said) or _NO_MORE.search(text[max(0, match.start() - 30) : match.start()] + said)):
                 yield match["path"], match["rest"]
+
+
+def _may_say(text: str) -> bool:
+    """Tell whether a page may name what is read here: a script of the shell, or something in code."""
+    shell = any(ending in text for ending in _SHELL)
+    return shell or ("`" in text and (".py" in text or _built(text) or bool(_ITEM.search(text))))
+
+
+def _starts(command: Mention) -> bool:
+    """Tell whether a command of the page starts a file of the tree or a launch, and builds or installs nothing."""
+    return (
+        any(file.endswith(_ENDINGS) for file in command.files) or "launch" in command.value or "rosrun" in command.value
+    )
+
+
+def _told(lines: Iterable[Line], commands: Iterable[Mention], found: Collection[str]) -> Iterator[tuple[Line, str]]:
+    """Yield each script of the shell that a sentence has the reader run, and that does more than prepare the tree.
+
+    None where the page has ``found`` others, or one of its ``commands`` starts something of the tree: that is meant.
+    """
+    for line in () if found or any(map(_starts, commands)) else lines:
+        if line.fenced or line.heading or not any(ending in line.text for ending in _SHELL):
+            continue
+        for said in _TOLD.finditer(line.text):
+            around = line.text[max(0, said.start() - 30) : said.start("path")] + line.text[said.end() : said.end() + 40]
+            if not (_HELPS.search(said["path"]) or _TESTS.search(around) or _NO_MORE.search(around)):
+                yield line, said["path"]
 
 
 def _built(text: str) -> bool:
@@ -154,8 +196,13 @@ def _alone(
             yield line, span["path"], span["rest"]
 
 
-def _items(lines: Iterable[Line], known: Collection[str]) -> Iterator[tuple[Line, str]]:
-    """Yield the names with which items of sections on running begin that have neither a block nor a command."""
+def _items(lines: Iterable[Line], known: Collection[str], commands: Iterable[Mention]) -> Iterator[tuple[Line, str]]:
+    """Yield the names with which items of sections on running begin that have neither a block nor a command.
+
+    None where one of the page's ``commands`` starts something by its path: that is meant first.
+    """
+    if any("/" in m.value.partition(" ")[0] for m in commands):
+        return
     for heading, section in _sections(lines).items():
         if heading in known or not _TITLE.search(heading.rpartition(" / ")[2]) or any(line.fenced for line in section):
             continue
