@@ -100,9 +100,8 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
             continue
         for written, rest in _named(line.text):
             _keep(found, _mention(written, rest, line, page, repository), known)
-        for path, each in _compiled(line, page):
-            if known.isdisjoint((path, f"./{path}")):
-                found.setdefault(each.value, each)
+        for each in _compiled(line, page, known):
+            found.setdefault(each.value, each)
     taken = {m.heading for m in (*commands, *found.values())}
     for line, written, rest in _alone(lines, taken, page, repository):
         _keep(found, _mention(written, rest, line, page, repository), known)
@@ -163,13 +162,14 @@ def _built(text: str) -> bool:
     return any(f"{folder}/" in text for folder in ("bin", "build", "Release"))
 
 
-def _compiled(line: Line, page: File) -> Iterator[tuple[str, Mention]]:
-    """Yield path and command of each compiled program that a line says is to be run."""
+def _compiled(line: Line, page: File, known: Collection[str]) -> Iterator[Mention]:
+    """Yield the command of each compiled program that a line says is to be run, if the page does not start it."""
     for match in (match for form in _COMPILED for match in form.finditer(line.text)):
         around = line.text[max(0, match.start() - 30) : match.start()] + line.text[match.end() : match.end() + 40]
         if not (_TESTS.search(around) or _NO_MORE.search(around)):
             path = match["path"].removeprefix("./")
-            yield path, _command((f"./{path}", *match["rest"].split()), line, page)
+            if known.isdisjoint((path, f"./{path}")):
+                yield _command((f"./{path}", *match["rest"].split()), line, page)
 
 
 def _command(words: Iterable[str], line: Line, page: File) -> Mention:
