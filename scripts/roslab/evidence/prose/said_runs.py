@@ -109,11 +109,8 @@ def read(repository: Repository, page: File, text: str, mentions: Iterable[Menti
         found.setdefault(name, _command((name,), line, page))
     for line, path in _told(lines, commands, found):
         _keep(found, _mention(path, "", line, page, repository), known)
-    for each in found.values():
-        yield each
-        yield Mention(
-            topic="said_run", value=each.value, source="readme", file=each.file, line=each.line, text=each.text
-        )
+    yield from found.values()
+    yield from (replace(each, topic="said_run", files=(), inside="", heading="") for each in found.values())
 
 
 def _keep(found: dict[str, Mention], mention: Mention | None, known: set[str]) -> None:
