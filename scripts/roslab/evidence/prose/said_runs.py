@@ -159,7 +159,7 @@ def _built(text: str) -> bool:
     return any(f"{folder}/" in text for folder in ("bin", "build", "Release"))
 
 
-def _compiled(line: Line, page: File, known: Collection[str]) -> Iterator[Mention]:
+def _compiled(line: Line, page: File, known: set[str]) -> Iterator[Mention]:
     """Yield the command of each compiled program that a line says is to be run, if the page does not start it."""
     for match in (match for form in _COMPILED for match in form.finditer(line.text)):
         around = line.text[max(0, match.start() - 30) : match.start()] + line.text[match.end() : match.end() + 40]
