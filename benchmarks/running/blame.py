@@ -4,33 +4,21 @@ from __future__ import annotations
 
 import io
 import re
-import subprocess
-import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from functools import cache
-from pathlib import Path
-from typing import Any
-
-import yaml
 
 from benchmarks.running.rows import Whose
+from benchmarks.running.standins import Base, facts
 from roslab.explain.answer import Explanation, explain
+from roslab.knowledge.carried import base_holds
 from roslab.knowledge.code_limits import bounds_of, version_of
-from roslab.knowledge.distros import cmake_of_ubuntu, python_of_ubuntu
+from roslab.knowledge.distros import cmake_of_ubuntu, distro, python_of_ubuntu
 from roslab.knowledge.frameworks import framework
-from roslab.knowledge.released import released, rosdep_keys
+from roslab.knowledge.released import released
+from roslab.values.name import canonicalize_name
+from roslab.values.specifier import specifiers
 from roslab.values.version import minor_of
 from roslab.values.version import version_of as parsed
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
-HERE = Path(__file__).resolve().parent
-LABEL = "org.repro-action.stand-in"
-"""The label by which an image says that it stands in for another."""
 ASKED = re.compile(
     r"""package(?:s|\ configuration\ file\ provided\ by)?\ ['"\[]([a-z]\w+)
     |node\ of\ type\ \[([a-z]\w+)/ | [ ]([a-z]\w+)/\w+\.h(?:pp)?:\ No\ such\ file
@@ -42,29 +30,15 @@ ASKED = re.compile(
 LEFT_OUT = re.compile(r"roslab: left out: apt ros-[a-z]+-([a-z0-9-]+)\s*$", re.MULTILINE)
 """A package of ROS that the base does not know, as the image's own script tells it."""
 ALONE = re.compile(r"Cannot install ([\w.-]+)==([\w.]+) because these package versions have conflicting dependencies")
-"""What pip says where one package alone conflicts with itself: it finds none."""
+"""What pip says where one package alone conflicts: it finds none, a limit of another kind, or what it depends on."""
+CAUSED = re.compile(r"The conflict is caused by:\s*\n((?:[^\n]*\b(?:The user requested |depends on )[^\n]*\n?)+)")
+"""The requests that pip names below, a line each."""
+REQUESTED = re.compile(r"The user requested (?:\(constraint\) )?([\w.-]*\w)([^\n]*)")
+NO_PACKAGE = re.compile(r"Unable to locate package [^\n]+|Package '[^'\n]+' has no installation candidate")
+"""What apt says of each package that it does not know."""
+CONSIDERED = re.compile(r"Config\.cmake, version: (\d[\d.]*)|Found unsuitable version \"(\d[\d.]*)")
+"""The release that CMake finds and does not take."""
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
-
-
-@dataclass(frozen=True, kw_only=True)
-class Base:
-    """What a plan's base image is, and what really was below its name."""
-
-    name: str
-    ubuntu: str | None
-    """Code name of the Ubuntu that the plan takes."""
-    python: str | None
-    """The plan's Python."""
-    stand_in: str = ""
-    """``Debian 12``; ``""`` if it is the real image."""
-    lacking: frozenset[str] = frozenset()
-    """ROS packages and keys of rosdep that the world has and the stand-in does not."""
-
-
-@cache
-def facts() -> dict[str, Any]:
-    """Return what the stand-ins are known to lack."""
-    return tomllib.loads((HERE / "standins.toml").read_text(encoding="utf-8"))
 
 
 def of_build(log: str, base: Base) -> tuple[Whose, str, str]:
@@ -105,64 +79,117 @@ def _whose(found: Explanation, log: str, base: Base) -> Whose:
         if "cuda" in base.name and found.id in known["cuda"]["ids"]:
             return "stand-in"
         said = "\n".join((found.error, *found.lines)) or log[-4000:]
-        names = {name for _, value in found.names for name in value.split(", ")}
-        if (_asked(said) | names) & (base.lacking | _lacks(base)) or {*map(_bare, names)} & _left_out(log, base):
+        if _asked(said) & (base.lacking | _lacks(base)) or _named(found.names, log, base):
             return "stand-in"
-        of_python = (found.id in known["python"]["ids"] and _python_is_another(base)) or _no_wheel(said, base)
-        if of_python or (found.id in known["release"]["ids"] and _asks_for_the_plans(dict(found.names), base)):
-            return "stand-in"
-        had_wheel = found.id in known["wheels"]["ids"] and _had_wheel(log, names, base)
         told = f"{said}\n{found.log}"
-        if had_wheel or any(_between(row, base) and re.search(row["pattern"], told) for row in known["change"]):
+        of_python = (found.id in known["python"]["ids"] and _python_is_another(base)) or _no_wheel(told, base)
+        names = dict(found.names)
+        if of_python or (found.id in known["release"]["ids"] and _asks_for_the_plans(names, told, base)):
+            return "stand-in"
+        had_wheel = found.id in known["wheels"]["ids"] and _had_wheel(log, names.get("package", ""), base)
+        if had_wheel or _changed(told, log, base):
             return "stand-in"
     return "ours or the code's" if found.id or found.error else "unclear"
 
 
 def _lacks(base: Base) -> frozenset[str]:
     """Return what the world has of the ROS packages that the stand-in has for its table alone."""
-    distro = base.name.removeprefix("ros:").partition("-")[0] if base.name.startswith("ros:") else ""
-    return released(distro) & frozenset(facts()["lacks"].get(base.stand_in, ()))
+    return released(_ros(base)) & frozenset(facts()["lacks"].get(base.stand_in, ()))
+
+
+def _ros(base: Base) -> str:
+    """Return the distribution of a base image of ROS, ``""`` for other images."""
+    return base.name.removeprefix("ros:").partition("-")[0] if base.name.startswith("ros:") else ""
+
+
+def _named(names: Iterable[tuple[str, str]], log: str, base: Base) -> bool:
+    """Tell whether a failure names what the stand-in alone lacks.
+
+    Where it names several of a kind, the real base has to have each of the others: one that it lacks, too, stops the
+    build there.
+    """
+    of = distro(_ros(base))
+    lacking, left_out = base.lacking | _lacks(base), _left_out(log, base)
+    held = lacking | (base_holds(of.ros) if of else frozenset())
+    for _, value in names:
+        several = value.split(", ")
+        lacks = [name in lacking or _bare(name) in left_out for name in several]
+        if any(lacks) and all(lacked or name in held for name, lacked in zip(several, lacks, strict=True)):
+            return True
+    return False
+
+
+def _changed(told: str, log: str, base: Base) -> bool:
+    """Tell whether a library's change that lies between the plan's base and the stand-in explains what was told.
+
+    Of packages that apt does not know, it has to explain each.
+    """
+    rows = [row for row in facts()["change"] if _between(row, base) and re.search(row.get("also", ""), log)]
+    if any(re.search(row["pattern"], NO_PACKAGE.sub("", told)) for row in rows):
+        return True
+    unknown = NO_PACKAGE.findall(told)
+    return bool(unknown) and all(any(re.search(row["pattern"], each) for row in rows) for each in unknown)
 
 
 def _python_is_another(base: Base) -> bool:
     return base.python is not None and not facts()["versions"][base.stand_in]["python"].startswith(base.python)
 
 
-def _no_wheel(said: str, base: Base) -> bool:
+def _no_wheel(told: str, base: Base) -> bool:
     """Tell whether pip has no release of a framework for the stand-in's Python, and one for the plan's.
 
-    What else asks for it, be it a constraint of the same number, makes it a conflict to pip.
+    A constraint that names the same release makes that a conflict to pip. One that refuses it, or what the framework
+    depends on, is a conflict on the real base, too.
     """
-    asked = ALONE.search(said)
-    row = framework(asked[1], asked[2]) if asked else None
+    asked, caused = ALONE.search(told), CAUSED.search(told)
+    row = framework(asked[1], asked[2]) if asked and caused and _agree(caused[1], asked[1], asked[2]) else None
     there = minor_of(facts()["versions"][base.stand_in]["python"])
     return bool(row and base.python and there and row.runs_with(base.python) and not row.runs_with(there))
 
 
-def _asks_for_the_plans(names: Mapping[str, str], base: Base) -> bool:
-    """Tell whether CMake asks for a release of a library that the plan's base has, and the stand-in has not."""
+def _agree(caused: str, package: str, release: str) -> bool:
+    """Tell whether all that pip says to cause a conflict are requests of one package that take one release."""
+    name = canonicalize_name(package)
+    limits = [
+        specifiers(asked) if canonicalize_name(each) == name else None for each, asked in REQUESTED.findall(caused)
+    ]
+    return "depends on" not in caused and all(limit is not None and limit.contains(release) for limit in limits)
+
+
+def _asks_for_the_plans(names: Mapping[str, str], told: str, base: Base) -> bool:
+    """Tell whether CMake asks for a release of a library that the plan's base has, and the stand-in has not.
+
+    What CMake finds has to be the stand-in's own, not a release that the build itself brought.
+    """
     library, asked = names.get("name", ""), names.get("version", "")
     there = facts()["versions"].get(base.stand_in, {}).get(library)
     real, now, wanted = (parsed(text) if text else None for text in (_of_plan(library, base), there, asked))
-    if not (real and now and wanted):
+    found = {release.group(1) or release.group(2) for release in CONSIDERED.finditer(told)}
+    if not (real and now and wanted) or not any(f"{release}.".startswith(f"{there}.") for release in found):
+        return False
+    if "exact version" in told and real.release[: len(wanted.release)] != wanted.release:
         return False
     least, below = (parsed(text) if text else None for text in bounds_of(library, asked))
     fits = [bool(least and least <= each and not (below and each >= below)) for each in (real, now)]
     return fits == [True, False]
 
 
-def _had_wheel(log: str, names: set[str], base: Base) -> bool:
-    """Tell whether a release that pip compiled, and could not, has a wheel for the plan's Python, not the stand-in's.
+def _had_wheel(log: str, packages: str, base: Base) -> bool:
+    """Tell whether each release that pip could not compile has a wheel for the plan's Python, not the stand-in's.
 
-    ``names`` are those of the failure; the release is that of the archive of sources which the log names.
+    ``packages`` are those of the failure; the release is that of the archive of sources which the log names.
     """
+    return all(_wheel_gone(log, package, base) for package in packages.split(", "))
+
+
+def _wheel_gone(log: str, package: str, base: Base) -> bool:
     here = ".".join(facts()["versions"][base.stand_in]["python"].split(".")[:2])
     for row in facts()["wheel"]:
         first = {python: parsed(release) for python, release in row["first"].items()}
         begun, ended = first.get(base.python or ""), first.get(here)
-        if row["package"] not in names or not begun or not ended:
+        if row["package"] != package or not begun or not ended:
             continue
-        found = re.findall(rf"\b{re.escape(row['package'])}-(\d+(?:\.\d+)+)\.(?:tar\.gz|zip)\b", log)
+        found = re.findall(rf"\b{re.escape(package)}-(\d+(?:\.\d+)+)\.(?:tar\.gz|zip)\b", log)
         if any((release := parsed(text)) and begun <= release < ended for text in found):
             return True
     return False
@@ -227,34 +254,3 @@ def _last(output: str) -> str:
 def _lines(output: str) -> list[str]:
     """Return the lines with something on them, without colours."""
     return [line.strip()[:300] for line in COLOUR.sub("", output).splitlines() if line.strip()]
-
-
-def stand_in(image: str) -> str:
-    """Return what stands in for an image of the engine, ``""`` if it is the real one."""
-    said = _output("docker", "image", "inspect", "--format", f'{{{{index .Config.Labels "{LABEL}"}}}}', image)
-    return said.partition(" in the place")[0].strip()
-
-
-def lacking(image: str, distro: str | None) -> frozenset[str]:
-    """Return the ROS packages and keys of rosdep that the world has and this stand-in's tables do not."""
-    if not distro:
-        return frozenset()
-    return (released(distro) | rosdep_keys()) - {name for text in _tables(image, distro) for name in _names(text)}
-
-
-def _tables(image: str, distro: str) -> Iterable[str]:
-    for name in ("stand-in", distro):
-        yield _output("docker", "run", "--rm", "--entrypoint", "cat", image, f"/etc/ros/rosdep/{name}.yaml")
-
-
-def _names(text: str) -> set[str]:
-    """Return the keys of a table of rosdep, or the packages of a distribution file, with their repositories."""
-    data = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)) if text else {}
-    if "repositories" not in data:
-        return set(data)
-    released = {name: each.get("release", {}) for name, each in data["repositories"].items()}
-    return {package for name, each in released.items() if each for package in each.get("packages") or (name,)}
-
-
-def _output(*words: str) -> str:
-    return subprocess.run(words, capture_output=True, text=True, timeout=120, check=False).stdout

@@ -15,9 +15,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from benchmarks.running import blame
-from benchmarks.running.blame import Base
+from benchmarks.running import blame, standins
 from benchmarks.running.rows import Listed, Row
+from benchmarks.running.standins import Base
 from roslab.cli.arguments import parser
 from roslab.cli.repairing import Repairing
 from roslab.engine import disk
@@ -86,8 +86,8 @@ def _measured(listed: Listed, root: Path, way: Way, told: dict[str, Any]) -> dic
         name=plan.base_image,
         ubuntu=plan.ubuntu,
         python=_python(plan),
-        stand_in=blame.stand_in(plan.base_image),
-        lacking=blame.lacking(plan.base_image, plan.ros_distro),
+        stand_in=standins.stand_in(plan.base_image),
+        lacking=standins.lacking(plan.base_image, plan.ros_distro),
     )
     told["stand_in"] = base.stand_in
     image = f"roslab-running:{listed.repository.replace('/', '-').lower()}"

@@ -11,8 +11,9 @@ import pytest
 from benchmarks.running import blame, page
 from benchmarks.running.figures import over_time, sums
 from benchmarks.running.rows import OUTCOMES, Listed, Outcome, Row, Whose, chosen, due, listed, read, write
+from benchmarks.running.standins import Base, facts
 
-FOCAL = blame.Base(
+FOCAL = Base(
     name="ros:noetic-ros-base",
     ubuntu="focal",
     python="3.8",
@@ -21,9 +22,15 @@ FOCAL = blame.Base(
 )
 NOBLE = replace(FOCAL, ubuntu="noble", python="3.12")
 OLDEST = replace(FOCAL, name="ubuntu:20.04", stand_in="Debian 11")
+BIONIC = replace(OLDEST, ubuntu="bionic", python="3.6")
 EDITION = "error: this version of Cargo is older than the `2021` edition, and only supports `2015` and `2018` editions."
 REAL = replace(FOCAL, stand_in="", lacking=frozenset())
-ASKED = 'Could not find a configuration file for package "OpenCV" that is compatible with requested version "{}".'
+ASKED = (
+    'Could not find a configuration file for package "OpenCV" that is compatible with requested version "{}".\n#9 1.1\n'
+)
+ASKED += "#9 1.1   The following configuration files were considered but not accepted:\n#9 1.1\n"
+ASKED += "#9 1.1     /usr/lib/cmake/opencv4/OpenCVConfig.cmake, version: 4.5.1"
+UNFIT = 'CMake Error: Could NOT find Boost: Found unsuitable version "{}", but required is {} "{}" (found /usr/include)'
 BOOST = "/ws/src/a.cpp:8:30: error: '_1' was not declared in this scope"
 HIDDEN = (
     "/usr/bin/ld: liba.a(loop.cpp.o): relocation R_X86_64_PC32 against undefined hidden symbol "
@@ -34,6 +41,8 @@ CMake Error at CMakeLists.txt:14 (find_package):
 #9 1.0   By not providing "Findrosidl_default_generators.cmake" in CMAKE_MODULE_PATH
 #9 1.0   this project has asked CMake to find a package configuration file provided
 #9 1.0   by "rosidl_default_generators", but CMake did not find one."""
+TWO = f"{GENERATORS}\n#9 1.1 " + GENERATORS.replace("rosidl_default_generators", "{0}")
+JAZZY = replace(NOBLE, name="ros:jazzy-ros-base")
 CERES = "/usr/include/ceres/internal/jet_traits.h:118:21: error: 'enable_if_t' is not a member of 'std'"
 JAMMY = replace(FOCAL, name="ubuntu:22.04", ubuntu="jammy", python="3.10")
 FORMAT = "/src/a.hpp:7:10: fatal error: format: No such file or directory"
@@ -42,16 +51,25 @@ Could not find compiler set in environment variable CC:
 #9 1.1
 #9 1.1   gcc-14.
 #9 1.1 CMake Error: CMAKE_C_COMPILER not set"""
+TAKEN = "Note, selecting 'clang-14' for regex 'g++-14'"
+APT = "E: Unable to locate package {}"
 NO_ARGUMENTS = "src/Matrix.c:45:40: error: unknown type name 'PyNoArgsFunction'; did you mean 'PyCFunction'?"
 WHEEL = """\
 Collecting matplotlib<3.6
 #9 1.1   Downloading matplotlib-{release}.tar.gz (35.9 MB)
 #9 1.2   error: subprocess-exited-with-error
 #9 1.3   src/a.c:1:2: error: too few robots"""
+OTHER_WHEEL = "#9 1.4   ERROR: Failed building wheel for armpy\n#9 1.5   ERROR: Failed building wheel for matplotlib"
 INDEX = """\
 WARNING: Retrying (Retry(total=0)) after connection broken by 'NewConnectionError': /whl/cpu/torch/
 #9 2.0 ERROR: No matching distribution found for torch==1.13.1+cpu"""
-CONFLICT = "ERROR: Cannot install {} because these package versions have conflicting dependencies."
+CONFLICT = """\
+ERROR: Cannot install {0} because these package versions have conflicting dependencies.
+#9 1.1
+#9 1.1 The conflict is caused by:
+#9 1.1     The user requested {0}
+#9 1.1     {1}"""
+OLD = "tensorflow-gpu==1.13.2"
 LOG = """\
 #9 [5/5] RUN catkin_make
 #9 1.0 {error}
@@ -69,12 +87,14 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (BOOST, FOCAL, "stand-in"),
         (BOOST, REAL, "ours or the code's"),
         (BOOST, NOBLE, "ours or the code's"),
-        (GENERATORS, replace(NOBLE, name="ros:jazzy-ros-base"), "stand-in"),
+        (GENERATORS, JAZZY, "stand-in"),
         (GENERATORS, replace(NOBLE, name="ubuntu:24.04"), "ours or the code's"),
-        (f"{GENERATORS}\n#9 1.1 {GENERATORS.replace('rosidl_default_generators', 'arm_msgs')}",
-         replace(NOBLE, name="ros:jazzy-ros-base"), "stand-in"),
+        (TWO.format("action_msgs"), JAZZY, "stand-in"),  # which the real base has
+        (TWO.format("nav2_msgs"), JAZZY, "ours or the code's"),  # which it lacks, too
         (GENERATORS, FOCAL, "ours or the code's"),
         ("E: Unable to locate package nvidia-cuda-toolkit", NOBLE, "stand-in"),
+        (f"{APT.format('libarm-dev')}\n#9 1.1 {APT.format('nvidia-cuda-toolkit')}", NOBLE, "ours or the code's"),
+        (f"{APT.format('g++-14')}\n#9 1.1 {APT.format('nvidia-cuda-toolkit')}", NOBLE, "stand-in"),
         ("E: Unable to locate package nvidia-cuda-toolkit", replace(NOBLE, ubuntu="trusty"), "ours or the code's"),
         ("E: Unable to locate package nvidia-cuda", NOBLE, "ours or the code's"),
         (HIDDEN, replace(FOCAL, ubuntu="bionic"), "stand-in"),
@@ -92,6 +112,11 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (ASKED.format("2.4"), OLDEST, "ours or the code's"),
         (ASKED.format("3"), replace(OLDEST, ubuntu="xenial"), "ours or the code's"),
         (ASKED.format("4.5"), replace(OLDEST, ubuntu="jammy", stand_in="Debian 11"), "ours or the code's"),
+        (ASKED.format("2.4").replace("4.5.1", "3.4.9"), replace(OLDEST, ubuntu="xenial"), "ours or the code's"),
+        (UNFIT.format("1.74.0", "at least", "1.80"), NOBLE, "stand-in"),
+        (UNFIT.format("1.74.0", "exact version", "1.83"), NOBLE, "stand-in"),
+        (UNFIT.format("1.74.0", "exact version", "1.80"), NOBLE, "ours or the code's"),
+        (UNFIT.format("1.70.0", "at least", "1.80"), NOBLE, "ours or the code's"),  # one that the build brought
         ("a.cpp:1:10: fatal error: nmea_msgs/Sentence.h: No such file or directory", FOCAL, "stand-in"),
         ("a.cpp:1:10: fatal error: sensor_msgs/Imu.h: No such file or directory", FOCAL, "ours or the code's"),
         ("a.cpp:1:10: fatal error: pluginlib/class_list_macros.h: No such file or directory", FOCAL, "stand-in"),
@@ -115,10 +140,11 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         ("a.cpp:2:10: fatal error: zmq.hpp: No such file or directory", NOBLE, "ours or the code's"),
         (FORMAT, NOBLE, "stand-in"),
         (FORMAT, JAMMY, "ours or the code's"),
-        (CHOSEN, NOBLE, "stand-in"),
-        ("E: Unable to locate package g++-14", NOBLE, "stand-in"),
-        ("E: Unable to locate package g++-14", JAMMY, "ours or the code's"),
-        (CHOSEN, JAMMY, "ours or the code's"),
+        (f"{TAKEN}\n#9 1.1 {CHOSEN}", NOBLE, "stand-in"),
+        (f"{TAKEN}\n#9 1.1 {CHOSEN}", JAMMY, "ours or the code's"),
+        (CHOSEN, NOBLE, "ours or the code's"),  # nothing installs it
+        (APT.format("g++-14"), NOBLE, "stand-in"),
+        (APT.format("g++-14"), JAMMY, "ours or the code's"),
         (NO_ARGUMENTS, OLDEST, "stand-in"),
         (NO_ARGUMENTS, NOBLE, "ours or the code's"),
         ("src/a.c:4:33: error: ‘PyNoArgsFunction’ undeclared (first use in this function)", OLDEST, "stand-in"),  # noqa: RUF001
@@ -127,17 +153,21 @@ ERROR: failed to solve: process "/bin/sh -c catkin_make" did not complete succes
         (WHEEL.format(release="3.6.2"), JAMMY, "ours or the code's"),  # both have
         (WHEEL.format(release="3.5.3"), OLDEST, "ours or the code's"),
         (WHEEL.format(release="3.5.3").replace("matplotlib", "other"), JAMMY, "ours or the code's"),
-        (CONFLICT.format("tensorflow-gpu==1.13.2"), replace(OLDEST, ubuntu="bionic", python="3.6"), "stand-in"),
-        (CONFLICT.format("tensorflow-gpu==1.13.2"), OLDEST, "ours or the code's"),
-        (CONFLICT.format("tensorflow==2.6.0"), OLDEST, "ours or the code's"),
-        (CONFLICT.format("gym==0.2 and tensorflow==1.13.2"), replace(OLDEST, python="3.6"), "ours or the code's"),
+        (f"{WHEEL.format(release='3.5.3')}\n{OTHER_WHEEL}", JAMMY, "ours or the code's"),
+        (CONFLICT.format(OLD, f"The user requested (constraint) {OLD}"), BIONIC, "stand-in"),
+        (CONFLICT.format(OLD, f"The user requested (constraint) {OLD}"), OLDEST, "ours or the code's"),
+        (CONFLICT.format(OLD, "The user requested (constraint) tensorflow-gpu==1.14.0"), BIONIC, "ours or the code's"),
+        (CONFLICT.format(OLD, "tensorflow-gpu 1.13.2 depends on six>=1.10"), BIONIC, "ours or the code's"),
+        (CONFLICT.format("tensorflow==2.6.0", "The user requested (constraint) tensorflow==2.6.0"), OLDEST,
+         "ours or the code's"),
+        (CONFLICT.format("gym==0.2 and tensorflow==1.13.2", "gym 0.2 depends on six"), BIONIC, "ours or the code's"),
         (INDEX, FOCAL, "stand-in"),
         (INDEX, REAL, "ours or the code's"),
         ("fatal: unable to access 'https://github.com/a/b/': Could not resolve host: github.com", REAL,
          "ours or the code's"),
     ],
 )  # fmt: skip
-def test_whose_a_failed_build_is(error: str, base: blame.Base, whose: str) -> None:
+def test_whose_a_failed_build_is(error: str, base: Base, whose: str) -> None:
     assert blame.of_build(LOG.format(error=error), base)[0] == whose
 
 
@@ -151,7 +181,7 @@ def test_whose_a_failed_build_is(error: str, base: blame.Base, whose: str) -> No
         ("libnmea-dev", "NMEA_MSGS", FOCAL, "stand-in"),  # the variable alone names what the stand-in lacks
     ],
 )
-def test_a_library_that_only_the_stand_in_leaves_out(package: str, variable: str, base: blame.Base, whose: str) -> None:
+def test_a_library_that_only_the_stand_in_leaves_out(package: str, variable: str, base: Base, whose: str) -> None:
     error = (
         "CMake Error: The following variables are used in this project, but they are set to NOTFOUND.\n"
         "#9 1.2 Please set them or make sure they are set and tested correctly in the CMake files:\n"
@@ -181,7 +211,7 @@ def test_an_image_of_a_stage_that_nothing_stands_in_for_is_the_stand_ins() -> No
         ("", FOCAL, "unclear"),
     ],
 )  # fmt: skip
-def test_why_a_command_does_not_run_on(output: str, base: blame.Base, whose: str) -> None:
+def test_why_a_command_does_not_run_on(output: str, base: Base, whose: str) -> None:
     assert blame.of_run(output, base)[0] == whose
 
 
@@ -192,11 +222,11 @@ def test_the_line_that_asks_for_what_the_stand_in_lacks_is_why() -> None:
 
 
 def test_every_pattern_is_one_and_has_its_library() -> None:
-    facts = blame.facts()
-    for row in (*facts["change"], *facts["needs"]):
+    known = facts()
+    for row in (*known["change"], *known["needs"]):
         re.compile(row["pattern"])
-    known = {name for versions in facts["versions"].values() for name in versions}
-    assert {row["library"] for row in facts["change"]} <= known
+    libraries = {name for versions in known["versions"].values() for name in versions}
+    assert {row["library"] for row in known["change"]} <= libraries
 
 
 def test_a_reserve_takes_the_place_of_what_is_not_there(tmp_path: Path) -> None:
