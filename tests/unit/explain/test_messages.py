@@ -131,6 +131,11 @@ Included launch description missing required argument 'map' (description: 'no de
 cuda-without-driver:
 CUDA driver version is insufficient for CUDA runtime version
 
+own-messages-not-first: catkin_make
+fatal error: arm/Grip.h: No such file or directory
+compilation terminated.
+make[2]: *** [arm/CMakeFiles/arm.dir/build.make:63: arm/CMakeFiles/arm.dir/src/arm.cpp.o] Error 1
+
 api-member: colcon build
 error: 'armBuffer' has no member named 'offset'
 
@@ -228,7 +233,31 @@ def test_a_file_that_a_server_refuses_is_no_image() -> None:
 def test_what_no_name_fills_leaves_no_gap() -> None:
     assert found("FileNotFoundError: [Errno 2] No such file or directory: 'arm.txt'\n").cause.endswith(" archive.")
     said = "no such target '//a:b': target 'b' not declared in package 'a' defined by /a/BUILD"
-    assert found(f"{said}\n", "bazel build //a").fix.endswith(" is called now.")
+    one = found(f"{said}\n", "bazel build //a")
+    assert one.fix.endswith(" is called now.")
+    assert "which the build asks for: " in one.cause
+
+
+def test_an_object_of_this_build_was_not_compiled_before() -> None:
+    said = "/usr/bin/ld: {}: relocation R_X86_64_PC32 against undefined hidden symbol `{}' can not be used\n"
+    assert found(said.format("lib/libarm.a(a.o)", "_ZTC3arm"), "make").id == "link-hidden-gone"
+    assert found(said.format("CMakeFiles/a.dir/a.cpp.o", "_ZTC3arm"), "make").id != "link-hidden-gone"
+    assert found(said.format("a.o", "__dso_handle"), "make").id != "link-hidden-gone"
+
+
+def test_a_server_that_wants_a_pause_still_has_the_file() -> None:
+    said = (
+        "java.io.IOException: Error downloading [https://example.org/a.tgz] to /a: GET returned 429 Too Many Requests"
+    )
+    assert found(f"{said}\n", "bazel build //a").id == "rate-limit"
+
+
+def test_what_cmake_only_warns_of_is_not_listed_as_needed() -> None:
+    listed = "-- BUILD {0}: \n-- \tMissing: {1}.\n-- END BUILD {0}\n"
+    said = listed.format("WARNINGS", "the window") + listed.format("ERRORS", "libarm")
+    said = said.replace("ERRORS: ", "ERRORS: These must be resolved before compiling.")
+    said += "CMake Error at CMakeLists.txt:2 (message):\n  Errors encountered in build.\n"
+    assert dict(found(said, "cmake ..").names)["name"] == "libarm"
 
 
 def test_a_module_that_no_table_has_may_be_of_the_project() -> None:
