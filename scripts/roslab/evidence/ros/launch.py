@@ -81,6 +81,7 @@ _NAME = pattern(r"<name>\s*([\w-]+)\s*</name>")
 _STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
 _STARTS = pattern(r"<(?:node|test|include|executable|composable_node)")
 """What begins an element of XML that starts something."""
+_SETS = pattern(r"<(?:ros)?param\b")
 _QUOTED = pattern(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
 _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
@@ -110,7 +111,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
                 executes=tuple(executed(text, started)) if python else (),
-                idle=bool(xml) and not _STARTS.search(text),
+                idle=bool(xml and _SETS.search(text)) and not _STARTS.search(text),
                 interpreters=named_interpreters(text),
                 arguments=declared_arguments(text),
                 demands=demanded_arguments.in_xml(text)
