@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from hanging import ends
 from roslab.decide.decision import Decision
+from roslab.evidence.prose.entry_defaults import starts_alone
 from roslab.pipeline import plan_repository
 
 Tree = Callable[[dict[str, str]], Decision]
@@ -194,6 +196,9 @@ ALONE = IMAGE.replace('CMD ["bash"]\n', "")
         "exec ${@:-python3 other.py}\n",
         '[ $# -eq 0 ] && exec python3 other.py\nexec "$@"\n',
         'if (( $# == 0 )); then\n  rosrun demo a\nfi\nexec "$@"\n',
+        'if [ $# -eq 0 ]; then exec python3 other.py; fi\nexec "$@"\n',
+        'if [ $# -gt 0 ]; then exec "$@"; else python3 other.py; fi\nexec "$@"\n',
+        'if [ $# -gt 0 ]; then exec "$@"; fi\npython3 other.py\nexec "$@"\n',
     ],
 )
 def test_a_script_that_starts_a_program_where_it_is_given_nothing(tree: Tree, script: str) -> None:
@@ -212,7 +217,18 @@ def test_a_script_that_starts_a_program_where_it_is_given_nothing(tree: Tree, sc
         'if [ "$1" = train ]; then\n  python3 other.py\nfi\nexec "$@"\n',
         'if [ $# -gt 0 ]; then\n  python3 other.py\nfi\nexec "$@"\n',
         'if [ $# -eq 0 ]; then\n  bash\nelse\n  python3 check.py\n  exec "$@"\nfi\n',
+        'if [ $# -eq 0 ]; then\n  echo "Usage: python3 other.py --fast"\n  exit 1\nfi\nexec "$@"\n',
+        'if [ $# -eq 0 ]; then exec bash; fi\nif [ "$X" ]; then\n  python3 other.py\nfi\nexec "$@"\n',
+        'if [ $# -eq 0 ]; then\n  if [ "$X" ]; then ls; fi\nelse\n  python3 other.py\nfi\nexec "$@"\n',
+        'if ! [ $# -eq 0 ]; then\n  python3 other.py\nfi\nexec "$@"\n',
+        'if [ $# -eq 0 ]; then\n  python3 -m pip install -e .\nfi\nexec "$@"\n',
+        'if [ $# -eq 0 ]; then\n  python3 --version\nfi\nexec "$@"\n',
     ],
 )
 def test_a_script_that_starts_no_program_alone(tree: Tree, script: str) -> None:
     assert of(tree, script, Dockerfile=ALONE, **{"README.md": "# Demo\n"}).command == ("bash",)
+
+
+def test_blanks_without_end_take_no_time() -> None:
+    with ends():
+        assert not starts_alone([f"(({blanks}$#{blanks}" for blanks in (" " * 200_000, "\t" * 200_000)])

@@ -11,8 +11,11 @@ MOST = 8
 """Most tests of a script that are looked at."""
 PROGRAM = pattern(
     r"(?:^|[;&|(\s'\"])"
-    r"(?:python[\d.]*[ \t]+(?!\S*setup\.py)(?:-\S+[ \t]+)*\S+|roslaunch|rosrun|ros2[ \t]+(?:launch|run))\b"
+    r"(?:python[\d.]*[ \t]+(?!\S*setup\.py|-m[ \t]+(?:pip|venv)\b|-(?:V|-version)\b)(?:-\S+[ \t]+)*\S+|"
+    r"roslaunch|rosrun|ros2[ \t]+(?:launch|run))\b"
 )
+_SAID = pattern(r"\b(?:echo|printf)\b(?:\"[^\"\n]*\"|'[^'\n]*'|[^;&|\"'\n])*")
+"""What a script only prints: ``echo "Usage: python main.py"``."""
 _COUNT = r"(?:\$#|\$\{#\}|\$\{#@\})"
 _WORDS = r"(?:\$[1@*]|\$\{[1@*](?::?-)?\})"
 _NONE = pattern(
@@ -22,22 +25,25 @@ _NONE = pattern(
 """A test that holds where no word is given."""
 _SOME = pattern(
     rf"\[\[?[ \t]+[\"']?{_COUNT}[\"']?[ \t]+(?:-gt[ \t]+0|-ge[ \t]+1|-ne[ \t]+0|!=[ \t]+[\"']?0)|"
-    rf"\[\[?[ \t]+(?:-n[ \t]+)?[\"']?{_WORDS}[\"']?[ \t]+\]|\(\([ \t]*{_COUNT}[ \t]*(?:>[ \t]*0|!=[ \t]*0)?[ \t]*\)\)"
+    rf"\[\[?[ \t]+(?:-n[ \t]+)?[\"']?{_WORDS}[\"']?[ \t]+\]|\(\([ \t]*{_COUNT}[ \t]*(?:(?:>|!=)[ \t]*0[ \t]*)?\)\)"
 )
 """A test that holds where one is."""
 _DEFAULT = pattern(r"\$\{[@*1]:?-([^}\n]{1,300})\}")
-_IF = pattern(r"\s*(?:if|elif)\b")
+_IF = pattern(r"\s*(?:if|elif)\b(?![ \t]*!)")
+_NEXT = pattern(r";[ \t]*(?=(?:then|else|elif|fi)\b)")
+"""Where an ``if`` that is written on one line goes on."""
 _OPENS = pattern(r"\s*if\b")
 _CLOSES = pattern(r"\s*fi\b")
 _OTHERWISE = pattern(r"\s*el(?:se|if)\b")
 _AND = pattern(r"\]{1,2}[\"']?[ \t]*&&|\)\)[ \t]*&&")
-_LEAVES = pattern(r"^\s*(?:exec|exit)\b")
+_LEAVES = pattern(r"\s*(?:then[ \t]+)?(?:exec|exit)\b")
 
 
 def starts_alone(lines: Sequence[str]) -> bool:
     """Tell whether a script starts a program of Python or ROS where it is given no words."""
     if any(PROGRAM.search(found[1]) for line in lines for found in _DEFAULT.finditer(line)):
         return True
+    lines = [part for line in lines for part in _NEXT.split(_SAID.sub("", line))]
     tests = (at for at, line in enumerate(lines) if _NONE.search(line) or _SOME.search(line))
     for at in islice(tests, MOST):
         line, none = lines[at], _NONE.search(lines[at])
