@@ -15,11 +15,12 @@ PACKAGE = {
 }
 MODEL = '<arg name="model" default="$(env TURTLEBOT3_MODEL)"/>\n'
 GAZEBO = '<include file="$(find turtlebot3_gazebo)/launch/turtlebot3_world.launch"/>\n'
+NODE = '<node name="n" pkg="demo" type="n"/>\n'
 SPAWN = '<node name="a" pkg="gazebo_ros" type="spawn_model" args="-urdf -model turtlebot3_{}"/>\n'
 
 
 def _decided(tree: Tree, launch: str, page: str = "", **more: str) -> tuple[str | None, bool]:
-    files = {"launch/demo.launch": f"<launch>\n{launch}</launch>", "README.md": f"ROS Noetic\n{page}"}
+    files = {"launch/demo.launch": f"<launch>\n{launch}{NODE}</launch>", "README.md": f"ROS Noetic\n{page}"}
     decision = tree({**PACKAGE, **files, **more})
     assert decision.command == ("roslaunch", "demo", "demo.launch")
     told = [each.message for each in decision.warnings if "TURTLEBOT3_MODEL" in each.message]
@@ -39,6 +40,7 @@ def _decided(tree: Tree, launch: str, page: str = "", **more: str) -> tuple[str 
         (MODEL + SPAWN.format("waffle") + SPAWN.format("burger"), ("burger", True)),
         (f"{MODEL}<!-- {SPAWN.format('waffle').strip()} -->\n", ("burger", True)),
         (GAZEBO.replace("turtlebot3_gazebo", "turtlebot3_msgs"), (None, False)),
+        (GAZEBO.replace("turtlebot3_gazebo", "turtlebot3_description"), (None, False)),
         (SPAWN.format("waffle"), (None, False)),
     ],
 )
