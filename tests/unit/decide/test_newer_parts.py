@@ -60,6 +60,8 @@ ROTATION = "import rclpy\nfrom scipy.spatial.transform import Rotation as R\n"
         ("noetic", "R.from_quat(q).as_euler('xyz')", ""),
         ("noetic", "r = R.as_matrix(q) if new else r.as_dcm()", ""),
         ("noetic", "r.inv().as_quat()  # .as_matrix", ""),
+        ("noetic", "from scipy.spatial import cKDTree\nR.from_quat(q).as_matrix()", "scipy>=1.4,<1.9"),
+        ("noetic", "from scipy.spatial.transform import Slerp\nR.from_quat(q).as_matrix()", "scipy>=1.4,<1.9"),
         ("melodic", "R.from_quat(q).as_euler('xyz')", "scipy>=1.2,<1.5"),
         ("melodic", "R.from_quat(q).as_matrix()", "scipy>=1.4,<1.5"),
         ("humble", "R.from_quat(q).as_matrix()", ""),

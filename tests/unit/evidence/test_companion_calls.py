@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
+from hanging import ends
 from roslab.evidence.python import called, companions
 from roslab.knowledge.table import rows
 from roslab.repository.checkout import Repository
@@ -107,6 +109,8 @@ CALLS = (
     ("qpsolvers", "solve_qp(P, q, solver='piqp')", "piqp"),
     ("qpsolvers", "solve_qp(P, q, solver='clarabel')", "clarabel"),
     ("pyomo", "pyo.SolverFactory('appsi_highs')", "highspy"),
+    ("scipy", "from scipy.spatial.transform import Rotation as R", "scipy>=1.2"),
+    ("scipy", "from scipy.spatial import transform\n\nr = transform.Rotation.from_matrix(m)", "scipy>=1.4"),
 )
 ELSEWHERE = frozenset({"torch-cluster", "gymnasium[box2d]", "gym[box2d]", "pygame", "ninja"})
 """What other tests have code for."""
@@ -172,3 +176,9 @@ def test_a_library_starts_a_program(tmp_path: Path, code: str, apt: list[str]) -
     (tmp_path / "train.py").write_text(f"import os\n{code}\n")
     found = called.read(Repository.open(tmp_path))
     assert [(each.name, each.role) for each in found] == [(name, "called") for name in apt]
+
+
+def test_imports_without_end_take_no_time() -> None:
+    code = "from scipy.spatial.transform import Rotation\n" * 12_000
+    with ends():
+        assert not any(re.search(row["pattern"], code) for row in rows("companions") if row["needs"] == "scipy>=1.4")
