@@ -81,6 +81,11 @@ def command_of(folder: Path, said: str) -> tuple[str, ...] | str:
         ("If roslaunch demo map.launch fails, wait.", []),
         ("Never start roslaunch demo map.launch.", []),
         ("Use rosrun with /opt/demo/viewer.", []),
+        ("Use rosrun to start the nodes.", []),
+        ("Start them by rosrun or roslaunch.", []),
+        ("The command ros2 run is found there.", []),
+        ("Give ros2 run demo and the name of a node.", []),
+        ("Then rosrun tools is_ready checks it.", ["rosrun tools is_ready"]),
         ("It does not need a map: rosrun demo viewer shows it.", ["rosrun demo viewer"]),
     ],
 )

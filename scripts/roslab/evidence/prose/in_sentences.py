@@ -45,8 +45,13 @@ _SAID_LAUNCH = pattern(
     r"(?: +\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
 )
 """A launch in a sentence, by a package or a path: ``Run "roslaunch demo map.launch" to start``."""
+_WORD = (
+    r"(?:to|or|and|but|is|are|was|were|can|will|should|must|has|have|in|on|at|with|without|for|from|as|by|of|if|"
+    r"when|then|it|its|the|an|this|that|these|those|your|any|each|all|instead|commands?|nodes?|packages?)\b"
+)
+"""A word of the sentence itself, where a package or a program would stand: ``use rosrun to start it``."""
 _SAID_NODE = pattern(
-    r"(?<![`\w/-])(?:rosrun|ros2 run) +[a-z]\w+ +[A-Za-z]\w+(?:[.-]\w+)*(?![\w`/])"
+    rf"(?<![`\w/-])(?:rosrun|ros2 run) +(?!{_WORD})[a-z]\w+ +(?!{_WORD})[A-Za-z]\w+(?:[.-]\w+)*(?![\w`/])"
     r"(?: +_?\w+:=[^\s\"'\u201d`,;)]+)*(?![\w`])"
 )
 """A node in a sentence, by its package: ``Then start rosrun demo viewer in a second terminal``."""
