@@ -58,6 +58,8 @@ CAMERA = ("ros2", "launch", "driver", "camera.launch.py")
                 (".github/workflows/ci.yml", ("ros2", "launch", "arm", "arm.launch.py")),
                 (".gitmodules", ("ros2", "launch", "arm", "arm.launch.py")),
                 (".github/dependabot.yml", CAMERA),
+                (".gitlab-ci.yml", CAMERA),  # another one may include it, and Jenkins is told a path
+                ("Jenkinsfile", CAMERA),
                 ("driver/.travis.yml", CAMERA),  # a package that tests itself
             )
         ),

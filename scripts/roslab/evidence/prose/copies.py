@@ -12,9 +12,7 @@ from roslab.values.pattern import pattern
 
 _LICENCES = ("LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE", "COPYING", "LICENSE.rst", "License.txt")
 _PAGES = ("README.md", "README.rst", "README", "README.txt", "Readme.md", "readme.md", "ReadMe.md")
-_OF_ROOT = pattern(
-    r"(.+)/(?:\.github/(?:workflows|ISSUE_TEMPLATE)/[^/]+|\.gitmodules|\.gitlab-ci\.yml|\.travis\.yml|Jenkinsfile)"
-)
+_OF_ROOT = pattern(r"(.+)/(?:\.github/(?:workflows|ISSUE_TEMPLATE)/[^/]+|\.gitmodules|\.travis\.yml)")
 """What is read at the root of a repository alone, behind the folder that it lies in."""
 _RECIPES = pattern(r"(?:^|/)\.?docker\w*(?:/.*)?$", re.IGNORECASE)
 """The end of a path in which images are described."""
