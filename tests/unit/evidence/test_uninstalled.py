@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from hanging import ends
 from roslab.evidence.ros import launch
+from roslab.evidence.ros.launch_globs import left_by_globs
 from roslab.repository.checkout import Repository
 from trees import tree_of
 
@@ -118,3 +120,8 @@ def test_no_build_of_ament_tells_nothing(tmp_path: Path) -> None:
     files = {"package.xml": "<package><name>eye</name></package>", "CMakeLists.txt": cmake}
     (found,) = launch.read(tree_of(tmp_path, {**files, "launch/a.launch.py": LAUNCH}))
     assert not found.by_path
+
+
+def test_blanks_without_end_take_no_time() -> None:
+    with ends():
+        assert not left_by_globs("launch", "a_launch.py", f"glob('launch/*.launch.py'{' ' * 200_000}")

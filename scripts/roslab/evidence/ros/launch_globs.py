@@ -10,7 +10,7 @@ from roslab.values.pattern import pattern
 _GLOB = pattern(r"(?P<of>[\w)\]]\.)?\bi?glob\s*\(")
 _STRING = r"[rR]?[\"']([^\"'\n{}]*)[\"']"
 _LITERAL = pattern(
-    rf"\s*(?:{_STRING}|(?:os\.)?(?:path\.)?join\(\s*{_STRING}\s*,\s*{_STRING}\s*,?\s*\)|{_STRING}\s*\+\s*{_STRING})\s*,?\s*\)"
+    rf"\s*(?:{_STRING}|(?:os\.)?(?:path\.)?join\(\s*{_STRING}\s*,\s*{_STRING}\s*(?:,\s*)?\)|{_STRING}\s*\+\s*{_STRING})\s*(?:,\s*)?\)"
 )
 """One argument that is written out: whole, of two parts that are joined, or of two that are added."""
 
