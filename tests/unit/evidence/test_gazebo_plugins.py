@@ -54,6 +54,12 @@ def test_what_the_robot_of_another_package_loads(tmp_path: Path, files: dict[str
     assert [each.name for each in read(repository)] == (["gazebo_plugins"] if found else [])
 
 
+def test_the_line_of_such_a_robot_is_that_of_the_file(tmp_path: Path) -> None:
+    text = "<launch>\n<!-- " + "the robot " * 20 + "-->\n\n$(find velodyne_description)/urdf/a.xacro\n\n\n</launch>"
+    (found,) = read(_write(tmp_path, {"launch/sim.launch": text, "worlds/a.world": "<sdf/>"}))
+    assert (found.name, found.file, found.line) == ("velodyne_gazebo_plugins", "launch/sim.launch", 4)
+
+
 def test_a_plugin_without_the_beginning_and_the_end_of_its_library(tmp_path: Path) -> None:
     plugin = '<plugin\n  filename="gz_ros2_control-system"\n  name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
     files = {"urdf/robot.xacro": f"<robot>\n{plugin}\n</plugin>\n</robot>\n", "urdf/b.xacro": '<mesh filename="gz"/>'}

@@ -41,8 +41,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     elsewhere: dict[str, Dependency] = {}
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
-        for package, start in _of_others(text):
-            line = text.count("\n", 0, start) + 1
+        for package, line in _of_others(text):
             loaded = Dependency(namespace="ros", name=package, strength="used", file=file.path, line=line, role="exec")
             elsewhere.setdefault(package, loaded)
         loads = ".so" in text or "filename" in text
@@ -65,13 +64,15 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
 
 
 def _of_others(text: str) -> Iterator[tuple[str, int]]:
-    """Yield the packages that descriptions of other packages load, each with the place where these are found."""
+    """Yield the packages that descriptions of other packages load, each with the line in which these are found."""
     if "_description)" not in text:
         return
     from roslab.knowledge.described_plugins import described_plugins  # noqa: PLC0415 - few trees find one
 
-    for match in _FOUND.finditer(without_xml_comments(text)):
-        yield from ((name, match.start()) for name in described_plugins().get(match[1], ()))
+    text = without_xml_comments(text)
+    for match in _FOUND.finditer(text):
+        line = text.count("\n", 0, match.start()) + 1
+        yield from ((name, line) for name in described_plugins().get(match[1], ()))
 
 
 def _simulates(repository: Repository) -> bool:
