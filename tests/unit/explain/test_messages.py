@@ -169,6 +169,9 @@ libarm.so: undefined reference to `ros::console::initialize()'
 api-known: colcon build
 a.cc:3:10: fatal error: gz/common/av/Util.hh: No such file or directory
 
+api-known: colcon build
+a.cc:4:10: fatal error: gz/common/ffmpeg_inc.hh: No such file or directory
+
 bazel-newer-than-rules: bazel build //arm
 Error: trying to mutate a frozen list value
 
