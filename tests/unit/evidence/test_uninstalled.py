@@ -125,3 +125,9 @@ def test_no_build_of_ament_tells_nothing(tmp_path: Path) -> None:
 def test_blanks_without_end_take_no_time() -> None:
     with ends():
         assert not left_by_globs("launch", "a_launch.py", f"glob('launch/*.launch.py'{' ' * 200_000}")
+
+
+@pytest.mark.parametrize(("calls", "left"), [(64, True), (65, False)])
+def test_more_patterns_than_are_looked_at_may_take_any(calls: int, *, left: bool) -> None:
+    setup = "".join(f"glob('launch/{number}*.launch.py')\n" for number in range(calls))
+    assert left_by_globs("launch", "a_launch.py", setup) is left

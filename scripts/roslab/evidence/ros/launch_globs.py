@@ -7,6 +7,8 @@ from fnmatch import fnmatch
 
 from roslab.values.pattern import pattern
 
+MOST = 64
+"""Most such calls that are looked at: a build of more may take any file."""
 _GLOB = pattern(r"(?P<of>[\w)\]]\.)?\bi?glob\s*\(")
 _STRING = r"[rR]?[\"']([^\"'\n{}]*)[\"']"
 _LITERAL = pattern(
@@ -25,7 +27,7 @@ def left_by_globs(place: str, name: str, setup: str) -> bool:
         if match["of"] and not setup.endswith("glob.", 0, match.end("of")):
             return False  # a method of a path
         literal = _LITERAL.match(setup, match.end())
-        if literal is None:
+        if literal is None or len(taken) == MOST:
             return False
         taken.append(_joined(literal))
     here = [each.removeprefix("./") for each in taken]

@@ -28,6 +28,7 @@ def marked(
 ) -> tuple[LaunchFile, ...]:
     """Return the launch files, with those marked that lie in a folder which their package's build does not name.
 
+    So are those that none of the patterns of a setup.py takes of a folder which it names.
     And those of a package whose build installs programs alone: they are started by their paths.
     ``packages`` are the names of the packages by their folders. Of ROS 1 none is: its workspace finds the source.
     """
