@@ -1,58 +1,151 @@
-"""Programs that a page runs and that the package of Python which it names does not install."""
+"""Programs that pip installs and that a page runs by their names, and projects that compile when they are imported."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from roslab.decide.decision import Decision
+from roslab.pipeline import plan_repository
+from roslab.render.dockerfile import dockerfile
 
 Tree = Callable[[dict[str, str]], Decision]
+PROJECT = """\
+[build-system]
+requires = ["{backend}"]
+build-backend = "{backend}"
+[project]
+name = "acme"
+version = "1"
+[project.scripts]
+acme-track = "acme.cli:main"
+acme-dump = "acme.cli:dump"
+"""
 
 
-def _package(name: str, entries: str) -> dict[str, str]:
-    return {
-        f"{name}/package.xml": f"<package format='3'><name>{name}</name><depend>rclpy</depend>"
-        "<export><build_type>ament_python</build_type></export></package>",
-        f"{name}/setup.py": f"from setuptools import setup\nsetup(name='{name}', packages=['{name}'], "
-        f"data_files=[('share/{name}', ['package.xml'])], entry_points={{'console_scripts': {entries}}})\n",
-        f"{name}/{name}/__init__.py": "",
-        f"{name}/{name}/camera.py": "import rclpy\n\n\ndef main():\n    rclpy.init()\n",
-        f"{name}/{name}/lens.py": "import rclpy\n\n\ndef main():\n    rclpy.init()\n",
-    }
-
-
-def _command(tree: Tree, page: str, **more: str) -> str:
-    files = _package("eye", "['eye_node = eye.camera:main', 'lens = eye.lens:main']")
-    files |= _package("arm", "['arm_node = arm.camera:main']")
-    return " ".join(
-        tree({**files, **more, "README.md": f"# Eye\nFor ROS Humble.\n## Usage\n```\n{page}\n```\n"}).command
-    )
+def project(page: str, backend: str = "hatchling") -> dict[str, str]:
+    code = {"acme/__init__.py": "", "acme/cli.py": "import numpy\n"}
+    return {"python/pyproject.toml": PROJECT.format(backend=backend), "README.md": page} | code
 
 
 @pytest.mark.parametrize(
     ("page", "command"),
     [
-        ("ros2 run eye eye_node", "ros2 run eye eye_node"),
-        ("ros2 run eye arm_node --ros-args -p a:=1", "ros2 run arm arm_node --ros-args -p a:=1"),
-        ("ros2 run eye camera", "ros2 run eye eye_node"),
-        ("ros2 run eye camera.py", "ros2 run eye eye_node"),
-        ("ros2 run eye eye_node.py", "ros2 run eye eye_node"),
-        ("ros2 run eye eye_nod", "ros2 run eye eye_node"),
-        ("ros2 run eye see_it\nros2 run eye lens", "ros2 run eye lens"),
+        ("```\npip install acme\nacme-track --help\n```\n", ("acme-track", "--help")),
+        ("```\nacme-track --help\n```\nThen:\n```\nacme-track --fast\n```\n", ("acme-track", "--fast")),
+        ("```bash\n$ acme-track <your data>\n```\n", ("acme-track",)),
+        ("The program acme-track does it.\n", ("bash",)),
+        ("```\nother-track --help\n```\n", ("bash",)),
+        ("## Windows\n```\nacme-track --fast\n```\n", ("bash",)),
+        ("```\nacme-track (the core)\n  ├─ acme-dump\n  └─ acme-web\n```\n", ("bash",)),
+        ("```\nacme-track\n|-- core\n`-- web\n```\n```\nacme-dump\n```\n", ("acme-dump",)),
     ],
 )
-def test_the_one_that_is_meant(tree: Tree, page: str, command: str) -> None:
-    assert _command(tree, page) == command
+def test_a_program_that_the_page_runs(tree: Tree, page: str, command: tuple[str, ...]) -> None:
+    assert tree(project(page)).command == command
 
 
-def test_what_setup_py_computes_may_be_any(tree: Tree) -> None:
-    more = {"eye/setup.py": _package("eye", "[f'{each} = eye.{each}:main' for each in listed()]")["eye/setup.py"]}
-    assert _command(tree, "ros2 run eye see_it\nros2 run arm arm_node", **more) == "ros2 run eye see_it"
+def test_a_compiled_program_by_its_name(tree: Tree) -> None:
+    made = "cmake_minimum_required(VERSION 3.10)\nproject(a)\nadd_executable(solve a.cpp)\nadd_executable(mesh b.cpp)\n"
+    files = {"CMakeLists.txt": made, "a.cpp": "#include <vector>\n", "README.md": "```\nsolve --iterations 9\n```\n"}
+    assert tree(files).command == ("solve", "--iterations", "9")
 
 
-def test_a_package_that_cmake_builds_may_have_any(tree: Tree) -> None:
-    more = {"eye/CMakeLists.txt": "project(eye)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"}
-    more["eye/package.xml"] = _package("eye", "[]")["eye/package.xml"].replace("ament_python", "ament_cmake")
-    assert _command(tree, "ros2 run eye see_it\nros2 run arm arm_node", **more) == "ros2 run eye see_it"
+SETUP = """\
+from setuptools import setup
+setup(name="acme", install_requires=["numpy"], {})
+"""
+FILES = {
+    "bin/run_training.py": "#!/usr/bin/env python3\nimport numpy\n",
+    "bin/run_node.py": "#!/usr/bin/env python3\nimport click\n@click.option('--weights', prompt='Path')\n",
+    "bin/preprocess_data.py": "#!/usr/bin/env python3\nimport numpy\n",
+    "scripts/time_network.py": "import numpy\n",
+}
+PAGE = """\
+# Acme
+## Data
+```
+preprocess_data.py
+```
+## Training
+```
+run_training.py
+```
+## Example: Mars
+```
+run_node.py --weights ~/Downloads/mars.pth
+```
+## Time the network
+```
+python scripts/time_network.py
+```
+"""
+
+
+@pytest.mark.parametrize(
+    ("manifest", "installed"),
+    [
+        (
+            {"setup.py": SETUP.format("scripts=['bin/run_training.py', 'bin/run_node.py', 'bin/preprocess_data.py']")},
+            True,
+        ),
+        (
+            {
+                "setup.py": "from setuptools import setup\nsetup()\n",
+                "setup.cfg": "[metadata]\nname=acme\n[options]\nscripts=\n  bin/run_training.py\n  bin/run_node.py\n",
+            },
+            True,
+        ),
+        (
+            {
+                "pyproject.toml": "[project]\nname = 'acme'\nversion = '1'\n[tool.setuptools]\n"
+                "script-files = ['bin/run_training.py', 'bin/run_node.py']\n"
+            },
+            True,
+        ),
+        ({"setup.py": SETUP.format("packages=['acme']")}, False),
+    ],
+)
+def test_a_file_that_is_installed_as_a_program(tree: Tree, manifest: dict[str, str], installed: bool) -> None:
+    command = tree({**manifest, **FILES, "README.md": PAGE}).command
+    assert command == (("run_training.py",) if installed else ("python", "scripts/time_network.py"))
+
+
+def test_files_that_no_page_runs_by_name_are_no_further_programs(tree: Tree) -> None:
+    setup = SETUP.format("scripts=['bin/one.py', 'bin/two.py']")
+    guard = "import numpy\nif __name__ == '__main__':\n    pass\n"
+    assert tree({"setup.py": setup, "bin/one.py": "", "bin/two.py": "", "main.py": guard}).command == (
+        "python3",
+        "main.py",
+    )
+
+
+@pytest.mark.parametrize(
+    ("backend", "installed"),
+    [("hatchling", " --editable ./python"), ("scikit-build-core", " ./python"), ("meson-python", " ./python")],
+)
+def test_what_compiles_when_imported_is_not_editable(tmp_path: Path, backend: str, installed: str) -> None:
+    for path, text in project("", backend).items():
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    assert f'pip install "$(pip-cache)"{installed}' in dockerfile(plan_repository(tmp_path).plan)
+
+
+@pytest.mark.parametrize(
+    ("given", "files", "found"),
+    [
+        ("--config cfg/a.yaml", {"python/cfg/a.yaml": "a: 1\n"}, ("--config", "python/cfg/a.yaml")),
+        ("--config=./cfg/a.yaml", {"python/cfg/a.yaml": "a: 1\n"}, ("--config=python/cfg/a.yaml",)),
+        ("--config cfg/a.yaml", {"python/cfg/a.yaml": "a: 1\n", "cfg/a.yaml": "a: 2\n"}, ("--config", "cfg/a.yaml")),
+        ("--config cfg/a.yaml", {"other/cfg/a.yaml": "a: 1\n"}, ("--config", "cfg/a.yaml")),
+    ],
+)
+def test_a_file_in_the_folder_of_the_project(
+    tree: Tree, given: str, files: dict[str, str], found: tuple[str, ...]
+) -> None:
+    decision = tree(project(f"```\ncd python\nuv run acme-track {given}\n```\n") | files)
+    assert decision.command == ("acme-track", *found)
+    assert any("neither the tree" in warning.message for warning in decision.warnings) == ("other/cfg/a.yaml" in files)
