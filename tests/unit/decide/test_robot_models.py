@@ -13,7 +13,7 @@ PACKAGE = {
     "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
     "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
 }
-MODEL = '<arg name="model" default="$(env TURTLEBOT3_MODEL)"/>\n'
+MODEL = '<arg name="model" default="$(env TURTLEBOT3_MODEL)"/>\n<node name="r" pkg="rviz" type="rviz"/>\n'
 GAZEBO = '<include file="$(find turtlebot3_gazebo)/launch/turtlebot3_world.launch"/>\n'
 NODE = '<node name="n" pkg="demo" type="n"/>\n'
 SPAWN = '<node name="a" pkg="gazebo_ros" type="spawn_model" args="-urdf -model turtlebot3_{}"/>\n'
@@ -56,3 +56,38 @@ def test_what_a_page_says_is_kept(tree: Tree) -> None:
 def test_what_the_authors_image_sets_is_kept(tree: Tree) -> None:
     more = {"docker/Dockerfile": "FROM ros:noetic\nENV TURTLEBOT3_MODEL=waffle\n"}
     assert _decided(tree, GAZEBO, **more) == ("waffle", False)
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "found"),
+    [
+        ("docs/start.md", 'Then `echo "export TURTLEBOT3_MODEL=waffle" >> ~/.bashrc`.\n', ("waffle", False)),
+        ("run.sh", "export TURTLEBOT3_MODEL=waffle_pi\n", ("waffle_pi", False)),
+        ("run.sh", 'export TURTLEBOT3_MODEL="${TURTLEBOT3_MODEL:-waffle}"\n', ("waffle", False)),
+        ("docker-compose.yml", "environment:\n  TURTLEBOT3_MODEL: waffle\n", ("waffle", False)),
+        ("launch/a.launch", '<launch><env name="TURTLEBOT3_MODEL" value="waffle"/></launch>\n', ("waffle", False)),
+        ("launch/a.launch.py", "os.environ.get('TURTLEBOT3_MODEL', 'waffle')\n", ("waffle", False)),
+        ("launch/a.launch.py", "os.environ['TURTLEBOT3_MODEL'] = 'waffle'\n", ("waffle", False)),
+        ("launch/a.launch.py", "A(\n'TURTLEBOT3_MODEL',\n    value='waffle')\n", ("waffle", False)),
+        ("launch/a.launch.py", "if os.environ['TURTLEBOT3_MODEL'] == 'waffle':\n    pass\n", ("burger", True)),
+        ("run.sh", "# export TURTLEBOT3_MODEL=waffle\n", ("burger", True)),
+        ("run.sh", "export TURTLEBOT3_MODEL=waffle_house\n", ("burger", True)),
+    ],
+)
+def test_what_the_tree_sets_anywhere(tree: Tree, path: str, text: str, found: tuple[str, bool]) -> None:
+    assert _decided(tree, GAZEBO, "```\nroslaunch demo demo.launch\n```\n", **{path: text}) == found
+
+
+def test_what_a_page_sets_comes_before_what_launch_files_set_and_name(tree: Tree) -> None:
+    page = "```\nroslaunch demo demo.launch\n```\n"
+    more = {
+        "docs/robot.md": "TURTLEBOT3_MODEL=waffle\n",
+        "launch/a.launch": '<launch><env name="TURTLEBOT3_MODEL" value="burger"/></launch>\n',
+    }
+    assert _decided(tree, GAZEBO + SPAWN.format("waffle_pi"), page, **more) == ("waffle", False)
+
+
+def test_the_warning_names_the_launch_file(tree: Tree) -> None:
+    decision = tree({**PACKAGE, "launch/demo.launch": f"<launch>\n{MODEL}</launch>", "README.md": "ROS Noetic\n"})
+    told = next(each for each in decision.warnings if "TURTLEBOT3_MODEL" in each.message)
+    assert (told.file, told.line) == ("launch/demo.launch", 2)

@@ -1,4 +1,4 @@
-"""The model of a robot that the default command needs to be told by a variable, and that no page tells."""
+"""The model of a robot that the default command needs to be told by a variable, where its section does not set it."""
 
 from __future__ import annotations
 
@@ -10,11 +10,13 @@ from roslab.decide.decision import Warning_
 from roslab.decide.launch_calls import started_launch
 from roslab.decide.reasons import warn
 from roslab.evidence.facts import Evidence, Mention
+from roslab.evidence.launch_file import LaunchFile
 from roslab.knowledge.robot_models import RobotModels, robot_models
+from roslab.values.origin import Place
 
 
 class UntoldModel(NamedTuple):
-    """A variable that no page sets."""
+    """A variable that no page sets for the command."""
 
     set: tuple[str, str, str, Mention | None]
     """Its name and value, why, and where that is said."""
@@ -25,17 +27,18 @@ class UntoldModel(NamedTuple):
 def untold_models(evidence: Evidence, argv: tuple[str, ...] | str, there: Collection[str]) -> tuple[UntoldModel, ...]:
     """Return such variables of the default command that are not ``there``: roslaunch stops at once without them.
 
-    The value is the model that the launch files of the tree name, else the one that the robot's manual begins with.
+    The value is the one that the tree sets anywhere, else the model that its launch files name, else the one that the
+    robot's manual begins with.
     """
-    needed = [robot for robot in _needed(evidence, argv) if robot.variable not in there]
-    return tuple(_model(robot, evidence) for robot in needed)
+    launch = started_launch(evidence, argv) if argv else None
+    needed = [robot for robot in _needed(launch, argv) if robot.variable not in there]
+    return tuple(_model(robot, evidence, launch) for robot in needed)
 
 
-def _needed(evidence: Evidence, argv: tuple[str, ...] | str) -> Iterator[RobotModels]:
+def _needed(launch: LaunchFile | None, argv: tuple[str, ...] | str) -> Iterator[RobotModels]:
     words = launched_by(argv) if isinstance(argv, tuple) and argv else ()
     if not words:
         return
-    launch = started_launch(evidence, argv)
     used = {words[0]}
     if launch:
         used |= {asked.name for asked in (*launch.dependencies, *launch.reached) if asked.namespace == "ros"}
@@ -43,12 +46,15 @@ def _needed(evidence: Evidence, argv: tuple[str, ...] | str) -> Iterator[RobotMo
     yield from (robot for robot in robot_models() if robot.variable in read or used & robot.packages)
 
 
-def _model(robot: RobotModels, evidence: Evidence) -> UntoldModel:
+def _model(robot: RobotModels, evidence: Evidence, launch: LaunchFile | None) -> UntoldModel:
     for said in evidence.mentions:
         name, _, value = said.value.partition("=")
         if said.topic == "robot_model" and name == robot.variable:
-            return UntoldModel(set=(name, value, "the launch files name that model", said))
+            why = "it is set there" if name in said.text else "the launch files name that model"
+            return UntoldModel(set=(name, value, why, said))
     first = robot.models[0]
     why = f"nothing says which of {', '.join(robot.models)} the default command is for, and it stops without"
     told = f"{why} {robot.variable}: {first} is taken; set another under `env` in roslab.yaml"
-    return UntoldModel(set=(robot.variable, first, f"{why} one", None), warning=warn(told))
+    lines = [line for name, line in launch.variables if name == robot.variable] if launch else []
+    place = Place(file=launch.file, line=lines[0] if lines else launch.line) if launch else None
+    return UntoldModel(set=(robot.variable, first, f"{why} one", None), warning=warn(told, place))

@@ -30,7 +30,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     if not repository.named("package.xml"):
         return ()
     found: dict[str, Dependency] = {}
-    for file in nearest(_files(repository))[:MAX_FILES]:
+    for file in nearest(setting_files(repository))[:MAX_FILES]:
         text = repository.read(file)
         for match in _CHOSEN.finditer(text) if _WORD in text else ():
             name, line = match[1], text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
@@ -46,7 +46,8 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     return tuple(found.values())
 
 
-def _files(repository: Repository) -> Iterator[File]:
+def setting_files(repository: Repository) -> Iterator[File]:
+    """Yield the files that may set a variable of the environment for what is started."""
     always = repository.suffixed(*SHELL_SCRIPTS, ".launch", ".env", ".md", ".rst")
     others = repository.suffixed(".py", ".xml", ".yaml", ".yml")
     for file in (*always, *(each for each in others if "launch" in each.path or "compose" in each.name)):
