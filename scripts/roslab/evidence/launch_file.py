@@ -56,7 +56,7 @@ class LaunchFile:
     executes: tuple[tuple[str, str, int], ...] = ()
     """Programs that it starts by their names beside its nodes, each with the folder of its author's and its line."""
     idle: bool = False
-    """It names no node and no other launch file: it sets parameters alone."""
+    """It sets parameters, and names no node and no other launch file."""
     unmade: tuple[tuple[str, str, str], ...] = ()
     """Of these the package, the program and the one most like it, where it is a package of the tree without that."""
     arguments: tuple[str, ...] = ()

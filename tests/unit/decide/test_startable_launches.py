@@ -89,7 +89,10 @@ def test_what_sets_parameters_alone_starts_nothing(tree: Tree) -> None:
     assert command(tree, SETS, {"CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n"}) == ("bash",)
 
 
-@pytest.mark.parametrize("beside", [OWN, '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'])
+@pytest.mark.parametrize(
+    "beside",
+    [OWN, '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>', '<gz_server world_sdf_file="empty.sdf"/>'],
+)
 def test_what_starts_a_node_or_another_launch_file_beside_them_does(tree: Tree, beside: str) -> None:
     assert command(tree, f"{SETS}{beside}") == LAUNCH
 
@@ -102,3 +105,7 @@ def test_a_page_that_runs_such_a_launch_file_first_means_what_it_runs_then(tree:
 
 def test_a_page_that_names_one_alone_means_the_program(tree: Tree) -> None:
     assert command(tree, SETS, {"README.md": "# Run\nAll is set in launch/dataset.launch.\n"}) == NODE
+
+
+def test_a_launch_file_without_parameters_is_not_told_by_them(tree: Tree) -> None:
+    assert command(tree, '<arg name="a" default="1"/>') == LAUNCH

@@ -79,9 +79,13 @@ _REMARK = pattern(r"\n[ \t]*#[^\n]*")
 """That of a hash begins with the end of the line before, which is found many times faster than its own beginning."""
 _NAME = pattern(r"<name>\s*([\w-]+)\s*</name>")
 _STARTED = pattern(r"<(node|test)\s([^>]{0,2000})>")
-_STARTS = pattern(r"<(?:node|test|include|executable|composable_node)")
-"""What begins an element of XML that starts something."""
+_STARTS = pattern(r"<(?:node|test|include|executable|composable_node|(?:ros_)?gz_)")
+"""What begins an element of XML that starts something: ``gz_server`` and ``ros_gz_bridge`` start Gazebo and its bridge.
+
+https://gazebosim.org/docs/all/ros2_launch_gazebo, read 2026-11-29
+"""
 _SETS = pattern(r"<(?:ros)?param\b")
+"""One that sets a parameter."""
 _QUOTED = pattern(r"([\w-]+)\s*=\s*[\"']([^\"']*)[\"']")
 _NO_PACKAGE = frozenset({"find", "pkg", "package", "name", "python", "python3", "self"})
 
@@ -111,7 +115,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 includes=included(text, file.name, package),
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
                 executes=tuple(executed(text, started)) if python else (),
-                idle=bool(xml and _SETS.search(text)) and not _STARTS.search(text),
+                idle=bool(xml) and bool(_SETS.search(text)) and not _STARTS.search(text),
                 interpreters=named_interpreters(text),
                 arguments=declared_arguments(text),
                 demands=demanded_arguments.in_xml(text)
