@@ -34,6 +34,8 @@ def shows_model(launch: LaunchFile, evidence: Evidence) -> bool:
 
 
 def _shows(whole: Collection[LaunchFile]) -> bool:
+    if any(each.executes for each in whole):
+        return False  # Gazebo, as often as not
     own = {each.package for each in whole}
     started = {package for each in whole for package, _ in each.nodes}
     named = {asked.name for each in whole for asked in each.dependencies if asked.namespace == "ros"}

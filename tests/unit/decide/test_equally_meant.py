@@ -128,3 +128,22 @@ def test_a_simulation_comes_before_what_shows_the_model_alone(tree: Tree, shown:
 def test_of_two_that_show_models_the_first(tree: Tree) -> None:
     files = CONTROL | described("arm_description", "view", VIEW) | described("leg_demo", "show", VIEW)
     assert tree(files).command == ("roslaunch", "arm_description", "view.launch")
+
+
+@pytest.mark.parametrize(("executes", "shows"), [("", True), ("ExecuteProcess(cmd=['gzserver', 'a.world']), ", False)])
+def test_a_launch_file_that_starts_gazebo_beside_the_model_shows_more(tree: Tree, executes: str, shows: bool) -> None:
+    state, rviz = (f"Node(package='{name}', executable='a'), " for name in ("robot_state_publisher", "rviz2"))
+    started = {"arm_control": state, "arm_description": executes + state + rviz, "arm_gazebo": state}
+    manifest = "<package><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    files: dict[str, str] = {}
+    for name, nodes in started.items():
+        made = f"find_package(ament_cmake REQUIRED)\ninstall(DIRECTORY launch DESTINATION share/{name})\n"
+        files |= {
+            f"{name}/package.xml": manifest.format(name),
+            f"{name}/CMakeLists.txt": f"project({name})\n{made}",
+            f"{name}/launch/up.launch.py": f"LaunchDescription([{nodes}])\n",
+            f"{name}/README.md": f"# Start\n```\nros2 launch {name} up.launch.py\n```\n",
+        }
+    del files["arm_control/README.md"]
+    meant = "arm_gazebo" if shows else "arm_description"
+    assert tree({**files, "README.md": "For ROS 2 Humble.\n"}).command == ("ros2", "launch", meant, "up.launch.py")
