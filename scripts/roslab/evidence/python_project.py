@@ -26,6 +26,8 @@ class PythonProject:
     version: str | None = None
     script_files: tuple[str, ...] = ()
     """Files of the tree that are installed as programs, each under its own name."""
+    more_programs: bool = False
+    """Its setup.py may install others than these: it computes some, or has files for ``lib``."""
     extensions: tuple[str, ...] = ()
     """What it compiles: ``c``, ``cuda``, ``cython``, ``cmake``; ``not editable``, ``by install``: by its own command of
     that name alone, and ``gpu``: it stops without one."""

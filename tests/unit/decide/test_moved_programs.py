@@ -47,9 +47,20 @@ def test_the_one_that_is_meant(tree: Tree, page: str, command: str) -> None:
     assert _command(tree, page) == command
 
 
-def test_what_setup_py_computes_may_be_any(tree: Tree) -> None:
-    more = {"eye/setup.py": _package("eye", "[f'{each} = eye.{each}:main' for each in listed()]")["eye/setup.py"]}
-    assert _command(tree, "ros2 run eye see_it\nros2 run arm arm_node", **more) == "ros2 run eye see_it"
+@pytest.mark.parametrize(
+    ("entries", "more"),
+    [
+        ("[f'{each} = eye.{each}:main' for each in listed()]", ""),
+        ("['eye_node = eye.camera:main'] + others()", ""),
+        ("['eye_node = eye.camera:main', *others()]", ""),
+        ("['eye_node = eye.camera:main']", "('lib/eye', glob('scripts/*')), "),
+        ("['eye_node = eye.camera:main']", "(os.path.join('lib', 'eye'), ['scripts/see_it']), "),
+    ],
+)
+def test_what_setup_py_computes_or_puts_into_lib_may_be_any(tree: Tree, entries: str, more: str) -> None:
+    setup = _package("eye", entries)["eye/setup.py"].replace("data_files=[", f"data_files=[{more}")
+    page = "ros2 run eye see_it\nros2 run arm arm_node"
+    assert _command(tree, page, **{"eye/setup.py": setup}) == "ros2 run eye see_it"
 
 
 def test_a_package_that_cmake_builds_may_have_any(tree: Tree) -> None:

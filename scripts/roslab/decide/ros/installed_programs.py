@@ -45,13 +45,13 @@ def _meant(package: str, program: str, programs: _Programs) -> tuple[str, str] |
 
 
 def _programs(evidence: Evidence) -> _Programs:
-    """Return those of the packages that Python builds alone, and whose setup.py or setup.cfg says some."""
+    """Return those of the packages that Python builds alone, and whose setup.py or setup.cfg says which they are."""
     folders = {m.file.rpartition("/")[0]: m.name for m in packages_of(evidence).built if "ament_python" in types(m, 2)}
     by_cmake = {project.file.rpartition("/")[0] for project in evidence.cmake}
     found: dict[str, dict[str, str]] = {}
     for project in evidence.python:
         package = folders.get(project.folder)
-        if package and project.folder not in by_cmake and project.scripts:
+        if package and project.folder not in by_cmake and project.scripts and not project.more_programs:
             names = [name for name, _ in project.scripts]
             modules = [each.rpartition(".")[2] for each in project.modules]
             modules = modules if len(modules) == len(names) else [""] * len(names)

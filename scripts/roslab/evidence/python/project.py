@@ -70,6 +70,7 @@ def _project(repository: Repository, folder: str, files: dict[str, str]) -> Pyth
             {(r.text, r.role, r.group): r for part in _asked(first, rest) for r in part.requirements}.values()
         ),
         scripts=tuple(script for part in parts for script in part.scripts),
+        more_programs=any(part.more_programs for part in parts),
         modules=tuple(name for part in parts for name in part.modules),
         script_files=tuple(name for part in parts for name in part.script_files),
         extensions=tuple(dict.fromkeys(extension for part in parts for extension in part.extensions)),
@@ -161,6 +162,7 @@ def _setup_py(repository: Repository, path: str, folder: str, text: str) -> Pyth
         scripts=tuple((name, line_of(name)) for name in startable(repository, folder, script.scripts)),
         modules=tuple(modules_of(script.scripts)),
         script_files=_in(folder, script.script_files),
+        more_programs=script.more_programs,
         extensions=(*extensions(text), *by_install(text, script.commands)),
         classifiers=script.classifiers,
         setup_imports=tuple(dict.fromkeys(_imported(repository, folder, script.imports))),

@@ -45,6 +45,8 @@ class SetupScript:
     """Programs as they are written: ``run = planner.node:main``."""
     script_files: tuple[str, ...] = ()
     """Files that are installed as programs of the same names, as ``scripts`` lists them."""
+    more_programs: bool = False
+    """It may install others: it computes some, or has files for ``lib``, where ROS 2 keeps its programs."""
     packages: tuple[str, ...] = ()
     """The folders that it installs, where it names each of them and calls nothing that finds others."""
     classifiers: tuple[str, ...] = ()
@@ -98,6 +100,7 @@ def read(text: str) -> SetupScript:
     entries = _dictionary(keywords.get("entry_points"), names)
     script.scripts = tuple(line for kind in ENTRIES if kind in entries for line in reader.strings(entries[kind]))
     script.script_files = tuple(given("scripts"))
+    script.more_programs = any(_finds(entries[kind], names) for kind in ENTRIES if kind in entries) or _fills_lib(tree)
     script.commands = tuple(_dictionary(keywords.get("cmdclass"), names))
     return script
 
@@ -113,6 +116,11 @@ def _finds(node: ast.expr | None, names: dict[str, ast.expr], depth: int = 0) ->
         or (isinstance(part, ast.Name) and (part.id not in names or _finds(names[part.id], names, depth + 1)))
         for part in ast.walk(node)
     )
+
+
+def _fills_lib(tree: ast.Module) -> bool:
+    said = (node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str))
+    return any(text == "lib" or text.startswith("lib/") for text in said)
 
 
 def _imports(tree: ast.Module) -> tuple[str, ...]:
