@@ -36,3 +36,9 @@ def test_what_is_no_node_says_nothing(tree: Tree) -> None:
     page = {"README.md": "    source /opt/ros/melodic/setup.bash\n"}
     tool = {"tools/a.py": "#!/usr/bin/env python2\nimport numpy\n"}
     assert tree({**PACKAGE, **page, **tool}).python.version != "2.7"
+
+
+def test_beside_a_node_of_python_3_it_says_nothing(tree: Tree) -> None:
+    page = {"README.md": "    source /opt/ros/melodic/setup.bash\n"}
+    nodes = {f"scripts/{n}.py": f"#!/usr/bin/env python{n}\nimport rospy\nimport numpy\n" for n in (2, 3)}
+    assert tree({**PACKAGE, **page, **nodes}).python.version != "2.7"

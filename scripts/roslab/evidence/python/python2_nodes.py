@@ -11,12 +11,19 @@ from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
 _PYTHON2 = pattern(r"\A#![ \t]*/usr/(?:bin/env[ \t]+|(?:local/)?bin/)(python2(?:\.7)?)[ \t]*\r?\n")
+_PYTHON3 = pattern(r"\A#![^\n]{0,200}\bpython3")
 
 
 def read(repository: Repository) -> Iterator[Mention]:
-    """Yield the first of them."""
+    """Yield the first of them; none where another node starts Python 3, which what pip brings may be for."""
+    first: Mention | None = None
     for module in modules(repository):
-        if module.names_ros and not places.aside(module.file.path) and (match := _PYTHON2.match(module.text)):
-            file = module.file.path
-            yield Mention(topic="python2_node", value=match[1], source="code", file=file, line=1, text=match[1])
+        file, text = module.file.path, module.text
+        if not module.names_ros or places.aside(file):
+            continue
+        if _PYTHON3.match(text):
             return
+        if first is None and (match := _PYTHON2.match(text)):
+            first = Mention(topic="python2_node", value=match[1], source="code", file=file, line=1, text=match[1])
+    if first:
+        yield first
