@@ -223,6 +223,7 @@ def test_a_script_that_starts_a_program_where_it_is_given_nothing(tree: Tree, sc
         'if ! [ $# -eq 0 ]; then\n  python3 other.py\nfi\nexec "$@"\n',
         'if [ $# -eq 0 ]; then\n  python3 -m pip install -e .\nfi\nexec "$@"\n',
         'if [ $# -eq 0 ]; then\n  python3 --version\nfi\nexec "$@"\n',
+        '[ $# -eq 0 ] && { printf "try python3 other.py\\n"; exit 1; }\nexec "$@"\n',
     ],
 )
 def test_a_script_that_starts_no_program_alone(tree: Tree, script: str) -> None:
