@@ -16,6 +16,20 @@ from roslab.repository.checkout import Repository
 _INIT, _ADD = ("init", "--quiet"), ("add", "--all")
 _COMMIT = ("-c", "user.name=a", "-c", "user.email=a@example.org", "commit", "--quiet", "--message", "all")
 
+_NAMED = "<package{}><name>demo</name><buildtool_depend>{}</buildtool_depend>{}</package>"
+HUMBLE = {
+    "package.xml": _NAMED.format(' format="3"', "ament_cmake", "<export><build_type>ament_cmake</build_type></export>"),
+    "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
+    "README.md": "For ROS Humble.\n",
+}
+"""A package of ROS 2 without a program."""
+NOETIC = {
+    "package.xml": _NAMED.format("", "catkin", ""),
+    "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+    "README.md": "For ROS Noetic.\n",
+}
+"""A package of ROS 1 without a program."""
+
 
 def tree_of(folder: Path, files: dict[str, str]) -> Repository:
     """Write files, by their paths below a folder, and open the folder."""

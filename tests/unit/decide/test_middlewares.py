@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from roslab.decide.decision import Decision
+from trees import HUMBLE, NOETIC
 
 Tree = Callable[[dict[str, str]], Decision]
 _CYCLONE = ["ros-humble-rmw-cyclonedds-cpp"]
@@ -37,21 +38,12 @@ _CYCLONE = ["ros-humble-rmw-cyclonedds-cpp"]
     ],
 )
 def test_the_package_of_a_middleware(tree: Tree, path: str, text: str, found: list[str]) -> None:
-    files = {
-        "package.xml": '<package format="3"><name>demo</name><buildtool_depend>ament_cmake</buildtool_depend>'
-        "<export><build_type>ament_cmake</build_type></export></package>",
-        "CMakeLists.txt": "project(demo)\nfind_package(ament_cmake REQUIRED)\n",
-        "README.md": "For ROS Humble.\n",
-        path: text,
-    }
-    assert [name for name in tree(files).apt_guessed if "rmw" in name] == found
+    assert [name for name in tree(HUMBLE | {path: text}).apt_guessed if "rmw" in name] == found
 
 
 def test_ros_1_has_none(tree: Tree) -> None:
-    files = {
-        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
-        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
-        "README.md": "For ROS Noetic.\n",
-        "run.sh": "export RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n",
-    }
-    assert not [name for name in tree(files).apt_guessed if "rmw" in name]
+    assert not [
+        name
+        for name in tree(NOETIC | {"run.sh": "export RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n"}).apt_guessed
+        if "rmw" in name
+    ]
