@@ -110,3 +110,32 @@ def test_the_file_elsewhere_is_told_only_where_it_is_read(tmp_path: Path, file: 
 def test_of_ros_2_nothing_is_found_where_the_source_lies(tmp_path: Path) -> None:
     told, written = lost(tmp_path / "whole", {"demo/src/demo.cpp": WRITES.format("/results/a.bin")}, "ament_cmake")
     assert (told, "ws/src/whole/demo/results" in written) == ([], False)
+
+
+@pytest.mark.parametrize(
+    ("file", "refusing", "made"),
+    [
+        (
+            "demo/src/demo.cpp",
+            'if (fs::is_directory(d)) { ROS_ERROR("is there"); return 0; }\nfs::create_directory(d);\n',
+            False,
+        ),
+        (
+            "demo/src/demo.cpp",
+            'if (!fs::is_directory(d)) { ROS_ERROR("no"); return 0; }\nfs::create_directory(e);\n',
+            True,
+        ),
+        ("demo/src/demo.cpp", "if (fs::exists(d)) { fs::remove_all(d); }\nfs::create_directory(d);\n", True),
+        ("demo/src/demo.cpp", "if (fs::exists(d)) { return 0; }\n", True),
+        ("demo/scripts/a.py", "if os.path.isdir(d):\n    print('is there')\n    sys.exit(1)\nos.makedirs(d)\n", False),
+        ("demo/scripts/a.py", "if not os.path.isdir(d):\n    sys.exit(1)\nos.makedirs(e)\n", True),
+    ],
+)
+def test_a_folder_that_the_code_makes_and_must_not_find_is_not_made(
+    tmp_path: Path, file: str, refusing: str, *, made: bool
+) -> None:
+    given = "d = rospkg.RosPack().get_path('demo') + '/results/'\n"
+    if file.endswith(".cpp"):
+        given = 'fs::path d(ros::package::getPath("demo") + "/results/");\n'
+    told, written = lost(tmp_path / "whole", {file: given + refusing})
+    assert (told, "ws/src/whole/demo/results" in written) == (["demo/results/"] if made else [], made)

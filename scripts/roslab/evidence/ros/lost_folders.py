@@ -39,6 +39,13 @@ _WRITES = pattern(
     re.IGNORECASE,
 )
 """What a line has that writes a file."""
+_REFUSES = pattern(
+    r"\bif\s*\(\s*(?:\w+::)*(?:is_directory|exists)\s*\([^{}!]{1,120}\)\s*\{[^{}]{0,400}\b(?:return|exit|throw)\b|"
+    r"^([ \t]*)if os\.path\.(?:exists|isdir)\([^\n]{1,120}\):\n"
+    r"(?:\1[ \t]+[^\n]*\n){0,4}?\1[ \t]+(?:return|raise|(?:sys\.)?exit)\b",
+    re.MULTILINE,
+)
+_MAKES = pattern(r"\b(?:create_director(?:y|ies)|mkdirs?|makedirs)\s*\(")
 
 
 def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterator[Mention]:
@@ -62,6 +69,8 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             lost = match[1] in owners and folder not in repository.folders and not repository.has(folder)
             if not lost or folder in found or match[3].endswith(_GIVEN) or _commented(text, match.start(), file.path):
                 continue
+            if not match[3] and _makes_it_anew(text):
+                continue
             found.add(folder)
             line = text.count("\n", 0, match.start()) + 1
             said = match[0][:120]
@@ -78,6 +87,11 @@ def read(repository: Repository, manifests: Iterable[PackageManifest]) -> Iterat
             )
             if len(found) == MOST:
                 return
+
+
+def _makes_it_anew(text: str) -> bool:
+    """Tell whether code makes a folder itself and stops where one is there: an earlier run's results are in it."""
+    return bool(_MAKES.search(text)) and bool(_REFUSES.search(text))
 
 
 def _called(name: str, repository: Repository) -> tuple[str, ...]:
