@@ -64,7 +64,9 @@ _EVALUATES = pattern(
     r"--?(?:eval(?:uate|uation)?|test)(?:[_-](?:only|net|mode))?|--?only[_-](?:eval|test)", re.IGNORECASE
 )
 """An option with which a program looks at what it made before."""
-_SHOWS = pattern(r"(?:^|[_.-])(?:visuali[sz]\w*|vis|viz)(?:[_.-]|$)|^(?:view|show)[_-]\w", re.IGNORECASE)
+_SHOWS = pattern(
+    r"(?:^|[_.-])(?:visuali[sz]\w*|vis|viz)(?:[_.-]|$)|^(?:view|show)[_-]\w|(?<=\w[_.-])viewers?$", re.IGNORECASE
+)
 """The name of a file of Python that shows what another one made; a launch file of that name may be a demonstration."""
 _TEST = pattern(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
 """The name of a test; a README of Python calls prediction so, also a script that starts it, and its tests are in

@@ -5,10 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from roslab.decide.candidate import LAUNCHERS, Candidate, program_of
+from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
+from roslab.decide.first_command import serves
 from roslab.decide.purposes import alike, words_of
+from roslab.decide.reasons import page_of
 from roslab.decide.sections import about_running
 from roslab.evidence.facts import Evidence
+from roslab.values.dataclass import replace
 from roslab.values.name import bare_name
 from roslab.values.pattern import pattern
 
@@ -31,6 +34,8 @@ def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: 
     ``first`` where it is no helper, or nothing that is as much meant to be run shares more of them.
     """
     candidates = tuple(candidates)
+    if is_python(first) and serves(first):
+        return _behind_node(first, candidates)
     first = _behind_optional(first, candidates, evidence)
     if first.argv[0] not in LAUNCHERS or not any(map(_HELPS.search, _names(first))):
         return first
@@ -42,6 +47,18 @@ def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: 
         if same and meant and not any(map(_HELPS.search, _names(each))) and (shared := _shared(each, words)) > most:
             best, most = each, shared
     return best
+
+
+def _behind_node(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
+    """Return the only node or launch file of the packages, where pages run but a file of Python that serves it.
+
+    It draws what the node wrote, or makes what that reads: pages of ROS may show the node in a launch file alone.
+    """
+    started = {program_of(c.argv): c for c in candidates if c.argv[0] in LAUNCHERS}
+    if len(started) != 1:
+        return first
+    (node,) = started.values()
+    return replace(node, why=f"{node.why}, and {page_of(first.file)} runs only what serves it")
 
 
 def _behind_optional(first: Candidate, candidates: Iterable[Candidate], evidence: Evidence) -> Candidate:
