@@ -73,6 +73,12 @@ IGNORED = "ERROR: Ignored the following versions that require a different python
         (log("make", "a.cpp:3:1: error: 'CV_SVD_U_T' was not declared in this scope"), "api-known"),
         (log("make", "a.cpp:3:1: error: 'cvSolve' was not declared in this scope"), "api-known"),
         (log("make", "a.cpp:3:10: fatal error: cv.hpp: No such file or directory"), "api-known"),
+        (log("make", "a.cpp:3:1: error: 'class gazebo::physics::World' has no member named 'Physics'"), "api-known"),
+        (
+            log("make", "a.cpp:3:1: error: 'class gazebo::physics::Link' has no member named 'GetWorldPose'"),
+            "api-known",
+        ),
+        (log("make", "a.cpp:3:1: error: 'gazebo::math' has not been declared"), "api-known"),
         # What is compiled of a package is no part that another release moved
         (log("python a.py", "ModuleNotFoundError: No module named 'grasp_ops._ext'"), "python-extension-not-built"),
         # The archives of ROS have Debian's releases in the same folder

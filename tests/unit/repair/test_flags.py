@@ -99,6 +99,18 @@ def test_an_error_that_a_flag_answers_gets_the_flag(tmp_path: Path, said: str, w
     assert [change.told for change in found.certain.changes] == ([wanted] if wanted else [])
 
 
+def test_code_for_a_newer_gazebo_is_built_for_the_next_ros(tmp_path: Path) -> None:
+    files = {
+        "package.xml": "<package><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>",
+        "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\n",
+        "README.md": "Tested with ROS Kinetic.\n",
+    }
+    said = "src/a.cpp:3:1: error: 'class gazebo::physics::World' has no member named 'Physics'"
+    found = repaired(tmp_path, log("catkin_make", said), files)
+    assert [(change.key, change.value) for change in found.certain.changes] == [("base.ros", "melodic")]
+    assert read(added("format: 3\n", found.entries)).base.ros == "melodic"
+
+
 @pytest.mark.parametrize(
     ("code", "flag"), [("#include <boost/function.hpp>\n", True), ("#include <functional>\n", False)]
 )
