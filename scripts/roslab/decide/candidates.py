@@ -69,7 +69,8 @@ def candidates_of(evidence: Evidence, kind: Kind) -> Iterator[Candidate]:
         launched = tuple(_launched(evidence, kind, calls))
         nodes = tuple(_nodes(evidence, kind))
         vain = unstartable(evidence, programs=bool(nodes)) if launched else frozenset()
-        vain |= unmade if any(each.file not in vain | unmade for each in launched) else frozenset()
+        behind = unmade | {each.file for each in launched if places.left_behind(each.file)}
+        vain |= behind if any(each.file not in vain | behind for each in launched) else frozenset()
         yield from (replace(each, cut=True) if each.file in vain else with_demands(each, files) for each in launched)
         yield from nodes if all(each.file in vain for each in launched) else ()
         yield from () if launched or nodes else in_shown_folder(evidence, kind)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, program_of
+from roslab.decide.candidate import LAUNCHERS, Candidate, is_python, launched_by, program_of
 from roslab.decide.first_command import serves
 from roslab.decide.purposes import alike, words_of
 from roslab.decide.reasons import page_of
@@ -24,6 +24,8 @@ _HELPS = pattern(
 
 https://index.ros.org/p/robot_state_publisher/ and its like, 2026-11-27
 """
+_SHOWS = pattern(r"(?:^|_)(?:demos?|examples?|samples?)(?:_|$)", re.IGNORECASE)
+"""The name of a package that shows something: beside others, what these can be used for."""
 _SUFFIX = pattern(r"[_-](?:ros2?|node|pkg|py|cpp)$")
 _TITLE = " / "
 
@@ -37,6 +39,7 @@ def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: 
     if is_python(first) and serves(first):
         return _behind_node(first, candidates)
     first = _behind_optional(first, candidates, evidence)
+    first = _behind_whole(first, candidates)
     if first.argv[0] not in LAUNCHERS or not any(map(_HELPS.search, _names(first))):
         return first
     words = {word for name in (*first.names, first.heading.partition(_TITLE)[0]) for word in words_of(name)}
@@ -59,6 +62,23 @@ def _behind_node(first: Candidate, candidates: Iterable[Candidate]) -> Candidate
         return first
     (node,) = started.values()
     return replace(node, why=f"{node.why}, and {page_of(first.file)} runs only what serves it")
+
+
+def _behind_whole(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
+    """Return what the page launches before a demonstration of something else and shares a word with the repository.
+
+    ``ar_demo`` of VINS shows what the repository's own estimator is good for, and its section may be called "Demo".
+    """
+    package = program_of(first.argv)[-2] if first.argv[0] in LAUNCHERS else ""
+    words = {word for name in first.names[:1] for word in words_of(name)}
+    if not _SHOWS.search(package) or _shared(first, words):
+        return first
+    for each in candidates:
+        before = each.strong and each.file == first.file and each.line < first.line and launched_by(each.argv)
+        whole = before and not (each.cut or each.lacking or each.unmade or each.behind)
+        if whole and about_running(each.heading) >= 0 and _shared(each, words):
+            return each
+    return first
 
 
 def _behind_optional(first: Candidate, candidates: Iterable[Candidate], evidence: Evidence) -> Candidate:

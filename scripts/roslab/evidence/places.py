@@ -40,12 +40,23 @@ _CI_FOLDERS = pattern(
     r"^(?:\.github/workflows|\.github/actions/[^/]+|\.circleci|\.gitlab(?:-ci)?|\.azure-pipelines|"
     r"\.jenkins|\.ci|\.semaphore|\.buildkite|\.woodpecker|\.builds)/[^/]+\.ya?ml$"
 )
+_LEFT_BEHIND = pattern(
+    r"(?:^|/)(?:old(?:er)?|(?:old|legacy)[_-][\w-]{1,40}|[\w-]{1,40}[_-](?:old|legacy)|legacy|deprecated?(?:[_-][\w-]{1,40})?|"
+    r"archived?|attic|obsolete|unused|back-?ups?|bak)/",
+    re.IGNORECASE,
+)
+"""A folder of what its author no longer uses."""
 _SCRIPTS = pattern(r"(?:scripts?|notebooks?|tools?|experiments?|benchmarks?)/", re.IGNORECASE)
 
 
 def vendored(path: str) -> bool:
     """Tell whether a path belongs to vendored code, copied from another project."""
     return not _VENDORED.isdisjoint(_folders(path.rpartition("/")[0]))
+
+
+def left_behind(path: str) -> bool:
+    """Tell whether a path lies in a folder of what its author no longer uses: ``launch/old-launch/a.launch``."""
+    return bool(_LEFT_BEHIND.search(path))
 
 
 def documentation(path: str) -> bool:

@@ -109,3 +109,25 @@ def test_a_page_that_names_one_alone_means_the_program(tree: Tree) -> None:
 
 def test_a_launch_file_without_parameters_is_not_told_by_them(tree: Tree) -> None:
     assert command(tree, '<arg name="a" default="1"/>') == LAUNCH
+
+
+@pytest.mark.parametrize(
+    ("folder", "command"),
+    [
+        ("old-launch", LAUNCH),
+        ("deprecated", LAUNCH),
+        ("launch_old", LAUNCH),
+        ("older_adults", ("bash",)),
+        ("gold", ("bash",)),
+    ],
+)
+def test_a_launch_file_of_a_folder_of_old_ones_competes_with_none(
+    tree: Tree, folder: str, command: tuple[str, ...]
+) -> None:
+    node = f"<launch>{OWN}</launch>"
+    files = {"launch/dataset.launch": node, f"launch/{folder}/other.launch": node}
+    assert tree(PACKAGE | files).command == command
+
+
+def test_where_all_are_old_one_of_them_is_meant(tree: Tree) -> None:
+    assert tree(PACKAGE | {"launch/old-launch/dataset.launch": f"<launch>{OWN}</launch>"}).command == LAUNCH
