@@ -11,16 +11,21 @@ from roslab.decide.system.by_everybody import PAGES
 from roslab.evidence.facts import Evidence
 from roslab.evidence.prose.copies import below
 from roslab.knowledge.released import ever_released
+from roslab.values.pattern import pattern
+
+_WIKI = pattern(r"^https?://(?:www\.|wiki\.)?ros\.org/(?:wiki/)?\w")
 
 
 def without_copied_packages(candidates: Sequence[Candidate], evidence: Evidence) -> list[Candidate]:
     """Return the commands without those of such pages, and without the launch files beside them where others are left.
 
-    A package of a released name that has no page may be the author's own: ``robot``.
+    A package of a released name that has no page may be the author's own (``robot``), unless its manifest says that it
+    has one in ROS's wiki.
     """
     folders = _copied(evidence, packages_of(evidence))
     pages = [c for c in candidates if c.file.endswith(PAGES) and below(c.file, folders)]
-    told = tuple(folder for folder in folders if any(below(c.file, (folder,)) for c in pages))
+    known = {m.file.rpartition("/")[0] for m in evidence.manifests if _WIKI.search(m.website or "")}
+    told = tuple(folder for folder in folders if folder in known or any(below(c.file, (folder,)) for c in pages))
     kept = [c for c in candidates if c not in pages]
     return [c for c in kept if not below(c.file, told)] or kept
 

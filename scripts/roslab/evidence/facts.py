@@ -52,6 +52,8 @@ class PackageManifest:
     """The parser's message if the XML is not well-formed; the other fields hold what could be read."""
     together: tuple[str, int] | None = None
     """The first element that names several packages, which tools take for one name, with its line."""
+    website: str | None = None
+    """The first address that it gives for itself, of its website or its repository."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

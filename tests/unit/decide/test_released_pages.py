@@ -50,3 +50,21 @@ def test_the_page_of_a_released_package(tree: Tree, files: dict[str, str], comma
     decision = tree({"notes.md": "ROS Noetic\n", **git, **files})
     assert decision.command == command
     assert JOY in decision.command_candidates
+
+
+@pytest.mark.parametrize(
+    ("url", "command"),
+    [
+        ("<url type='website'>http://wiki.ros.org/joy</url>", ("roslaunch", "flexy", "plan.launch")),
+        ("<url>http://www.ros.org/wiki/joy</url>", ("roslaunch", "flexy", "plan.launch")),
+        ("<!-- <url type='website'>http://wiki.ros.org/joy</url> -->", ("roslaunch", "joy", "joy.launch")),
+        ("<url type='website'>https://example.org/joy</url>", ("roslaunch", "joy", "joy.launch")),
+        ("", ("roslaunch", "joy", "joy.launch")),
+    ],
+)
+def test_a_copy_without_a_page_is_known_by_that_in_the_wiki_of_ros(
+    tree: Tree, url: str, command: tuple[str, ...]
+) -> None:
+    manifest = f"<package><name>joy</name>{url}<buildtool_depend>catkin</buildtool_depend></package>"
+    files = package("joy", launch="joy.launch") | {"joy/package.xml": manifest}
+    assert tree({"notes.md": "ROS Noetic\n"} | files | package("flexy", launch="plan.launch")).command == command

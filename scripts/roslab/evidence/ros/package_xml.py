@@ -59,6 +59,7 @@ def _manifest(repository: Repository, file: File) -> PackageManifest | None:
         ignored=hidden(repository, file.folder),
         malformed=problem,
         together=next(_together(root), None),
+        website=next((_text(url) for url in root.below("url") if url.get("type") != "bugtracker"), None),
     )
 
 
