@@ -12,6 +12,7 @@ from roslab.evidence.native import (
     cuda_paths,
     generators,
     made_elsewhere,
+    modules_aside,
     onnx_on_gpu,
     root_variables,
     shared_objects,
@@ -73,7 +74,7 @@ MENTIONED = (
         libtorch.in_scripts,
         simulator_folders.read,
     ),
-    *(asked_definitions.read, makefile_options.read, onnx_on_gpu.read, root_variables.read),
+    *(asked_definitions.read, makefile_options.read, modules_aside.read, onnx_on_gpu.read, root_variables.read),
     *(system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""

@@ -88,9 +88,7 @@ class Plan:
     apt: tuple[str, ...]
     apt_guessed: tuple[str, ...]
     own_packages: tuple[str, ...]
-    """Packages of Debian that the repository holds, by their paths, or that a page fetches, by their addresses.
-
-    They are installed if possible, and reported if not."""
+    """Packages of Debian of the repository, by paths, or that pages fetch, by addresses: if possible, else reported."""
     libraries: tuple[Source, ...]
     """Built from source before the workspace, in this order."""
     rosdep: Rosdep | None
@@ -99,13 +97,14 @@ class Plan:
     """Packages that need data, each with its own script that fetches them."""
     header_links: tuple[tuple[str, str], ...]
     """Headers that contradict others, each with the one that a link in its place leads to."""
+    modules: tuple[str, ...]
+    """Modules of CMake that it finds by a link alone."""
     interpreters: tuple[tuple[str, str], ...]
     """Paths of Python on the author's machine that scripts name, each with the program that a link there leads to."""
     author_folders: tuple[tuple[str, str], ...]
     """Folders of the author's machine that files name, each with what a link leads to: below the home, or a path.
 
-    ``~/NAME`` is one of the home itself.
-    """
+    ``~/NAME`` is one of the home itself."""
     python: PythonPlan
     python_tools: PythonTools
     source_version: SourceVersion | None
@@ -221,6 +220,7 @@ def make_plan(
         if config.compatible
         else tuple((each.package, each.script.format(distro=decision.ros_distro)) for each in data_of(decision)),
         header_links=() if config.compatible else decision.header_links,
+        modules=() if config.compatible else decision.modules,
         interpreters=decision.interpreters,
         author_folders=author_folders(decision, place),
         libraries=tuple(of_day(library(source, config), decision.day) for source in libraries),

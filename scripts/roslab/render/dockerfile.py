@@ -109,6 +109,7 @@ TODAY = Order(
         cloned.plain_clones,
         system.package_data,
         links.header_links,
+        links.modules,
         links.interpreters,
         python.constraints,
         python.locked,

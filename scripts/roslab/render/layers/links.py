@@ -1,4 +1,4 @@
-"""Links that the image gets: for headers that contradict others, and for a Python of the author's machine."""
+"""Links that the image gets: for headers that contradict others, modules of CMake, and the author's Python."""
 
 from __future__ import annotations
 
@@ -16,6 +16,16 @@ def header_links(plan: Plan) -> str:
     pairs = ((quote.shell(file), quote.shell(instead)) for file, instead in plan.header_links)
     linked = [f"if [ -e {file} ] && [ -e {instead} ]; then ln -sf {instead} {file}; fi" for file, instead in pairs]
     return shell.run(*linked, comment="Headers that contradict those of another package, which the code includes too")
+
+
+def modules(plan: Plan) -> str:
+    """Put links where CMake looks to modules that packages of the Ubuntu have elsewhere."""
+    if not plan.modules:
+        return ""
+    files = " ".join(map(quote.shell, plan.modules))
+    link = f'if [ -d "${{folder}}" ]; then ln -sf {files} "${{folder}}"; fi'
+    made = f"for folder in /usr/{{,local/}}share/cmake-*/Modules; do {link}; done"
+    return shell.run(made, comment="Modules of CMake that a package has in a folder where CMake does not look")
 
 
 def interpreters(plan: Plan) -> str:
