@@ -15,7 +15,7 @@ from roslab.decide.programs import top_of
 from roslab.decide.reasons import Placed, because, configured, page_of, ranked, strongest, warn
 from roslab.decide.ros.plain_workspace import beside_catkin, built_by_cmake_alone, built_together, parts_of_cmake
 from roslab.decide.ros.run_outside import run_outside
-from roslab.decide.ros.without_manifest import CLIENTS, by_cmake, client_of, installed_by_author
+from roslab.decide.ros.without_manifest import CLIENTS, by_cmake, called_by_program, client_of, installed_by_author
 from roslab.decide.ros.without_manifest import run_by_page as ros_by_page
 from roslab.decide.ros.workspace import built_by_rosbuild, of_rosbuild, packages_of, ros_versions
 from roslab.decide.ros.wrappers import run_by_page, wraps
@@ -129,7 +129,7 @@ def _ros(evidence: Evidence, *, named: bool) -> list[Reason]:
         reasons.append(because("kind", CLIENTS[client.name], why, client, weight=Weight.ROS_ALONE))
     if not reasons and (has := installed_by_author(evidence)):
         reasons.append(because("kind", has[1], has[2], has[0], weight=Weight.ROS_ALONE))
-    if not (reasons or evidence.manifests) and (run := ros_by_page(evidence)):
+    if not (reasons or evidence.manifests) and (run := ros_by_page(evidence) or called_by_program(evidence)):
         at, kind, why = run
         reasons.append(because("kind", kind, why, at, weight=Weight.ROS_ALONE))
     for manifest in packages.assets[:1]:

@@ -51,6 +51,7 @@ from roslab.evidence.python import (
     usetex,
 )
 from roslab.evidence.ros import (
+    called_by_programs,
     copied_scripts,
     handed_lists,
     in_bin,
@@ -75,7 +76,7 @@ MENTIONED = (
         simulator_folders.read,
     ),
     *(asked_definitions.read, makefile_options.read, modules_aside.read, onnx_on_gpu.read, root_variables.read),
-    *(system_libraries.read, usetex.read),
+    *(called_by_programs.read, system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (

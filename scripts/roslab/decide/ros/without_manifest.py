@@ -106,6 +106,24 @@ def run_by_page(evidence: Evidence) -> tuple[Mention, str, str] | None:
     return (started[0][0], CLIENTS[client], f"its program needs {client}") if 2 * len(nodes) >= len(files) else None
 
 
+def called_by_program(evidence: Evidence) -> tuple[Mention, str, str] | None:
+    """Return where the first program that a page at the root starts calls a tool of ROS, with the kind and why.
+
+    Only where these pages name distributions of that ROS alone, and the code computes nothing on CUDA.
+    """
+    calls = {m.file: m for m in evidence.mentions if m.topic == "ros_call"}
+    pages = [m for m in evidence.mentions if m.source == "readme" and "/" not in m.file] if calls else []
+    started = (m.value.split() for m in pages if m.topic == "command" and m.value.startswith("python"))
+    files = (posixpath.normpath(word) for words in started for word in words[1:] if word.endswith(".py"))
+    file = next(files, "")
+    if file not in calls or sign_of_cuda(evidence):
+        return None
+    call = calls[file]
+    version = 2 if call.value.startswith("ros2") else 1
+    named = {found.ros for m in pages if m.topic == "distro" and (found := distro(m.value))}
+    return (call, _KINDS[version], f"its program calls `{call.value}`") if named == {version} else None
+
+
 def _started(evidence: Evidence, said: list[Mention]) -> Iterator[tuple[Mention, str]]:
     """Yield the programs of the tree that pages start with Python, in their order."""
     programs = [program.file for program in evidence.programs]
