@@ -13,7 +13,8 @@ from roslab.decide.ros.sought_by_pages import PLACEHOLDER
 from roslab.decide.ros.source_names import address, akin, plain
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.released import ever_released
+from roslab.knowledge.distros import distro
+from roslab.knowledge.released import ever_released, released
 from roslab.values.dataclass import replace
 
 NEAR = 30
@@ -35,7 +36,8 @@ def first_of_clones(found: Iterable[Candidate], evidence: Evidence, kind: Kind) 
         return None
     addresses = {address(git.url) for git in clones}
     named = {(each.file, each.line) for each in evidence.sources if address(each.url) in addresses}
-    brought = [c for c in found if "/" not in c.file and _brings(clones, c, named, names)]
+    found = [c for c in found if "/" not in c.file and not _published(_package(c), evidence)]
+    brought = [c for c in found if _brings(clones, c, named, names)]
     first = first_of(brought)
     return replace(first, why=f"{first.why}, of a repository that is cloned beside this one") if first else None
 
@@ -50,18 +52,22 @@ def _clones(evidence: Evidence) -> Iterator[GitSource]:
 
 def _brings(clones: list[GitSource], candidate: Candidate, named: Collection[tuple[str, int]], names: set[str]) -> bool:
     """Tell whether a clone has the package of a command. ``named``: the lines of pages that have a clone's address."""
-    at = 2 + is_component(candidate.argv) if candidate.argv[0] == "ros2" else 1
-    package = "".join(candidate.argv[at : at + 1])
-    if (
-        not package
-        or package in names
-        or ever_released(package)
-        or PLACEHOLDER.search(package)
-        or meant(package, names)
-    ):
+    package = _package(candidate)
+    if not package or package in names or PLACEHOLDER.search(package) or meant(package, names):
         return False
     before = range(candidate.line - NEAR, candidate.line)
     return any(_like(package, git) for git in clones) or any((candidate.file, line) in named for line in before)
+
+
+def _package(candidate: Candidate) -> str:
+    at = 2 + is_component(candidate.argv) if candidate.argv[0] == "ros2" else 1
+    return "".join(candidate.argv[at : at + 1])
+
+
+def _published(package: str, evidence: Evidence) -> bool:
+    """Tell whether a distribution that the tree names released a package, any where it names none: apt may have it."""
+    named = {found.name for m in evidence.mentions if m.topic == "distro" and (found := distro(m.value))}
+    return ever_released(package) and (not named or any(package in released(name) for name in named))
 
 
 def _like(package: str, git: GitSource) -> bool:

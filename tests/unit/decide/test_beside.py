@@ -52,6 +52,22 @@ def test_a_page_clones_beside_it(tree: Tree) -> None:
     assert cloned(tree(SHOWN | {"README.md": older})) == [("vehicles", None)]
 
 
+@pytest.mark.parametrize(
+    ("folder", "there"),
+    [
+        ("~/ros/noetic/src", [("vehicles", None)]),
+        ("~/Noetic/src", [("vehicles", None)]),
+        ("~/programs/src", []),
+        ("~/noetic/demo", []),
+    ],
+)
+def test_a_workspace_is_called_like_a_distribution(
+    tree: Tree, folder: str, there: list[tuple[str, str | None]]
+) -> None:
+    known = SHOWN | {"launch/demo.launch": LAUNCH.replace("acme_control", "map_server")}
+    assert cloned(tree(known | {"README.md": PAGE.replace("~/catkin_ws/src", folder)})) == there
+
+
 def test_nothing_unknown_is_needed(tree: Tree) -> None:
     known = SHOWN | {"launch/demo.launch": LAUNCH.replace("acme_control", "map_server")}
     alone = PAGE.replace("git clone https://github.com/me/demo.git\n", "")

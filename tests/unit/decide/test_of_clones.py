@@ -35,6 +35,8 @@ def _files(run: str, before: str = "", **more: str) -> dict[str, str]:
         # the distribution has it, a blank, and a slip for the tree's own package
         ("roslaunch turtlebot3_gazebo world.launch", LINK, ("bash",)),
         ("roslaunch your_package sim.launch", LINK, ("bash",)),
+        # another distribution has it
+        ("roslaunch carl_bringup a.launch", LINK, ("roslaunch", "carl_bringup", "a.launch")),
         # a page runs the tree's own
         (
             "roslaunch simple_demo sim.launch\nroslaunch walker_core arm.launch",

@@ -36,6 +36,7 @@ def page(*clones: str, package: str = "sightest", said: str = "") -> str:
         (page("mia/Sight-Fusion", package="your_package"), {}),
         (page("mia/Sight-Fusion", package="planner"), {}),
         (page("mia/Sight-Fusion", package="rviz"), {}),
+        (page("mia/Sight-Fusion", package="carl_bringup"), {"Sight-Fusion": ("carl_bringup",)}),
         (page("mia/Sight-Fusion", said="Optional:"), {}),
         (page(), {}),
         (page(said="It needs [this](https://github.com/mia/sightest)."), {"sightest": ("sightest",)}),

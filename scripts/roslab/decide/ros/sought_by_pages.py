@@ -13,7 +13,7 @@ from roslab.evidence.facts import Evidence
 from roslab.evidence.ros.vcs import https
 from roslab.knowledge.distros import distros
 from roslab.knowledge.libraries import library
-from roslab.knowledge.released import ever_released
+from roslab.knowledge.released import released
 from roslab.values.pattern import pattern
 
 MOST = 3
@@ -24,14 +24,17 @@ PLACEHOLDER = pattern(r"(?:^|_)(?:your|my|pkg|package|name|foo|bar|xxx+)(?:_|$)"
 
 
 def run_by_page(evidence: Evidence, ros_distro: str, known: Collection[str]) -> Mapping[str, Dependency]:
-    """Return the packages that the README at the root runs programs of, by their names; none of the ``known``."""
+    """Return the packages that the README at the root runs programs of, by their names; none of the ``known``.
+
+    One that another distribution released, and this one not, is none that apt has.
+    """
     own = {manifest.name for manifest in evidence.manifests if manifest.name}
     found: dict[str, Dependency] = {}
     for each in started(evidence, "ros1" if distros()[ros_distro].ros == 1 else "ros2"):
         if each.strength != "prose" or "/" in each.file or not each.file.startswith("README"):
             continue
         named = _PACKAGE.fullmatch(each.name) and not PLACEHOLDER.search(each.name)
-        there = each.name in own or plain(each.name) in known or ever_released(each.name)
+        there = each.name in own or plain(each.name) in known or each.name in released(ros_distro)
         if named and not (there or meant(each.name, own) or library("cmake", each.name, None)):
             found.setdefault(each.name, each)
     return found

@@ -15,7 +15,7 @@ _FENCE = pattern(r"^\s{0,40}(?:[-*>]\s{0,20}){0,9}(?:```+(?![^\n]*`)|~~~+)")
 _HEADING = pattern(r"^(#{1,6})\s+(.*?)\s*#*$")
 _SYSTEMS = r"windows|mac ?os ?x?|macos|osx|homebrew|arch linux|fedora|centos|jetson|raspberry"
 _ELSEWHERE = pattern(
-    rf"\b(?:{_SYSTEMS}|nvidia driver|uninstall|docker (?:install|engine)|real[- ]robots?|"
+    rf"\b(?:{_SYSTEMS}|nvidia driver|uninstall|docker (?:install|engine)|real[- ]robots?(?!is\b)|"
     r"hardware(?: setup)?|kernel|contribut|changelog|news|acknowledg|citation|licen[sc]e)",
     re.IGNORECASE,
 )

@@ -6,6 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterable, Sequence
 
+from roslab.knowledge.distros import distro
 from roslab.values.pattern import pattern
 
 _SOURCES = pattern(r"(?:^|/)[^/]*(?:ws|workspace|catkin|colcon|ros)[^/]*/src$", re.IGNORECASE)
@@ -51,7 +52,13 @@ def longer(folder: str, whole: str) -> str:
 def of_packages(folder: str) -> bool:
     """Tell whether ``cd`` goes into the ``src`` of a workspace; of ``cd src`` nothing else is known."""
     folder = folder.rstrip("/")
-    return bool(_SOURCES.search(folder)) or folder in {"src", "./src"}
+    return _of_workspace(folder) or folder in {"src", "./src"}
+
+
+def _of_workspace(folder: str) -> bool:
+    """Tell whether a folder is the ``src`` of a workspace by the name above it, which may be that of a distribution."""
+    above, _, last = folder.rpartition("/")
+    return bool(_SOURCES.search(folder)) or (last == "src" and distro(above.rpartition("/")[2].lower()) is not None)
 
 
 def leaves_repository(target: str, folder: str, script: str) -> bool:
@@ -78,4 +85,4 @@ def beside(target: str, *, inside: bool) -> bool:
     ``inside``: the text is in such a folder.
     """
     there = inside and not target.startswith(("/", "~", "..", "$"))
-    return there or bool(_SOURCES.search(target.rpartition("/")[0]))
+    return there or _of_workspace(target.rpartition("/")[0])
