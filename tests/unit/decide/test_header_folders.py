@@ -22,6 +22,14 @@ IPOPT = (("CPATH", "/usr/include/coin"), ("CXXFLAGS", "-DHAVE_CSTDDEF"))
         ("cholmod.h", "", (("CPATH", "/usr/include/suitesparse"),)),
         ("cholmod.h", "find_package(SuiteSparse)\n", ()),
         ("suitesparse/cholmod.h", "", ()),
+        ("g2o/solvers/csparse/linear_solver_csparse.h", "", (("CPATH", "/usr/include/suitesparse"),)),
+        (
+            "g2o/solvers/csparse/linear_solver_csparse.h",
+            "find_package(g2o REQUIRED)\n",
+            (("CPATH", "/usr/include/suitesparse"),),
+        ),
+        ("g2o/solvers/csparse/linear_solver_csparse.h", "find_package(CSparse REQUIRED)\n", ()),
+        ("g2o/solvers/dense/linear_solver_dense.h", "find_package(g2o REQUIRED)\n", ()),
         ("Eigen/Core", "", ()),
     ],
 )
