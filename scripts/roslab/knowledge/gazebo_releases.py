@@ -38,3 +38,10 @@ def gazebo_holding() -> Mapping[str, frozenset[str]]:
 def gazebo_pairs() -> Mapping[tuple[str, str], str]:
     """Return, for a distribution and a release that is not its own, what its packages of ros_gz are called."""
     return {(row["distro"], row["release"]): row["packages"] for row in rows("gazebo_pairs")}
+
+
+@cache
+def replaced_keys(distro: str, release: str) -> tuple[str, ...]:
+    """Return the packages of the distribution's own ros_gz, which those for such a release take the place of."""
+    keys = (row["keys"] for row in rows("gazebo_pairs") if (row["distro"], row["release"]) == (distro, release))
+    return tuple(next(keys, "").split())

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from roslab.evidence.dependency import Dependency, GitSource
 from roslab.knowledge.distros import ubuntus
+from roslab.knowledge.system_names import other_linuxes, other_systems
 from roslab.values.pattern import pattern
 
 _PARTS = pattern(r"[-_./]+")
 _RELEASE = pattern(r"ubuntu(\d\d)(?:04)?")
-OTHER_SYSTEMS = ("windows", "win", "win32", "win64", "mac", "macos", "osx", "darwin", "android")
-_OTHER_LINUX = pattern(
-    r"(?:alma|almalinux|alpine|arch|archlinux|centos|debian|fedora|opensuse|rhel|rocky|rockylinux)\d*"
-)
-"""Distributions by whose names folders of Dockerfiles and scripts are called."""
 
 
 def ubuntus_in(path: str) -> frozenset[str]:
@@ -29,7 +25,7 @@ def rank(git: GitSource, ubuntu: str | None) -> int:
     if named := ubuntus_in(git.file):
         return 0 if ubuntu in named else 2
     parts = {*_PARTS.split(git.file.lower())}
-    other = not parts.isdisjoint(OTHER_SYSTEMS) or any(map(_OTHER_LINUX.fullmatch, parts))
+    other = other_systems() & parts or other_linuxes() & {part.rstrip("0123456789") for part in parts}
     return 2 if other else 1
 
 

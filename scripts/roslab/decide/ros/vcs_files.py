@@ -7,18 +7,19 @@ from collections.abc import Iterable
 from collections.abc import Set as AbstractSet
 
 from roslab.config.model import Config
-from roslab.decide.ros.list_names import OTHER_SYSTEMS, ubuntus_in
+from roslab.decide.ros.list_names import ubuntus_in
 from roslab.evidence.dependency import GitSource
 from roslab.evidence.facts import Evidence, Mention
 from roslab.knowledge.compiled import public_hosts
 from roslab.knowledge.distros import distros
+from roslab.knowledge.system_names import other_systems
 from roslab.values.pattern import pattern
 
 _BETWEEN = frozenset("-_.")
 """What may stand between the words of a name."""
 _EXTRA = pattern(
     r"(?<![a-z])(?:nightly|tools?|simulat\w*|extras?|optionals?|ci|test(?:s|ing)?|debug|doc(?:s|umentation)?|develop\w*|"
-    rf"ssh|upstream|examples?|demos?|{'|'.join(OTHER_SYSTEMS)})(?![a-z])",
+    r"ssh|upstream|examples?|demos?)(?![a-z])",
     re.IGNORECASE,
 )
 _PARTS = pattern(r"[-_.]+")
@@ -77,6 +78,11 @@ def vcs_files(
     return found if sure else tuple(file for file in found if _name(file).lower() in anywhere)
 
 
+def _extra(name: str) -> bool:
+    """Tell whether a list is for more than what everybody needs, or for another system."""
+    return bool(_EXTRA.search(name)) or not other_systems().isdisjoint(_WORDS.findall(name))
+
+
 def distros_in(text: str) -> set[str]:
     """Return the distributions that a file's name or an image's tag names."""
     return set(_WORDS.findall(text.lower())) & distros().keys()
@@ -131,7 +137,7 @@ def _downstream(evidence: Evidence) -> set[str]:
 def _plainest(files: list[str], itself: AbstractSet[str]) -> list[str]:
     """Return the lists of unreleased packages if there are any, else all lists, without those for tests or tools."""
     files = [file for file in files if "not-released" in file] or files
-    plain = [file for file in files if not _EXTRA.search(_without(_name(file).lower(), itself))]
+    plain = [file for file in files if not _extra(_without(_name(file).lower(), itself))]
     return plain or [file for file in files if "ssh" not in file] or files
 
 

@@ -10,22 +10,12 @@ from roslab.decide.ros.gazebo import required
 from roslab.decide.system.names import Target
 from roslab.decide.system.packages import SystemPackages
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.gazebo_releases import gazebo_pairs, gazebo_releases
+from roslab.knowledge.gazebo_releases import gazebo_pairs, gazebo_releases, replaced_keys
 from roslab.values.dataclass import replace
 
 WEIGHT = 400
 """Weight of the reasons; nothing competes with them."""
 _OWN = "ros_gz"
-_FAMILY = (
-    "ros_gz",
-    "ros_gz_bridge",
-    "ros_gz_image",
-    "ros_gz_interfaces",
-    "ros_gz_point_cloud",
-    "ros_gz_sim",
-    "ros_gz_sim_demos",
-)
-"""Its packages, of which what is cloned may ask for others than the repository: https://github.com/gazebosim/ros_gz"""
 
 
 def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Target) -> Choice[SystemPackages]:
@@ -55,7 +45,7 @@ def with_release(choice: Choice[SystemPackages], evidence: Evidence, target: Tar
     answer = replace(
         system,
         rosdep=tuple(key for key in system.rosdep if key not in keys),
-        skip_keys=tuple(dict.fromkeys((*system.skip_keys, *keys, *_FAMILY))),
+        skip_keys=tuple(dict.fromkeys((*system.skip_keys, *keys, *replaced_keys(distro, release)))),
         apt=tuple(dict.fromkeys((*map(renamed, system.apt), *keyed, *whole))),
         apt_guessed=tuple(guessed),
     )
