@@ -39,6 +39,12 @@ def test_a_remark_behind_a_continuation_does_not_end_the_command(tree: Tree) -> 
     assert tree({**files, "README.md": readme}).command == ("python", "train.py", "first", "--conf", "cfg/a.yaml")
 
 
+def test_a_note_in_wide_brackets_is_no_argument(tree: Tree) -> None:
+    files = {"requirements.txt": "numpy\n", "train.py": "import numpy\n"}
+    readme = page("python train.py \uff08\u8bad\u7ec3\uff09")
+    assert tree({**files, "README.md": readme}).command == ("python", "train.py")
+
+
 def test_a_python_that_is_given_privileges_is_the_authors(tree: Tree) -> None:
     build = "cmake_minimum_required(VERSION 3.10)\nproject(demo)\nadd_executable(run run.cpp)\n"
     files = {"CMakeLists.txt": build, "run.cpp": "int main() {}\n"}

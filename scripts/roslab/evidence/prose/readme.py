@@ -58,6 +58,7 @@ from roslab.evidence.prose.in_sentences import IN_SENTENCES, emphasised, in_sent
 from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.marks import without_marks
 from roslab.evidence.prose.merged import Prose, merge
+from roslab.evidence.prose.notes_behind import without_notes
 from roslab.evidence.prose.own_files import with_files, with_files_below
 from roslab.evidence.prose.own_scripts import called, checked, of_python
 from roslab.evidence.prose.pages import pages, text_of
@@ -276,7 +277,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
             line = line.rstrip() + "\n" + (_MARK.sub("", following) if marked else following)
             index += 1
         title = not fenced and "`" in line and titles_commands(lines, first)
-        for shell in _shell(line, signs, fenced=fenced, title=title):
+        for shell in map(without_notes, _shell(line, signs, fenced=fenced, title=title)):
             yield first, shell, " / ".join((*titles.values(), *((lead.strip(" :*_"),) if without else ())))
 
 
