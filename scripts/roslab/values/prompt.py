@@ -21,10 +21,22 @@ _USAGE = pattern(r"\s{0,40}Usage:\s{1,9}(?=\.{0,2}/|build/|python[\d.]{0,5}\s|ro
 """What a text about the usage of a program begins with, before how it is called."""
 
 
-def typed(line: str) -> str:
+_LABEL = pattern(
+    r"\s{0,40}(?:[\u2460-\u2473]|\uff08\d{1,2}\uff09|\d{1,2}\u3001"  # numbers in circles and wide brackets
+    r"|[\u3040-\u30ff\u3400-\u9fff]{1,20} ?\d{0,2} ?[\uff1a:]"  # the word for a terminal, and its number
+    r"|\u279c {1,3}(?:(?:~|[\w.-]{1,40}) git:\([^)\s]{1,60}\) (?:\u2717 )?|~ )?|\u276f )"  # oh-my-zsh, and Pure
+    r"\s{0,9}(?=[a-z./~$])"
+)
+"""What stands before a command in the blocks of Chinese and Japanese pages, and prompts of zsh.
+
+https://github.com/ohmyzsh/ohmyzsh/blob/master/themes/robbyrussell.zsh-theme, 2026-11-29
+"""
+
+
+def typed(line: str, *, block: bool = False) -> str:
     """Return what follows a shell's prompt or ``Usage:``, else the line, without the remark that is behind ``//``.
 
-    What argparse prints begins with ``usage:``, and is no call.
+    What argparse prints begins with ``usage:``, and is no call. In a ``block`` of code a label may stand before it.
     """
-    match = PROMPT.match(line) or _USAGE.match(line)
+    match = PROMPT.match(line) or _USAGE.match(line) or (_LABEL.match(line) if block and not line.isascii() else None)
     return (line[match.end() :] if match else line).partition(" // ")[0]

@@ -283,7 +283,7 @@ def _code(text: str, also: re.Pattern[str] | None = None) -> Iterator[tuple[int,
 
 def _shell(line: str, signs: Signs, *, fenced: bool, title: bool) -> Iterator[str]:
     bold = tuple(emphasised(line, _START)) if not fenced else ()
-    line = without_marks(typed(line), fenced=fenced)
+    line = without_marks(typed(line, block=fenced), fenced=fenced)
     if (alone := _ALONE.fullmatch(line)) and (_START.match(alone[2]) or _BARE.fullmatch(alone[2])):
         line, fenced = alone[2], True
     if match := _START.match(line.replace("\\\n", "\\\x01")):
