@@ -72,3 +72,35 @@ def test_a_page_may_be_read_from_above_the_clone(tmp_path: Path, said: str, comm
     files = {"flow/fly.py": OPTIONS, "flow/land.py": MAIN, "own.py": MAIN, "vins-demo/own.py": MAIN, "maps/a.yaml": ""}
     page = f"# Vins\n\n## Run\n\n```\n{said}\n```\n"
     assert " ".join(decided(tmp_path, {**files, "README.md": page}).command) == command
+
+
+ROS2 = {
+    "package.xml": '<package format="3"><name>vins</name><buildtool_depend>ament_cmake</buildtool_depend></package>',
+    "CMakeLists.txt": BUILD.replace("catkin", "ament_cmake") + "install(TARGETS vins_node DESTINATION lib/vins)\n",
+    "config/a.yaml": "a: 1\n",
+    "launch/a.launch.py": "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+    "def generate_launch_description():\n  return LaunchDescription([Node(package='vins', executable='vins_node')])\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("said", "command"),
+    [
+        ("ros2 run vins vins_node --params-file src/Vins-Demo/config/a.yaml", "--params-file config/a.yaml"),
+        ("ros2 run vins vins_node --params-file ./src/config/a.yaml", "--params-file config/a.yaml"),
+        ("ros2 run vins vins_node --params-file src/other/config/a.yaml", "--params-file src/other/config/a.yaml"),
+        ("cd ~/ws\nros2 launch vins a.launch.py file:=./src/vins-demo/config/a.yaml", "file:=config/a.yaml"),
+        ("ros2 launch vins a.launch.py file:=~/ws/src/Vins-Demo/config/a.yaml", "file:=config/a.yaml"),
+        ("ros2 launch vins a.launch.py file:=src/other/config/a.yaml", "file:=src/other/config/a.yaml"),
+        ("cd config\nros2 launch vins a.launch.py file:=src/Vins-Demo/config/a.yaml", "src/Vins-Demo/config/a.yaml"),
+    ],
+)
+def test_a_file_is_named_from_the_workspace(tmp_path: Path, said: str, command: str) -> None:
+    page = f"# Vins\nROS 2 humble\n\n## Run\n\n```\n{said}\n```\n"
+    assert " ".join(decided(tmp_path, {**ROS2, "README.md": page}).command).endswith(command)
+
+
+def test_roslaunch_starts_nodes_in_a_folder_of_their_own(tmp_path: Path) -> None:
+    page = "# Vins\nROS noetic\n\n## Run\n\n```\nroslaunch vins a.launch file:=src/Vins-Demo/config/a.yaml\n```\n"
+    command = " ".join(decided(tmp_path, {**ROS, "README.md": page}).command)
+    assert command == "roslaunch vins a.launch file:=src/Vins-Demo/config/a.yaml"

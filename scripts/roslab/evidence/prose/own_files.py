@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.prose.authors_words import of_author
+from roslab.evidence.prose.in_workspace import from_above, given_from_workspace, in_checkout, in_workspace
 from roslab.evidence.prose.runners import SIMULATORS
 from roslab.evidence.prose.script_folders import started_above, started_beside
 from roslab.evidence.prose.started_in import beside_build, ends, script_in, started_in
@@ -19,10 +20,6 @@ from roslab.values.numbered import numbered
 from roslab.values.pattern import pattern
 from roslab.values.words import joined, written
 
-_SHORTEST = 4
-"""Fewest letters by which the name of a fork is known."""
-_ELSEWHERE = pattern(r"~/|/(?:home|root|path/to)/|\$\{?\w+\}?/|…/")
-"""What a path begins with that leads to the reader's own folders."""
 _PROGRAMS = (".py", ".sh", ".bash")
 _NUMBERED = (".py", ".sh", ".bash", ".yaml", ".yml")
 _SHEBANG = pattern(r"#![^\n]*?\b(python[23]?|bash|sh)\b")
@@ -32,9 +29,8 @@ _BEFORE = pattern(r"^(?:\.{1,2}/)+")
 def with_files(mention: Mention, repository: Repository) -> Mention:
     """Return a command of a page with the files of the tree that it names, by their paths from the root."""
     mention = _by_its_shell(mention, repository)
-    words = of_author(mention.value.split(), repository)
+    words, found = given_from_workspace(of_author(mention.value.split(), repository), mention.inside, repository)
     folder = posixpath.dirname(mention.file)
-    found: list[str] = []
     unseen = ""
     if script := script_in(mention, repository) if mention.inside else None:
         words[script[0]] = script[1]
@@ -43,7 +39,8 @@ def with_files(mention: Mention, repository: Repository) -> Mention:
             continue
         named = any(sign in word for sign in "/._")
         path = posixpath.normpath(_BEFORE.sub("", written(word))) if named else ""
-        path = _in_checkout(path, repository) or _from_above(path, repository) or path
+        path = in_checkout(path, repository) or from_above(path, repository) or path
+        path = in_workspace(path, words, repository) or path
         below = words[0].startswith("python") and path.endswith(".py") and "/" not in mention.file
         if below and not (found or repository.has(path)):  # the page is in another folder by then
             path = only(path, repository) or _where_it_went(path, mention.inside, repository) or path
@@ -160,36 +157,6 @@ def _by_its_shell(mention: Mention, repository: Repository) -> Mention:
         return mention
     named = _SHEBANG.match(repository.read(path, limit=200))
     return replace(mention, value=" ".join((named[1], joined((path,)), *rest))) if named else mention
-
-
-def _in_checkout(path: str, repository: Repository) -> str | None:
-    """Return the path from the root of what a page names where people clone to: ``~/catkin_ws/src/demo/cfg/a.yaml``.
-
-    Not of an argument of a launch file, whose nodes start in a folder of their own. The page of a fork may have the
-    name of what it was forked from: ``demo`` in ``demo-gpu``.
-    """
-    parts = path.split("/")
-    if not _ELSEWHERE.match(path) or ":=" in path:
-        return None
-    names = [place for place, part in enumerate(parts) if _is_name(part, repository.name)]
-    rests = ("/".join(parts[place + 1 :]) for place in reversed(names))
-    return next((rest for rest in rests if repository.has(rest) or rest in repository.folders), None)
-
-
-def _from_above(path: str, repository: Repository) -> str | None:
-    """Return the path from the root of a file that a page names from the folder which the clone lies in: ``demo/a.py``.
-
-    The root may hold a folder of that name, too: a file of it comes first.
-    """
-    first, _, rest = path.partition("/")
-    if not rest or ":=" in path or repository.has(path) or path in repository.folders:
-        return None
-    return rest if _is_name(first, repository.name) and repository.has(rest) else None
-
-
-def _is_name(part: str, name: str) -> bool:
-    own, other = name.lower(), part.lower()
-    return own == other or (len(other) >= _SHORTEST and own.startswith((f"{other}-", f"{other}_")))
 
 
 def _of_package(word: str, repository: Repository) -> bool:
