@@ -37,7 +37,7 @@ def _decided(tree: Tree, launch: str, page: str = "", **more: str) -> tuple[str 
         (MODEL + SPAWN.format("waffle_pi"), ("waffle_pi", False)),
         (MODEL + SPAWN.format("$(arg model)"), ("burger", True)),
         (MODEL + SPAWN.format("waffle_house"), ("burger", True)),
-        (MODEL + SPAWN.format("waffle") + SPAWN.format("burger"), ("burger", True)),
+        (MODEL + SPAWN.format("waffle_pi") + SPAWN.format("waffle"), ("waffle_pi", True)),
         (f"{MODEL}<!-- {SPAWN.format('waffle').strip()} -->\n", ("burger", True)),
         (GAZEBO.replace("turtlebot3_gazebo", "turtlebot3_msgs"), (None, False)),
         (GAZEBO.replace("turtlebot3_gazebo", "turtlebot3_description"), (None, False)),
@@ -46,6 +46,26 @@ def _decided(tree: Tree, launch: str, page: str = "", **more: str) -> tuple[str 
 )
 def test_what_the_launch_files_name_else_the_first(tree: Tree, launch: str, found: tuple[str | None, bool]) -> None:
     assert _decided(tree, launch) == found
+
+
+@pytest.mark.parametrize(
+    ("own", "model", "told"),
+    [
+        (SPAWN.format("waffle_pi"), "waffle_pi", ""),
+        ("", "burger", "the launch files name the models burger, waffle_pi, and the default command stops without"),
+        (SPAWN.format("waffle_pi") + SPAWN.format("waffle"), "waffle_pi", "name the models waffle_pi, waffle, and"),
+    ],
+)
+def test_of_several_that_launch_files_name_the_commands_own_is_meant(
+    tree: Tree, own: str, model: str, told: str
+) -> None:
+    page = "```\nroslaunch demo demo.launch\n```\n"
+    more = {f"launch/{name}.launch": f"<launch>\n{SPAWN.format(name)}</launch>" for name in ("burger", "waffle_pi")}
+    files = {"launch/demo.launch": f"<launch>\n{GAZEBO}{own}{NODE}</launch>", "README.md": f"ROS Noetic\n{page}"}
+    decision = tree({**PACKAGE, **files, **more})
+    assert dict(decision.variables)["TURTLEBOT3_MODEL"] == model
+    said = [each.message for each in decision.warnings if "TURTLEBOT3_MODEL" in each.message]
+    assert (told in said[0]) if told else not said
 
 
 def test_what_a_page_says_is_kept(tree: Tree) -> None:

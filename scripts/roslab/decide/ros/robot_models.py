@@ -27,8 +27,8 @@ class UntoldModel(NamedTuple):
 def untold_models(evidence: Evidence, argv: tuple[str, ...] | str, there: Collection[str]) -> tuple[UntoldModel, ...]:
     """Return such variables of the default command that are not ``there``: roslaunch stops at once without them.
 
-    The value is the one that the tree sets anywhere, else the model that its launch files name, else the one that the
-    robot's manual begins with.
+    The value is the one that the tree sets anywhere, else the model that its launch files name, of several the one that
+    the command's names or the first, else the one that the robot's manual begins with.
     """
     launch = started_launch(evidence, argv) if argv else None
     needed = [robot for robot in _needed(launch, argv) if robot.variable not in there]
@@ -52,8 +52,16 @@ def _model(robot: RobotModels, evidence: Evidence, launch: LaunchFile | None) ->
         if said.topic == "robot_model" and name == robot.variable:
             why = "it is set there" if name in said.text else "the launch files name that model"
             return UntoldModel(set=(name, value, why, said))
-    first = robot.models[0]
+    named = [m for m in evidence.mentions if m.topic == "robot_models" and m.value.startswith(f"{robot.variable}=")]
+    of_file = [m for m in named if launch and m.file == launch.file]
+    if len({m.value for m in of_file}) == 1:
+        value = of_file[0].value.partition("=")[2]
+        return UntoldModel(set=(robot.variable, value, "its launch file names that model", of_file[0]))
+    models = tuple(dict.fromkeys(m.value.partition("=")[2] for m in of_file or named))
+    first = (models or robot.models)[0]
     why = f"nothing says which of {', '.join(robot.models)} the default command is for, and it stops without"
+    if models:
+        why = f"the launch files name the models {', '.join(models)}, and the default command stops without"
     told = f"{why} {robot.variable}: {first} is taken; set another under `env` in roslab.yaml"
     lines = [line for name, line in launch.variables if name == robot.variable] if launch else []
     place = Place(file=launch.file, line=lines[0] if lines else launch.line) if launch else None

@@ -14,6 +14,7 @@ from roslab.evidence.lex.xml_comments import without_xml_comments
 from roslab.evidence.ros.middlewares import setting_files
 from roslab.knowledge.robot_models import RobotModels, robot_models
 from roslab.repository.checkout import File, Repository, nearest
+from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
 
 MAX_SIZE = 256 * 1024
@@ -23,11 +24,14 @@ _PAGES = (".md", ".rst")
 
 
 def read(repository: Repository) -> Iterator[Mention]:
-    """Yield what is set, a page's value first, then the first place that names a model where all launch files agree."""
+    """Yield what is set, a page's value first, then the first place that names a model where all launch files agree.
+
+    Where they name several, each file's first place for each of them, as a topic of its own.
+    """
     yield from _set(repository)
     launching = (file for file in repository.suffixed(".launch", ".py", ".xml") if "launch" in file.path)
     files = [file for file in launching if file.size <= MAX_SIZE and not places.aside(file.path)]
-    found: dict[str, dict[str, Mention]] = {}
+    found: dict[str, dict[tuple[str, str], Mention]] = {}
     for file in nearest(files)[:MAX_FILES]:
         text = repository.read(file)
         for robot in robot_models():
@@ -36,8 +40,13 @@ def read(repository: Repository) -> Iterator[Mention]:
             text = text if file.path.endswith(".py") else without_xml_comments(text)
             for match in _named(robot).finditer(text):
                 said = _mention(robot, match, file, text)
-                found.setdefault(robot.variable, {}).setdefault(match[1], said)
-    yield from (next(iter(models.values())) for models in found.values() if len(models) == 1)
+                found.setdefault(robot.variable, {}).setdefault((match[1], file.path), said)
+    for places_of in found.values():
+        first, *others = places_of.values()
+        if all(each.value == first.value for each in others):
+            yield first
+        else:
+            yield from (replace(each, topic="robot_models") for each in (first, *others))
 
 
 def _set(repository: Repository) -> Iterator[Mention]:
