@@ -92,12 +92,24 @@ ROS2 = {
         ("cd ~/ws\nros2 launch vins a.launch.py file:=./src/vins-demo/config/a.yaml", "file:=config/a.yaml"),
         ("ros2 launch vins a.launch.py file:=~/ws/src/Vins-Demo/config/a.yaml", "file:=config/a.yaml"),
         ("ros2 launch vins a.launch.py file:=src/other/config/a.yaml", "file:=src/other/config/a.yaml"),
+        ("ros2 launch vins a.launch.py file:=$(ros2 pkg prefix --share vins)/config/a.yaml", "file:=config/a.yaml"),
+        ("ros2 run vins vins_node --params-file `ros2 pkg prefix vins`/share/vins/config/a.yaml", " config/a.yaml"),
+        ("ros2 run vins vins_node --ros-args $(ros2 pkg prefix --share vins)/other/a.yaml", "run vins vins_node"),
         ("cd config\nros2 launch vins a.launch.py file:=src/Vins-Demo/config/a.yaml", "src/Vins-Demo/config/a.yaml"),
     ],
 )
 def test_a_file_is_named_from_the_workspace(tmp_path: Path, said: str, command: str) -> None:
     page = f"# Vins\nROS 2 humble\n\n## Run\n\n```\n{said}\n```\n"
     assert " ".join(decided(tmp_path, {**ROS2, "README.md": page}).command).endswith(command)
+
+
+def test_a_folder_that_rospack_finds_is_the_trees(tmp_path: Path) -> None:
+    for said, command in (
+        ("roslaunch $(rospack find vins)/launch/a.launch rate:=5", "roslaunch vins a.launch rate:=5"),
+        ("rosrun vins vins_node $(rospack find vins)/config/a.yaml", "rosrun vins vins_node config/a.yaml"),
+    ):
+        page = f"# Vins\nROS noetic\n\n## Run\n\n```\n{said}\n```\n"
+        assert " ".join(decided(tmp_path, {**ROS, "README.md": page}).command) == command
 
 
 def test_roslaunch_starts_nodes_in_a_folder_of_their_own(tmp_path: Path) -> None:

@@ -15,12 +15,23 @@ _SHORTEST = 4
 _ELSEWHERE = pattern(r"~/|/(?:home|root|path/to)/|\$\{?\w+\}?/|…/")
 """What a path begins with that leads to the reader's own folders."""
 _SOURCES = "src/"
+_FOUND = "…/"
+"""What stands for a value that only a running shell knows."""
+_SHARE = pattern(r"^share/[\w-]+/")
+"""``$(ros2 pkg prefix demo)/share/demo/cfg/a.yaml``."""
 
 
 def in_workspace(path: str, words: Sequence[str], repository: Repository) -> str | None:
-    """Return the path from the root of what a command of ROS names from its workspace: ``src/demo/cfg/a.yaml``."""
+    """Return the path from the root of what a command of ROS names from its workspace: ``src/demo/cfg/a.yaml``.
+
+    So it is with what it names from a folder that a shell finds: ``$(rospack find demo)/cfg/a.yaml``.
+    """
     below = path.removeprefix(_SOURCES)
-    if below == path or not _starts(words) or repository.has(path) or not repository.named("package.xml"):
+    if not _starts(words) or repository.has(path) or not repository.named("package.xml"):
+        return None
+    if path.startswith(_FOUND):
+        return _of_package(_SHARE.sub("", path.removeprefix(_FOUND)), repository)
+    if below == path:
         return None
     return from_above(below, repository) or (below if repository.has(below) else None)
 
@@ -41,6 +52,13 @@ def given_from_workspace(words: list[str], inside: str, repository: Repository) 
         if found := path and (in_checkout(path, repository) or in_workspace(path, words, repository)):
             given[word] = f"{name}{sign}{found}"
     return [given.get(word, word) for word in words], [*given.values()]
+
+
+def _of_package(path: str, repository: Repository) -> str | None:
+    """Return the one file of the tree whose path ends so, in a folder at least."""
+    named = repository.named(posixpath.basename(path)) if "/" in path else ()
+    found = [file.path for file in named if f"/{file.path}".endswith(f"/{path}")]
+    return found[0] if len(found) == 1 else None
 
 
 def _starts(words: Sequence[str]) -> str:
