@@ -21,6 +21,8 @@ _NO_UBUNTU = {
 """What follows a word that is no release name there: "focal length" is no Ubuntu."""
 _QUALIFIED = r"(?:lts|linux|version|\(?(?:64|32)[\s-]?bits?\)?)"
 """What may stand before a release's number: ``Ubuntu 64-bit 16.04``."""
+_KIND = r"(?:desktop|server|os|distribution|release|versions?|lts|\u7248\u672c|\u7cfb\u7edf)"
+"""What else may stand before a whole one, also in Chinese: ``Ubuntu Desktop 22.04``, ``Ubuntu version: 22.04``."""
 _CUDA = r"cuda(?:[\s_-]{0,3}toolkit)?(?:\s{0,3}\(?(?:version|v|==?|>=|~|:|\|)?\s{0,3}|[-=:]{1,3})(\d{1,2}\.\d)"
 _CUDNN = r"cudnn(?:[\s:v=_-]|version){0,9}(\d)"
 _PYTHON = (
@@ -53,15 +55,19 @@ def _patterns() -> tuple[tuple[Topic, tuple[str, ...], re.Pattern[str]], ...]:
 
     Where the pattern is a ``_word``, its matches begin with one of the texts.
     """
-    numbers = "|".join(map(re.escape, ubuntus()))
-    numbers += "|" + "|".join(version.removesuffix(".04") + _NO_MORE for version in ubuntus())
+    whole = "|".join(map(re.escape, ubuntus()))
+    numbers = f"{whole}|" + "|".join(version.removesuffix(".04") + _NO_MORE for version in ubuntus())
     codenames = "|".join(name + _NO_UBUNTU.get(name, "") for name in ubuntus().values())
     return (
         ("distro", tuple(sorted(ever())), _word(rf"({'|'.join(sorted(ever()))})s?(?![A-Za-z])")),  # ROS KINETICS
         (
             "ubuntu",
             ("ubuntu", *ubuntus().values()),
-            _word(rf"(?:ubuntu[\s:_-]{{0,3}}(?:{_QUALIFIED}[\s,]{{0,2}}){{0,2}}({numbers})|({codenames}))(?![A-Za-z])"),
+            _word(
+                rf"(?:ubuntu[\s:_-]{{0,3}}(?:{_QUALIFIED}[\s,]{{0,2}}){{0,2}}({numbers})|"
+                rf"ubuntu\s{{0,2}}(?:{_KIND}\s{{0,2}}){{0,2}}[|:(\uff08\uff1a]?\s{{0,2}}({whole})|"
+                rf"({codenames}))(?!(?!lts\b|x(?:64|86))[A-Za-z])"
+            ),
         ),
         ("cuda", ("cuda",), _word(_CUDA)),
         ("cuda", ("+cu", "/cu"), _LOCAL),
