@@ -11,6 +11,7 @@ from roslab.decide.ros.by_page import by_own_source, installed_beside
 from roslab.decide.ros.source_names import plain
 from roslab.decide.ros.workspace import Packages
 from roslab.decide.system.by_hand import as_written, built_by_hand, by_hand
+from roslab.decide.system.contributed import with_contributed
 from roslab.decide.system.libtorch import libtorch
 from roslab.decide.system.listed_here import built_for_page, too_old_for_page
 from roslab.decide.system.names import Target, resolve
@@ -86,6 +87,7 @@ def decide_libraries(
     )
     needing = ((each if config.compatible else with_packages(each, evidence, system), asked) for each, asked in needing)
     built = with_offered((*tabled, *torch, *needing), built_by_hand(evidence), evidence, system.installed)
+    built = built if config.compatible else with_contributed(built, evidence)
     if not (cuda or TOOLKIT in system.apt):
         return without_cuda(built)
     return built if config.compatible else with_cuda(built, evidence, system.installed, target.ubuntu, cuda)

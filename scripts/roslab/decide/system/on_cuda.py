@@ -68,13 +68,14 @@ def with_cuda(
 
 
 def _fits(source: Source, known: OnCuda, cuda: str) -> bool:
-    release = _release(source)
+    release = release_of(source)
     off = _OFF in shlex.split(source.cmake_options)  # a page may say it
     old = Version(cuda) >= Version("12") and release is not None and release < Version(known.for_cuda_12)
     return off and release is not None and not old
 
 
-def _release(source: Source) -> Version | None:
+def release_of(source: Source) -> Version | None:
+    """Return the release that a library is built of, ``None`` for a commit or a branch."""
     match = _RELEASE.fullmatch(source.ref or "")
     return Version(match[1]) if match else None
 
@@ -91,7 +92,7 @@ def _compiled(source: Source, known: OnCuda, evidence: Evidence, options: tuple[
     words = [word if word != _OFF else "-DWITH_CUDA=ON" for word in shlex.split(source.cmake_options)]
     words += [*(f"-DBUILD_opencv_{name}=OFF" for name in left_out), *options]
     prepare = source.prepare
-    release = _release(source)
+    release = release_of(source)
     if release is not None and release >= Version(known.apart_since):
         taken = " ".join(f".apart/modules/{name}" for name in (known.core, *(known.modules if whole else ())))
         clone = f"git clone --quiet --depth 1 --branch {source.ref} {known.apart} .apart"
