@@ -126,7 +126,7 @@ def _below(candidate: Candidate, evidence: Evidence) -> Candidate:
 
     Any folder beside the build folder will do, which the image does not have.
     """
-    opens = {posixpath.basename(m.file).rpartition(".")[0]: m.value for m in evidence.mentions if m.topic == "above"}
+    opens = {m.text: m.value for m in evidence.mentions if m.topic == "above"}
     folder = "" if candidate.inside else opens.get(candidate.argv[0], "")
     return replace(candidate, inside=folder) if folder else candidate
 

@@ -44,3 +44,37 @@ def test_programs_of_one_name_in_two_projects(tree: Tree, opens: str, command: s
     code = {f"{each}/src/demo.cpp": 'auto a = "../data/a.txt";\n' if each == opens else "" for each in "ab"}
     found = tree(both | code).command
     assert (found if isinstance(found, str) else " ".join(found)) == command
+
+
+@pytest.mark.parametrize(
+    ("code", "command"),
+    [
+        ('std::string dir = std::getenv("PWD");\nauto files = read(dir + "/../data/scans");\n', BELOW),
+        ('auto files = read(std::filesystem::current_path().string() + "/../data/scans");\n', BELOW),
+        ('auto files = read(prefix + "/../data/scans");\n', "demo"),
+        ('string base = "../";\nstring images = base + "data/";\n', BELOW),
+        ('string base = "../";\nstring images = base + "lost/";\n', "demo"),
+    ],
+)
+def test_paths_that_are_put_together(tree: Tree, code: str, command: str) -> None:
+    decision = tree({"CMakeLists.txt": CMAKE, "src/demo.cpp": code, "data/scans/a.txt": "1"})
+    found = decision.command
+    assert (found if isinstance(found, str) else " ".join(found)) == command
+
+
+@pytest.mark.parametrize(
+    ("listed", "other", "command"),
+    [
+        ("src/start.cpp src/read.cpp", "", BELOW),
+        ("${SOURCES}", "", BELOW),
+        ("${CMAKE_CURRENT_SOURCE_DIR}/src/start.cpp src/read.cpp", "", BELOW),
+        ("src/start.cpp", "", "demo"),
+        ("src/start.cpp src/read.cpp", 'auto a = "data/a.txt";\n', "demo"),
+    ],
+    ids=["listed", "variable", "here", "of nobody", "both ways"],
+)
+def test_the_files_that_it_is_compiled_from(tree: Tree, listed: str, other: str, command: str) -> None:
+    cmake = f"project(demo)\nset(SOURCES src/start.cpp src/read.cpp)\nadd_executable(demo {listed})\n"
+    code = {"src/start.cpp": f"int main() {{}}\n{other}", "src/read.cpp": 'auto a = "../data/a.txt";\n'}
+    found = tree({"CMakeLists.txt": cmake, "data/a.txt": "1"} | code).command
+    assert (found if isinstance(found, str) else " ".join(found)) == command
