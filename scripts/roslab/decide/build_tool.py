@@ -41,7 +41,7 @@ def _made(evidence: Evidence) -> Choice[BuildTool] | None:
     """Return none where a Makefile or a script builds the tree."""
     for made in evidence.makefiles:
         said = "a script compiles it, as a page says" if made.script else "make builds it, as its Makefile says"
-        said = "qmake and make build it" if made.qt else said
+        said = f"{made.by} and make build it" if made.by else said
         return Choice(answer="none", reasons=(because("build_tool", "none", said, made, weight=Weight.CPP),))
     return None
 

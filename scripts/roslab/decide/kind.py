@@ -294,6 +294,6 @@ def _by_make(evidence: Evidence) -> list[Reason]:
         answer = "cuda" if made.cuda and evidence.cuda_files else "cpp"
         weight = Weight.CMAKE_BELOW if made.folder else Weight.MAKE
         what = "a script that compiles C++" if made.script else "a Makefile that compiles C++"
-        what = "a project of qmake" if made.qt else what
+        what = f"a project of {made.by}" if made.by else what
         return [because("kind", answer, what, made, weight=weight)]
     return []

@@ -113,6 +113,12 @@ def compiled(evidence: Evidence) -> tuple[Compiled, ...]:
     return tuple(found.values())
 
 
+def on_path(evidence: Evidence) -> Iterator[str]:
+    """Yield the names of those that CMake or Autotools make, which are found by them."""
+    yield from (program.name for program in compiled(evidence))
+    yield from (name for made in evidence.makefiles for name in made.installs)
+
+
 def _in_source(folder: str, project: CMakeProject) -> str:
     """Return the folder of a program that is compiled where its project lies."""
     return posixpath.join("source", _place(project), folder)

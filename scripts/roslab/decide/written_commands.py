@@ -24,8 +24,7 @@ from roslab.decide.launch_calls import (
 from roslab.decide.made_folders import made_before
 from roslab.decide.own_test_runs import runs_tests
 from roslab.decide.pages_of_tools import of_a_tool
-from roslab.decide.programs import by_source, in_packages, installed_by_pip, one_letter_off, one_of_several
-from roslab.decide.programs import compiled as programs_of
+from roslab.decide.programs import by_source, in_packages, installed_by_pip, on_path, one_letter_off, one_of_several
 from roslab.decide.reasons import of_readme
 from roslab.decide.renamed_launches import Declared, declared_by, renamed
 from roslab.decide.ros.installed_programs import with_installed
@@ -87,7 +86,7 @@ def calls_of(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> It
         kind=kind,
         programs=tuple(script.file for script in evidence.programs),
         nodes=frozenset(script.file for script in evidence.programs if script.kind == "node" and not ros),
-        compiled=in_packages(evidence, kind) if ros else dict.fromkeys((p.name for p in programs_of(evidence)), ""),
+        compiled=in_packages(evidence, kind) if ros else dict.fromkeys(on_path(evidence), ""),
         launched=names_of_launch_files(evidence),
         calls=launch_calls(evidence),
         by_path=found_by_path(evidence),

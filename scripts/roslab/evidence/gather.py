@@ -157,7 +157,8 @@ def gather(repository: Repository) -> Evidence:
     python_projects = project.read(repository)
     stopped = stopped_setup.chosen(python_projects, prose.requirements)
     by_pip = [each for each in python_projects if not places.vendored(each.file)]
-    names = {name for each in by_pip for name, _ in each.scripts}
+    made = makefiles.read(own, prose.mentions)
+    names = {name for each in by_pip for name, _ in each.scripts} | {name for each in made for name in each.installs}
     names |= {name for each in cmake_projects if not manifests for name, _ in each.executables}
     files = {posixpath.basename(file): file for each in by_pip for file in each.script_files}
     started = programs.read(repository)
@@ -175,7 +176,6 @@ def gather(repository: Repository) -> Evidence:
     sources = (*sources, *(by_name_alone := links.listed(lost) if manifests else ()))
     sources = (*sources, *native_clones.read(repository, sources, cmake_projects))
     lists = submodules.named(requirements.read(repository, prose.requirements), own, prose.requirements)
-    made = makefiles.read(own, prose.mentions)
     by_file = linked_files.read(own)
     listed = any(source.kind == "vcs" for source in sources)  # a repository may hold no more than the list of others
     otherwise = tuple(other_builders.read(repository))

@@ -35,6 +35,17 @@ class Makefile:
     """The tree holds a file of the name of one of its programs: make would take it for done."""
     qt: tuple[str, ...] = ()
     """The modules of Qt that a project of qmake asks for, as it calls them."""
+    configured: str = ""
+    """What writes the Makefile of a project of Autotools, which installs what it makes."""
+    installs: tuple[str, ...] = ()
+    """The programs that are installed then, by their names."""
+    tools: tuple[str, ...] = ()
+    """The packages with the programs that this calls."""
+
+    @property
+    def by(self) -> str:
+        """What the Makefile is written by, ``""`` for an author."""
+        return "qmake" if self.qt else "Autotools" if self.configured else ""
 
     @property
     def folder(self) -> str:

@@ -98,7 +98,7 @@ def of_another_python(dependency: Dependency, ubuntu: str | None) -> bool:
 
 
 def _made(evidence: Evidence) -> Iterator[Dependency]:
-    """Yield what Makefiles link and ask pkg-config for, that program itself, and Qt with qmake."""
+    """Yield what Makefiles link and ask pkg-config for, that program itself, Qt with qmake, and what Autotools are."""
     whole = builds_all(evidence)
     for made in evidence.makefiles:
         asked: Strength = "declared" if made is whole else "used"
@@ -110,7 +110,9 @@ def _made(evidence: Evidence) -> Iterator[Dependency]:
             yield Dependency(namespace="cmake", name=name, strength="used", file=made.file, line=1, role="build")
         if made.qt:
             yield Dependency(namespace="apt", name=QMAKE, strength="used", file=made.file, line=1, role="make")
-        if made.modules:
+        for name in made.tools:
+            yield Dependency(namespace="apt", name=name, strength=asked, file=made.file, line=1, role="make")
+        if made.modules and "pkg-config" not in made.tools:
             yield Dependency(namespace="apt", name="pkg-config", strength="used", file=made.file, line=1, role="make")
 
 

@@ -240,7 +240,9 @@ def _part(project: CMakeProject, *, found: bool, options: str = "") -> OwnScript
 
 
 def _make(made: Makefile) -> str:
-    """Return the call of make, with the target that a page names."""
+    """Return the call of make, with the target that a page names; what Autotools configured is installed."""
+    if made.configured:
+        return f'{made.configured} && make --jobs="$(compile-jobs)" && make install && ldconfig'
     call = f"{_QMAKE} && make" if made.qt else _ANEW if made.stale else "make"
     return f"{call} {made.target}" if made.target else call
 

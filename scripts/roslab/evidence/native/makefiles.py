@@ -67,16 +67,19 @@ _TASKS = frozenset(
 def read(repository: Repository, mentions: Iterable[Mention] = ()) -> tuple[Makefile, ...]:
     """Return the Makefile at the root, else those of the nearest folders, else the scripts that a page compiles with.
 
-    Else the projects of qmake.
+    Else the projects of qmake. In the place of all these the project of Autotools.
     None where CMake or ROS builds the tree, or where it has more Python than C and C++.
     """
-    others = repository.named("CMakeLists.txt", "package.xml", "manifest.xml", "configure", "configure.ac")
-    if not all(places.vendored(file.path) for file in others):
+    if not all(
+        places.vendored(file.path) for file in repository.named("CMakeLists.txt", "package.xml", "manifest.xml")
+    ):
         return ()
     if _number(repository, ".py") > _number(repository, *_SOURCES):
         return ()
-    from roslab.evidence.native import compile_scripts, qmake  # noqa: PLC0415 - CMake or ROS builds most trees
+    from roslab.evidence.native import autotools, compile_scripts, qmake  # noqa: PLC0415 - CMake or ROS builds most
 
+    if not all(places.vendored(file.path) for file in repository.named("configure", "configure.ac", "configure.in")):
+        return tuple(autotools.read(repository))
     found = [each for file in _files(repository) if (each := _makefile(file, repository))]
     called = {folder for each in found for folder in each.parts if each.folder not in each.parts}
     found = [each for each in found if each.folder not in called] or found

@@ -1,0 +1,91 @@
+"""The project of Autotools that a tree is: configure.ac, or the configure that was made of it, and each Makefile.am."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+
+from roslab.evidence import places
+from roslab.evidence.makefile import Makefile
+from roslab.evidence.native import compile_scripts
+from roslab.repository.checkout import File, Repository
+from roslab.values.pattern import pattern
+
+MAX_SIZE = 256 * 1024
+MAX_FILES = 100
+"""Most files of Automake that are read."""
+_SOURCES = ("configure.ac", "configure.in")
+_MADE = "configure"
+_COMMENT = pattern(r"(?:^|(?<=\s))(?:#|dnl\b)[^\n]*", re.MULTILINE)
+_PROGRAMS = pattern(r"^[ \t]*(bin|sbin|noinst)_PROGRAMS[ \t]*\+?=[ \t]*([^\n]*)", re.MULTILINE)
+_NAME = pattern(r"[A-Za-z][\w.-]*")
+_WORD = r"[ \t\n]*\[?[ \t\n]*([\w.+-]+)[ \t\n]*\]?[ \t\n]*"
+_LIBRARY = pattern(rf"\bAC_CHECK_LIB\({_WORD}[,)]")
+_MODULES = pattern(r"\bPKG_CHECK_MODULES\(\s*\[?\w+\]?\s*,\s*\[?([^\[\](),]{1,400})\]?\s*[,)]")
+_MODULE = pattern(r"(?<![<>=!])(?<![<>=!]\s)(?<![\w.+-])([A-Za-z][\w.+-]*)")
+_ALWAYS = ("autoconf", "automake", "libtool", "pkg-config")
+_TOOLS = (
+    (pattern(r"\bAX_[A-Z]"), ("autoconf-archive",)),
+    (pattern(r"\bAM_GNU_GETTEXT"), ("autopoint", "gettext")),
+    (pattern(r"\b(?:IT|AC)_PROG_INTLTOOL\b"), ("intltool",)),
+)
+"""What its macros call, by the packages that have it: https://packages.ubuntu.com/jammy/autoconf-archive, 2026-11-29"""
+_ANEW = "autoreconf --force --install"
+_CALL = "sh ./configure"
+
+
+def read(repository: Repository) -> Iterator[Makefile]:
+    """Yield the project at the root, else the only one in a folder there; none of copied code.
+
+    The configure of a checkout may be older than what it is made of, and so make would make it again: it is made anew
+    where its source is there. https://www.gnu.org/software/automake/manual/html_node/CVS.html, read 2026-11-29.
+    """
+    files: dict[str, File] = {}
+    for name in (*_SOURCES, _MADE):
+        for file in repository.named(name):
+            if file.path.count("/") <= 1 and not (places.vendored(file.path) or places.aside(file.path)):
+                files.setdefault(file.folder, file)
+    found = [files[""]] if "" in files else list(files.values())
+    for file in found if len(found) == 1 else ():
+        automade = _automade(repository, file.folder)
+        if automade or repository.has(posixpath.join(file.folder, "Makefile.in")):
+            yield _project(file, automade, repository)
+
+
+def _automade(repository: Repository, folder: str) -> list[File]:
+    below = f"{folder}/" if folder else ""
+    files = [f for f in repository.named("Makefile.am") if f.path.startswith(below) and f.size <= MAX_SIZE]
+    return [file for file in files if not places.vendored(file.path)][:MAX_FILES]
+
+
+def _project(file: File, automade: list[File], repository: Repository) -> Makefile:
+    text = _COMMENT.sub("", repository.read(file, limit=MAX_SIZE)) if file.name != _MADE else ""
+    texts = {each: _COMMENT.sub("", repository.read(each).replace("\\\n", " ")) for each in automade}
+    installed: dict[str, None] = {}
+    programs: dict[str, None] = {}
+    for each, written in texts.items():
+        for where, names in _PROGRAMS.findall(written):
+            for name in filter(_NAME.fullmatch, names.split()):
+                programs[name] = None
+                if where != "noinst":
+                    installed[posixpath.relpath(posixpath.join(each.folder, name), file.folder or ".")] = None
+    libraries = (
+        *_LIBRARY.findall(text),
+        *(name for written in texts.values() for name in compile_scripts.linked(written)),
+    )
+    modules = [name for said in _MODULES.findall(text) for name in _MODULE.findall(said)]
+    tools = (package for macro, packages in _TOOLS if macro.search(text) for package in packages)
+    return Makefile(
+        file=file.path,
+        line=1,
+        programs=tuple(programs),
+        installs=tuple(posixpath.basename(path) for path in installed),
+        only=next(iter(installed)) if len(installed) == 1 else None,
+        linked=tuple(dict.fromkeys(libraries)),
+        cuda=False,
+        alone=True,
+        modules=tuple(dict.fromkeys(modules)),
+        configured=_CALL if file.name == _MADE else f"{_ANEW} && {_CALL}",
+        tools=() if file.name == _MADE else (*_ALWAYS, *tools),
+    )
