@@ -86,13 +86,38 @@ def test_a_clone_into_a_folder_of_another_name_lies_there(tree: Tree, clone: str
         ("include(tinymesh)", {}),  # a module
         ("include_directories(${other_SOURCE_DIR}/libs/tinymesh)", {}),  # of another project
         ("file(DOWNLOAD https://a.b/c libs/tinymesh/a.h)", {}),
-        ("include_directories(${PROJECT_SOURCE_DIR}/../tinymesh)", {}),  # outside
+        ("include_directories(${PROJECT_SOURCE_DIR}/../../tinymesh)", {}),  # outside of the home folder
+        ("include_directories(/opt/tinymesh)", {}),
         ("add_subdirectory(libs/tinymesh)", {"libs/tinymesh/CMakeLists.txt": "project(tinymesh)\n"}),  # there
         ("add_subdirectory(libs/tinymeshes)", {}),  # another name
     ],
 )
 def test_what_is_no_folder_of_it_is_not(tree: Tree, line: str, more: dict[str, str]) -> None:
     assert tree({"CMakeLists.txt": CMAKE.format(line), "README.md": page(CLONE), **more}).submodules == ()
+
+
+BESIDE = {
+    "${PROJECT_SOURCE_DIR}/../tinymesh": "../tinymesh",
+    "../tinymesh": "../tinymesh",
+    "$ENV{HOME}/libs/tinymesh": "../libs/tinymesh",
+    "~/libs/tinymesh": "../libs/tinymesh",
+}
+
+
+@pytest.mark.parametrize(("written", "place"), BESIDE.items())
+def test_one_beside_the_tree_or_in_the_home_folder(tree: Tree, written: str, place: str) -> None:
+    line = f"include_directories({written}/include)\nlink_directories({written}/build)"
+    decision = tree({"CMakeLists.txt": CMAKE.format(line), "README.md": page(COMPILED)})
+    assert [source.name for source in decision.submodules] == [place]
+    assert decision.inside == ((place, "-DGUI=OFF"),)
+    assert not [source for source in decision.source if source.name == "tinymesh"]
+
+
+def test_a_workspace_has_others_beside_it(tree: Tree) -> None:
+    cmake = "project(a)\nfind_package(catkin REQUIRED)\ninclude_directories(../tinymesh/include)\n"
+    manifest = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
+    decision = tree({"CMakeLists.txt": cmake, "package.xml": manifest, "README.md": page(CLONE)})
+    assert decision.submodules == ()
 
 
 def test_a_package_takes_it_from_its_own_folder(tree: Tree) -> None:

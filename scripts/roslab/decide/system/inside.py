@@ -104,6 +104,6 @@ def _of_packages(evidence: Evidence) -> Iterator[tuple[str, str, Place]]:
 
 def meant(path: str, folders: Collection[str]) -> str | None:
     """Return the folder that a path ends with, or the only one that ends with it: a page may begin anywhere."""
-    whole = [folder for folder in folders if f"/{path}".endswith(f"/{folder}")]
+    whole = [folder for folder in folders if f"/{path}".endswith(f"/{folder.removeprefix('../')}")]
     part = [folder for folder in folders if f"/{folder}".endswith(f"/{path}")]
     return max(whole, key=len) if whole else part[0] if len(part) == 1 else None

@@ -37,14 +37,16 @@ _OF_TARGETS = frozenset(
 _FIRST = frozenset({"add_subdirectory", "include"})
 """Calls whose first word alone is a path."""
 _PATH = pattern(
-    r"(?:\$\{(?:CMAKE_CURRENT_(?:SOURCE|LIST)_DIR|([\w-]{1,60})_SOURCE_DIR)\}(/))?"
+    r"(?:(?:\$\{(?:CMAKE_CURRENT_(?:SOURCE|LIST)_DIR|([\w-]{1,60})_SOURCE_DIR)\}|(\$ENV\{HOME\}|~))(/))?"
     r"((?:(?:\.\.?|[\w+-][\w.+-]*)/){0,11}(?:\.\.?/|[\w+-][\w.+-]*/?))$"
 )
+_BESIDE = pattern(r"\.\./(?!\.\.(?:/|$))")
 
 
 def read(repository: Repository, sources: Iterable[GitSource], projects: Iterable[CMakeProject]) -> Iterator[GitSource]:
     """Yield each such clone with the path in the tree that CMake means, once; the first file that names it counts.
 
+    One beside the tree, or in the home folder, in which an image has a tree that is no workspace, is ``../NAME``.
     What the tree has a folder of the same path for is there, and submodules are none of them, nor is the repository.
     """
     sources = tuple(sources)
@@ -57,10 +59,13 @@ def read(repository: Repository, sources: Iterable[GitSource], projects: Iterabl
     tops = {project.file.rpartition("/")[0]: project.name for project in projects if project.name}
     files = [file for file in repository.named("CMakeLists.txt") if not places.vendored(file.path)]
     files = nearest(files)[:MAX_FILES]
+    of_ros = bool(repository.named("package.xml", "manifest.xml"))
     for file in files:
         text = repository.read(file) if file.size <= MAX_SIZE else ""
         named = [git for name, git in clones.items() if name in text]
         for path in _paths(text, file, tops) if named else ():
+            if path.startswith("..") and (of_ros or not _BESIDE.match(path)):
+                continue
             for git in named:
                 place = _up_to(git.folder, path)
                 if git.folder in clones and place and place not in repository.folders and place not in modules:
@@ -68,15 +73,15 @@ def read(repository: Repository, sources: Iterable[GitSource], projects: Iterabl
 
 
 def _paths(text: str, file: File, tops: Mapping[str, str]) -> Iterator[str]:
-    """Yield the paths below the root that calls name; a bare word is one only where a call takes folders alone."""
+    """Yield the paths from the root that calls name; a bare word is one only where a call takes folders alone."""
     for call in calls(text, _OF_FOLDERS | _OF_FILES | _OF_TARGETS):
         for word in _words(call):
             match = _PATH.match(word)
-            if match and (match[2] or "/" in match[3] or call.name in _OF_FOLDERS):
+            if match and (match[3] or "/" in match[4] or call.name in _OF_FOLDERS):
                 folder = file.folder if match[1] is None else _top(match[1], file.folder, tops)
-                path = posixpath.normpath(posixpath.join(folder or "", match[3]))
-                if folder is not None and not path.startswith(".."):
-                    yield path
+                folder = ".." if match[2] else folder
+                if folder is not None:
+                    yield posixpath.normpath(posixpath.join(folder, match[4]))
 
 
 def _words(call: Call) -> tuple[str, ...]:

@@ -9,8 +9,11 @@ ADDRESS = pattern(r"https?://")
 """An image has no key for ssh, and no path of somebody's machine."""
 PATH = pattern(r"(?!\.\.?(?:/|$))[\w.+-]+(?:/(?!\.\.?(?:/|$))[\w.+-]+)*")
 """One that leads out of the tree is none."""
+_BESIDE = "../"
+"""Where a page clones something that CMake takes from beside the tree."""
 
 
 def can_be_cloned(git: GitSource) -> bool:
     """Tell whether its address, by https where a host serves it so, and its path are such."""
-    return bool(ADDRESS.match(git.url) and PATH.fullmatch(git.name))
+    path = git.name.removeprefix(_BESIDE) if git.kind == "inside" else git.name
+    return bool(ADDRESS.match(git.url) and PATH.fullmatch(path))

@@ -167,7 +167,7 @@ def submodules(plan: Plan) -> str:
         return ""
     runs = []
     for source in plan.workspace.submodules:
-        folder = quote.shell_with_user(f"{source_folder(plan)}/{source.name}")
+        folder = quote.shell_with_user(posixpath.normpath(f"{source_folder(plan)}/{source.name}"))
         recorded = _RECORDED.fullmatch(source.ref or "") and not (source.zip or source.unasked)
         fetched = _at_commit(source, folder) if recorded else fetch(plan, source, folder)
         commands = (f"mkdir --parents {folder}", _or_left_out(fetched, source, folder))

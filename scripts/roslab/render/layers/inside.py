@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import posixpath
+
 from roslab.plan.plan import Plan
 from roslab.render import quote
 from roslab.render.layers import shell
@@ -28,8 +30,8 @@ def compile_inside(plan: Plan) -> str:
     modules = tuple(f"{source.name}/" for source in place.submodules)
     lines = ["# Libraries inside the repository"]
     for folder, options in place.inside:
-        source = quote.shell_with_user("/".join(filter(None, (source_folder(plan), folder))))
-        build = quote.shell_with_user("/".join(filter(None, (source_folder(plan), folder, "build"))))
+        source = quote.shell_with_user(posixpath.normpath(f"{source_folder(plan)}/{folder}"))
+        build = quote.shell_with_user(posixpath.normpath(f"{source_folder(plan)}/{folder}/build"))
         unread = f"{folder}/".startswith(modules)
         given = ("-DCMAKE_BUILD_TYPE=Release", *([_NO_TESTS] if unread and _TESTS not in options else []))
         cmake = f"cmake{words((*given, *map(written, options.split())))} .."

@@ -35,7 +35,9 @@ def in_tree(plan: Plan, folder: str) -> str:
         return ""
     named = (source.name for source in plan.workspace.submodules if not source.unasked)
     calls = [
-        f"{INSTALL} {quote.shell(name.replace('/', '-'))} {quote.shell_with_user(f'{folder}/{name}')}" for name in named
+        f"{INSTALL} {quote.shell(name.removeprefix('../').replace('/', '-'))} "
+        f"{quote.shell_with_user(posixpath.normpath(f'{folder}/{name}'))}"
+        for name in named
     ]
     around = locks.apt(plan, "libraries", "rosdep", "custom")
     return f"{_tools(plan)}{shell.run(*calls, secrets=secrets.for_apt(plan), around=around)}" if calls else ""
