@@ -246,7 +246,7 @@ def gather(repository: Repository) -> Evidence:
             *siblings.read(own, python_projects),
             *lost_headers.read(own, python_projects),
             *stopped_setup.folders(stopped),
-            *(() if manifests else opens_above.read(own, cmake_projects)),
+            *(() if manifests else (*opens_above.read(own, cmake_projects), *other_builders.of_windows(own))),
             *argument_counts.read(own, cmake_projects),
             *options.read(own, (*prose.mentions, *by_name)),
             *options.of_programs(own, started, (*prose.mentions, *by_name)),

@@ -103,3 +103,29 @@ def test_beside_an_app_of_flutter_the_rest_is_planned(tmp_path: Path) -> None:
 def test_a_folder_of_the_runner_s_name_without_flutter_is_compiled(tmp_path: Path) -> None:
     assert told(tmp_path, {"pubspec.yaml": "name: app\n", **RUNNER}) == []
     assert plan_repository(tmp_path).plan.kind == "cpp"
+
+
+def _uncompiled(root: Path, files: dict[str, str]) -> list[str]:
+    for path, text in {"src/main.cpp": "#include <opencv2/core.hpp>\nint main() {}\n", **files}.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text)
+    return [each.message for each in plan_repository(root).decision.warnings if "Visual Studio" in each.message]
+
+
+def test_a_project_of_visual_studio_alone_is_told(tmp_path: Path) -> None:
+    (message,) = _uncompiled(tmp_path, {"app/Arm.vcxproj": "<Project/>\n", "Arm.sln": "Global\n"})
+    assert message.startswith("the C++ is compiled by Visual Studio (Arm.sln), which is of Windows alone")
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {},
+        {"Arm.sln": "", "CMakeLists.txt": "project(a)\nadd_executable(a src/main.cpp)\n"},
+        {"Arm.sln": "", "Makefile": "arm: src/main.cpp\n\tg++ -o arm src/main.cpp\n"},
+        {"Arm.sln": "", "a.py": "import numpy\n", "b.py": "import numpy\n"},
+    ],
+    ids=["none", "cmake", "make", "python"],
+)
+def test_a_project_of_visual_studio_beside_others_is_not(tmp_path: Path, files: dict[str, str]) -> None:
+    assert not _uncompiled(tmp_path, files)

@@ -6,8 +6,11 @@ from collections.abc import Iterator
 
 from roslab.evidence.facts import Mention
 from roslab.knowledge.other_builders import OtherBuilder, other_builders
-from roslab.repository.checkout import Repository
+from roslab.repository.checkout import Repository, nearest
 from roslab.values.pattern import pattern
+
+_OF_WINDOWS = (".sln", ".vcxproj", ".vcproj")
+_OF_OTHERS = ("CMakeLists.txt", "package.xml", "manifest.xml", "setup.py", "pyproject.toml", "requirements.txt")
 
 
 def read(repository: Repository) -> Iterator[Mention]:
@@ -19,6 +22,17 @@ def read(repository: Repository) -> Iterator[Mention]:
             yield Mention(
                 topic="other_builder", value=each.builder, source="filename", file=each.file, line=1, text=each.file
             )
+
+
+def of_windows(repository: Repository) -> Iterator[Mention]:
+    """Yield a mention of the project of Visual Studio, of several the one nearest to the root, if none is another's.
+
+    https://learn.microsoft.com/en-us/cpp/build/reference/vcxproj-file-structure, read 2026-11-29.
+    """
+    if not repository.named(*_OF_OTHERS):
+        for file in nearest(repository.suffixed(*_OF_WINDOWS))[:1]:
+            path = file.path
+            yield Mention(topic="of_windows", value=path, source="filename", file=path, line=1, text=file.name)
 
 
 def without(repository: Repository) -> Repository:
