@@ -28,8 +28,11 @@ _BLANKS = frozenset({BLANK, "…"})
 
 
 def pointed_launches(evidence: Evidence) -> tuple[tuple[Mention, str, str], ...]:
-    """Return the launch files that pages name in their sentences, each with its package and its name."""
-    packages = {launch.file: launch.package for launch in evidence.launch if launch.package}
+    """Return the launch files that pages name in their sentences, each with its package and its name.
+
+    One that is to be filled in is an example for the reader's own.
+    """
+    packages = {launch.file: launch.package for launch in evidence.launch if launch.package and not launch.to_fill}
     said = [mention for mention in evidence.mentions if mention.topic == "pointed" and mention.value in packages]
     return tuple((mention, packages[mention.value] or "", mention.value.rpartition("/")[2]) for mention in said)
 

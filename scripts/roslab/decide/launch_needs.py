@@ -94,6 +94,15 @@ def decide_launch_needs(
         )
         for package, name, file, line in launch.gone
     ]
+    told += [
+        Warning_(
+            message=f"the default command loads {path}, in which the reader is to put a path of his own, and stops "
+            "there: write that of a file of the tree, or set `command` in roslab.yaml",
+            file=launch.file,
+            line=line,
+        )
+        for path, line in launch.to_fill[:1]
+    ]
     told += _of_windows(evidence, launch, sources, ros_distro)
     told += _elsewhere(evidence, launch, ros_distro)
     told += absent

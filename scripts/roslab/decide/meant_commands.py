@@ -76,7 +76,7 @@ def listed(evidence: Evidence, kind: Kind) -> Candidate | None:
 def _pointed(evidence: Evidence, kind: Kind) -> Iterator[tuple[Candidate, str]]:
     """Yield what pages at the root name without running it, each with the line that does."""
     ours = (each for each in evidence.launch if each.package and kind == f"ros{each.ros}")
-    owners = {launch.file: launch for launch in ours if not (launch.idle or demanded(launch))}
+    owners = {launch.file: launch for launch in ours if not (launch.idle or launch.to_fill or demanded(launch))}
     calls = launch_calls(evidence)
     for said in evidence.mentions:
         argv: tuple[str, ...] = ()

@@ -30,8 +30,9 @@ def unstartable(evidence: Evidence, *, programs: bool) -> frozenset[str]:
 
     Those stop that need, without a condition, a package which neither the tree has, nor a package.xml asks for, nor any
     distribution or table knows; what a page or a list clones may hold it, and then all may start. So do those that
-    include a launch file which a package of the tree does not have. What sets parameters alone starts nothing. Without
-    ``programs`` of its own, the repository may consist of launch files for what others wrote.
+    include a launch file which a package of the tree does not have, or load a file by a path with a blank in it. What
+    sets parameters alone starts nothing. Without ``programs`` of its own, the repository may consist of launch files
+    for what others wrote.
     """
     files = {launch.file.rpartition("/")[2] for launch in evidence.launch}
     cloned = any(git.kind not in {"link", "fetch"} for git in evidence.sources)
@@ -41,7 +42,11 @@ def unstartable(evidence: Evidence, *, programs: bool) -> frozenset[str]:
     return frozenset(
         launch.file
         for launch in evidence.launch
-        if launch.file in lacking or launch.gone or launch.idle or (programs and _of_others(launch, own, files))
+        if launch.file in lacking
+        or launch.gone
+        or launch.to_fill
+        or launch.idle
+        or (programs and _of_others(launch, own, files))
     )
 
 

@@ -57,6 +57,8 @@ class LaunchFile:
     """Programs that it starts by their names beside its nodes, each with the folder of its author's and its line."""
     idle: bool = False
     """It sets parameters, and names no node and no other launch file."""
+    to_fill: tuple[tuple[str, int], ...] = ()
+    """Paths of files that it loads in any case and that its reader is to fill in, each with its line."""
     unmade: tuple[tuple[str, str, str], ...] = ()
     """Of these the package, the program and the one most like it, where it is a package of the tree without that."""
     arguments: tuple[str, ...] = ()

@@ -67,6 +67,38 @@ def test_a_launch_file_that_is_a_blank_is_the_first_that_its_section_names(
     assert ("auto:=true" in command) == (file != "show.launch")
 
 
+TO_FILL = (
+    '<launch><rosparam command="load" file="[PATH_TO_CONFIG]/a.yaml"/><node pkg="demo" type="a" name="a"/></launch>\n'
+)
+PLAIN = TO_FILL.replace("[PATH_TO_CONFIG]", "$(find demo)")
+
+
+@pytest.mark.parametrize("page", ["Write one like [this](launch/own.launch).", "# Use\nlaunch/own.launch", ""])
+@pytest.mark.parametrize(
+    ("text", "file"),
+    [
+        (TO_FILL, "show.launch"),
+        (TO_FILL.replace("[PATH_TO_CONFIG]", "/path/to"), "show.launch"),
+        (TO_FILL.replace('command="load"', 'if="$(arg x)"'), "own.launch"),
+        (PLAIN, "own.launch"),
+    ],
+    ids=["blank", "path", "condition", "filled"],
+)
+def test_one_that_is_to_be_filled_in_is_not_started(tree: Tree, page: str, text: str, file: str) -> None:
+    files = {name: said for name, said in FILES.items() if "mapping" not in name} | {"launch/own.launch": text}
+    files["launch/show.launch"] = '<launch><node pkg="demo" type="b" name="b"/></launch>\n'
+    command = tree({**files, "README.md": f"ROS Noetic\n\n{page}\n"}).command
+    assert command == ("roslaunch", "demo", file) if page or file == "show.launch" else command == ("bash",)
+
+
+def test_one_that_a_page_starts_all_the_same_is_told(tree: Tree) -> None:
+    files = {**FILES, "launch/own.launch": TO_FILL, "README.md": "ROS Noetic\n```\nroslaunch demo own.launch\n```\n"}
+    decision = tree(files)
+    assert decision.command == ("roslaunch", "demo", "own.launch")
+    (told,) = [each for each in decision.warnings if "of his own" in each.message]
+    assert (told.file, told.line) == ("launch/own.launch", 1)
+
+
 LAUNCHED = (
     "from better_launch import BetterLaunch, launch_this\n\n@launch_this\ndef main(\n    real: bool = False,\n):\n"
 )

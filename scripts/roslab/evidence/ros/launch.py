@@ -23,6 +23,7 @@ from roslab.evidence.ros.launch_conditions import conditional, kept_by, started
 from roslab.evidence.ros.launch_switches import switches
 from roslab.evidence.ros.named_interpreters import named_interpreters
 from roslab.evidence.ros.own_plugins import without_own
+from roslab.evidence.ros.to_fill import to_fill
 from roslab.evidence.ros.uninstalled import marked
 from roslab.evidence.ros.unmade_nodes import with_unmade
 from roslab.evidence.ros.worlds import opens_window
@@ -116,6 +117,7 @@ def read(repository: Repository) -> tuple[LaunchFile, ...]:
                 nodes=tuple(dict.fromkeys(launch_programs.nodes(text, started))),
                 executes=tuple(executed(text, started)) if python else (),
                 idle=bool(xml) and bool(_SETS.search(text)) and not _STARTS.search(text),
+                to_fill=tuple(to_fill(text)) if xml else (),
                 interpreters=named_interpreters(text),
                 arguments=declared_arguments(text),
                 demands=demanded_arguments.in_xml(text)
