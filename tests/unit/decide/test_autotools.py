@@ -42,6 +42,21 @@ def test_it_is_configured_made_and_installed(tree: Tree) -> None:
     assert not [each for each in decision.warnings if "nothing shows" in each.message]
 
 
+@pytest.mark.parametrize(
+    ("more", "made"),
+    [
+        ({}, ""),
+        ({"configure.ac": CONFIGURE + "AC_CONFIG_MACRO_DIR([m4])\n"}, "mkdir --parents m4 && "),
+        ({"Makefile.am": "ACLOCAL_AMFLAGS = -I m4\n"}, "mkdir --parents m4 && "),
+        ({"configure.ac": CONFIGURE + "AC_CONFIG_MACRO_DIR([m4])\n", "m4/a.m4": "dnl a\n"}, ""),
+    ],
+    ids=["none", "configure", "automake", "there"],
+)
+def test_the_folder_of_macros_that_git_does_not_keep_is_made(tree: Tree, more: dict[str, str], made: str) -> None:
+    (script,) = tree({**FILES, **more}).scripts
+    assert script.command == f"{made}{ANEW} && {BUILD}"
+
+
 @pytest.mark.parametrize("run", ["./probe", "planner a.txt"])
 def test_what_a_page_runs_of_it(tree: Tree, run: str) -> None:
     page = f"# Planner\n## Usage\n```\n./configure\nmake\nsudo make install\n{run}\n```\n"

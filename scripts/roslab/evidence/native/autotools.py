@@ -31,6 +31,11 @@ _TOOLS = (
     (pattern(r"\b(?:IT|AC)_PROG_INTLTOOL\b"), ("intltool",)),
 )
 """What its macros call, by the packages that have it: https://packages.ubuntu.com/jammy/autoconf-archive, 2026-11-29"""
+_MACROS = pattern(
+    r"\bAC_CONFIG_MACRO_DIRS?\(\s*\[?\s*([\w-][\w./-]*)|^ACLOCAL_AMFLAGS[ \t]*\+?=[^\n]*?-I[ \t]*([\w-][\w./-]*)",
+    re.MULTILINE,
+)
+"""The folder of macros, which aclocal does not make: git keeps none without a file."""
 _ANEW = "autoreconf --force --install"
 _CALL = "sh ./configure"
 
@@ -75,6 +80,10 @@ def _project(file: File, automade: list[File], repository: Repository) -> Makefi
         *(name for written in texts.values() for name in compile_scripts.linked(written)),
     )
     modules = [name for said in _MODULES.findall(text) for name in _MODULE.findall(said)]
+    whole = "\n".join((text, *(said for each, said in texts.items() if each.folder == file.folder)))
+    folders = dict.fromkeys(first or second for first, second in _MACROS.findall(whole))
+    lost = [each for each in folders if posixpath.join(file.folder, each.rstrip("/")) not in repository.folders]
+    made = f"mkdir --parents {' '.join(lost)} && " if lost else ""
     tools = (package for macro, packages in _TOOLS if macro.search(text) for package in packages)
     return Makefile(
         file=file.path,
@@ -86,6 +95,6 @@ def _project(file: File, automade: list[File], repository: Repository) -> Makefi
         cuda=False,
         alone=True,
         modules=tuple(dict.fromkeys(modules)),
-        configured=_CALL if file.name == _MADE else f"{_ANEW} && {_CALL}",
+        configured=_CALL if file.name == _MADE else f"{made}{_ANEW} && {_CALL}",
         tools=() if file.name == _MADE else (*_ALWAYS, *tools),
     )
