@@ -40,6 +40,7 @@ from roslab.decide.left_to_reader import left_to_reader
 from roslab.decide.lone import alone, behind_others
 from roslab.decide.meant_commands import listed, named_like_it, pointed_at, started_below, whole_of
 from roslab.decide.of_clones import first_of_clones
+from roslab.decide.only_making import only_making
 from roslab.decide.outward import ports_of_page, volumes_of
 from roslab.decide.own_commands import own
 from roslab.decide.reasons import because, configured
@@ -243,7 +244,7 @@ def _obvious(
     obvious = _barest(obvious if dockerfile or any(c.strong for c in ours) else ours)
     clear = len(obvious) == 1 and not (obvious[0].strong and _others(evidence, obvious[0]))
     only = behind_others(found, every) or (obvious[0] if clear else alone(found, every))
-    if only := only or (None if dockerfile else first_shown(found, evidence)):
+    if only := only or (None if dockerfile else first_shown(found, evidence) or only_making(every)):
         why = among(only, [], found)
         argv = given(only, authored) if dockerfile and authored else only.argv
         return argv, because("command", shlex.join(argv), why, only, weight=Weight.ONLY_ONE)
