@@ -146,3 +146,24 @@ def test_a_sentence_runs_a_script_of_the_shell(tree: Tree, sentence: str, runs: 
     decision = tree({**FILES, **scripts, "README.md": f"# Demo\n\n{sentence}\n"})
     said = [each for each in decision.reasons if each.question == "command" and "README runs it" in each.reason]
     assert ("bash run.sh" in [each.answer for each in said]) is runs
+
+
+@pytest.mark.parametrize(
+    ("sentence", "command"),
+    [
+        ("- `demo/all.sh` provides an example how to run the simulation", "cd demo && exec bash all.sh"),
+        ("`demo/plan.py` is an example of how to start it.", "python demo/plan.py"),
+        ("`demo/plan.py` shows how to run the planner.", "python demo/plan.py"),
+        ("`demo/all.sh` provides an example how to run the unit tests", ""),
+        ("`demo/plan.py` no longer shows how to run the planner.", ""),
+        ("`demo/plan.py` shows how the planner is made.", ""),
+        ("`demo/plan.py` shows how to install the planner.", ""),
+    ],
+)
+def test_an_example_of_how_to_run_it_is_run(tree: Tree, sentence: str, command: str) -> None:
+    names = {"demo/all.sh": "python3 next.py --fast\n", "demo/next.py": PLAN, "demo/second.py": PLAN}
+    found = tree({**FILES, **names, "README.md": f"# Demo\n\n## About\n\n{sentence}\n"})
+    said = [each for each in found.reasons if each.question == "command" and "README runs it" in each.reason]
+    assert bool(said) is bool(command)
+    if command:
+        assert (found.command if isinstance(found.command, str) else " ".join(found.command)) == command

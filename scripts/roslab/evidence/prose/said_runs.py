@@ -23,12 +23,14 @@ _THING = r"(?:scripts?|files?|programs?|modules?|code|entry[- ]?points?)"
 _RUN = r"(?:run|execut\w+|start\w*|launch\w*)\b(?! by\b)"
 _ITS = rf"(?:(?:the|our|this)\s+)?(?:(?:[\w-]+\s+)?{_THING}\s+)?{_FILE}"
 _WHO = r"\b(?:to|must|should|can|need)\b[^.`]{0,12}"
+_EXAMPLE = r"(?:provides|gives|has|contains|is|shows)\s+an?\s+example\s+(?:(?:of|on|for)\s+)?"
 _SAID = tuple(
     pattern(form, re.IGNORECASE)
     for form in (
         rf"\b{_THING}\b[^.`]{{0,40}}\b{_RUN}[^.`]{{0,20}}(?:\bis\b|:)[^.`]{{0,15}}{_FILE}",
         rf"\b(?:is|are|be)\s+(?:run|executed|started|launched)\s+(?:by|using|via|through)\s+{_ITS}",
         rf"{_FILE}\s+is\s+(?:the|our|an?)\s+(?:[\w-]+\s+){{0,2}}{_THING}\b[^.`]{{0,20}}{_WHO}\b{_RUN}",
+        rf"{_FILE}\s+(?:{_EXAMPLE}|shows\s+)how\s+to\s+{_RUN}[^.`]{{0,30}}",
     )
 )
 """A sentence that runs a script by its path."""
