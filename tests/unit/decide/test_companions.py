@@ -32,6 +32,8 @@ def guessed(tree: Tree, code: str, **files: str) -> set[str]:
         ("import torch\nfrom torch.utils.cpp_extension import (\n    CUDA_HOME,\n    load_inline,\n)\n", "ninja"),
         ("import torch.utils.cpp_extension\ntorch.utils.cpp_extension.load('a', ['a.cpp'])\n", "ninja"),
         ("from torch.utils import cpp_extension as cpp\ncpp.load_inline('a', 'int a;')\n", "ninja"),
+        ("import mujoco\nfrom mujoco import mjx\n", "mujoco-mjx"),
+        ("import mujoco.mjx as mjx\n", "mujoco-mjx"),
         (LANDER, "gymnasium[box2d]"),
         (LANDER.replace("env =", '# gym.make("LunarLander-v3")\nenv ='), "gymnasium[box2d]"),
         (LANDER.replace("env =", "colour = '#fff'; env ="), "gymnasium[box2d]"),
@@ -45,6 +47,7 @@ def test_a_used_function_brings_it(tree: Tree, code: str, needs: str) -> None:
 @pytest.mark.parametrize(
     "code",
     [
+        "import mujoco\nfrom mine import mjx\n",
         "import torch_geometric\n# knn_graph\n",
         "import torch_geometric\ndef knn_graph(x):\n    return x\nknn_graph(1)\n",
         "from torch_geometric.data import Data\nclass XConv:\n    pass\n",
@@ -67,6 +70,7 @@ def test_what_does_not_use_it_brings_none(tree: Tree, code: str) -> None:
         "tqdm",
         "gymnasium[box2d]",
         "pygame",
+        "mujoco-mjx",
         "ninja",
     }
 

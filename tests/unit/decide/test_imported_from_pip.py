@@ -53,3 +53,12 @@ def test_a_version_that_the_index_lacks_is_the_tag_of_its_repository(tree: Tree,
     files = {"requirements.txt": f"torch==2.4.1\n{said}\n", "main.py": "import torch, pytorch3d\n"}
     asked = [each.written for each in tree(files).python.pip]
     assert f"pytorch3d @ git+https://github.com/facebookresearch/pytorch3d{taken}" in asked
+
+
+def test_a_library_of_crowds_that_its_author_never_released(tree: Tree) -> None:
+    """It is built beside Cython and a CMake that takes its old lists, both as optional as itself."""
+    found = tree({"run.py": "import rvo2\nimport ott\n"})
+    asked = [each.written for each in found.python.pip_guessed]
+    address = "pyrvo2 @ git+https://github.com/sybrenstuvel/Python-RVO2"
+    assert sorted(asked) == ["Cython", "cmake<4", "ott-jax", address]
+    assert not [each.message for each in found.warnings if "rvo2" in each.message]

@@ -76,3 +76,16 @@ def test_a_pip_that_lets_a_setup_py_see_condas_torch(tree: Tree, torch: str, pip
     decision = tree({"environment.yml": environment, "a.py": "import numpy\n"})
     assert decision.python.conda_pip_below == below
     assert any(each.answer == f"pip<{below}" for each in decision.reasons) is bool(below)
+
+
+@pytest.mark.parametrize(
+    ("listed", "code", "guessed"),
+    [
+        ("tensorflow-probability==0.25.0\n", "import numpy\n", ["tensorflow"]),
+        ("tensorflow-probability==0.25.0\njax==0.4.30\n", "import distrax\n", []),
+        ("tensorflow-probability==0.25.0\njax==0.4.30\n", "import tensorflow as tf\n", ["tensorflow"]),
+    ],
+)
+def test_a_library_that_works_with_another_framework(tree: Tree, listed: str, code: str, guessed: list[str]) -> None:
+    found = tree({**CODE, "train.py": code, "requirements.txt": listed}).python
+    assert [each.written for each in found.pip_guessed if each.key == "tensorflow"] == guessed

@@ -12,6 +12,7 @@ from roslab.evidence.facts import AuthorDockerfile, Evidence
 from roslab.knowledge.frameworks import conda_names, framework_on_cuda, imports, released_together, tabled, unstated
 from roslab.knowledge.guesses import same_module
 from roslab.knowledge.never_by_name import never_by_name
+from roslab.knowledge.other_backends import other_backends
 from roslab.knowledge.released import ever_released
 from roslab.knowledge.standard_modules import standard_modules
 from roslab.values.conda import CondaPackage
@@ -59,19 +60,23 @@ def pins(evidence: Evidence) -> tuple[Pin, ...]:
     found = [*_of_files(evidence), *_of_projects(evidence), *_of_conda(evidence), *_of_prose(evidence)]
     found += _of_lock(evidence)
     kept = [pin for pin in found if pin.requirement.name and ANY.may(pin.requirement)]
-    return tuple(sorted((*kept, *_unstated(kept)), key=lambda pin: -pin.trust))
+    return tuple(sorted((*kept, *_unstated(kept, evidence)), key=lambda pin: -pin.trust))
 
 
-def _unstated(found: list[Pin]) -> Iterator[Pin]:
+def _unstated(found: list[Pin], evidence: Evidence) -> Iterator[Pin]:
     """Yield what packages need and do not ask pip for, each as a line of a page beside theirs, unless it is named.
 
     What is named in any version gets the limit of the package that needs it, but for frameworks: other rules pin them.
+    A framework that no code imports is not needed beside another one that the package works with.
     """
+    imported = {canonicalize_name(each.name) for each in evidence.code if each.namespace == "import"}
     names = {tabled(pin.name) for pin in found if pin.trust}
     limited = {tabled(pin.name) for pin in found if pin.trust and pin.requirement.limited}
     for pin in found:
         needs = unstated().get(pin.name) if pin.trust else None
         if needs is None:
+            continue
+        if other_backends().get(pin.name) in names and stated(needs).key not in imported:
             continue
         asked = stated(needs, "prose", pin.requirement.file, pin.requirement.line)
         if asked.key not in names:
