@@ -34,7 +34,13 @@ def without_gpu(name: str, release: str) -> bool:
     return bool(release) and any(each and each.contains(release, prereleases=True) for each in allowed)
 
 
-def cuda_of_extras(extras: Iterable[str]) -> str | None:
-    """Return the CUDA that the first of these extras of JAX names: ``cuda12``, ``cuda12_pip``, ``cuda12-local``."""
+def plugin_of_jax(name: str) -> str:
+    """Return what a wheel for CUDA that JAX is frozen with is called after: ``cuda12`` of ``jax-cuda12-plugin``."""
+    return name.removeprefix("jax-") if name.startswith("jax-cuda") else ""
+
+
+def cuda_of_jax(name: str, extras: Iterable[str]) -> str | None:
+    """Return the CUDA that the first of JAX's ``extras`` names (``cuda12``, ``cuda12_pip``), or that of its plugin."""
+    asked = extras if name == "jax" else (plugin_of_jax(name),)
     known = {row["extra"]: row["cuda"] for row in rows("jax_extras")}
-    return next((cuda for extra in extras for name, cuda in known.items() if extra.startswith(name)), None)
+    return next((cuda for extra in asked for name, cuda in known.items() if extra.startswith(name)), None)

@@ -307,6 +307,8 @@ def test_a_python_of_conda_newer_than_an_ubuntu_s_gets_a_newer_ubuntu(python: st
         ({"requirements.txt": "jax==0.4.20\nflax\noptax\n"}, "python"),
         ({"requirements.txt": "jax[cpu]==0.4.20\n"}, "python"),
         ({"requirements.txt": "jax[cuda12]==0.4.20\n"}, "cuda"),
+        ({"requirements.txt": "jax==0.4.30\njax-cuda12-pjrt==0.4.30\njax-cuda12-plugin==0.4.30\n"}, "cuda"),
+        ({"requirements.txt": "jax==0.4.30\njax-jumpy==1.0\n"}, "python"),
         (
             {"README.md": '# Install\n```\npip install -U "jax[cuda12_pip]" -f https://example.org/jax.html\n```\n'},
             "cuda",
@@ -325,6 +327,15 @@ def test_jax_computes_on_the_cpu_unless_its_extra_is_asked_for(
     decision = tree({**files, "train.py": "import jax\nimport flax\n"})
     assert decision.kind == kind
     assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")
+
+
+@pytest.mark.parametrize(("plugin", "cuda"), [("jax-cuda12-plugin", "12.3"), ("jax-cuda13-plugin", "13.0")])
+def test_the_wheel_for_cuda_that_jax_is_frozen_with(
+    tree: Callable[[dict[str, str]], Decision], plugin: str, cuda: str
+) -> None:
+    frozen = f"jax==0.7.2\njaxlib==0.7.2\n{plugin}==0.7.2\n"
+    decision = tree({"requirements.txt": frozen, "train.py": "import jax\n"})
+    assert decision.cuda == cuda
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence, RequirementFile
 from roslab.evidence.python_project import PythonProject
-from roslab.knowledge.accelerated import accelerated, by_extra
+from roslab.knowledge.accelerated import accelerated, by_extra, plugin_of_jax
 from roslab.values.dataclass import dataclass
 from roslab.values.name import canonicalize_name
 from roslab.values.pattern import pattern
@@ -87,6 +87,7 @@ def _by_extra(evidence: Evidence) -> bool:
     builds += [package.written for each in evidence.conda for package in each.packages if package.name in by_extra()]
     return (
         any(extra.startswith(("cuda", "gpu")) for extra in extras)
+        or any(plugin_of_jax(each.key) for each in asked)
         or any("cuda" in text for text in (*options, *builds))
         or any(mention.topic == "cuda" for mention in evidence.mentions)
     )

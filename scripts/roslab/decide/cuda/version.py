@@ -21,7 +21,7 @@ from roslab.decide.python.version import python_version
 from roslab.decide.reasons import because, configured, outweighed, warn
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
-from roslab.knowledge.accelerated import cuda_of_extras, without_gpu
+from roslab.knowledge.accelerated import cuda_of_jax, without_gpu
 from roslab.knowledge.frameworks import (
     CudaImage,
     build_needs,
@@ -193,7 +193,7 @@ def _of_pin(pin: Pin, day: str | None, python: str | None, below: str | None, *,
             because("cuda", local, f"{asked.written} is built for it", asked, weight=Weight.LOCAL_VERSION + pin.trust),
             (),
         )
-    elif pin.name == "jax" and (named := cuda_of_extras(asked.extras)):
+    elif named := cuda_of_jax(pin.name, asked.extras):
         yield because("cuda", named, f"{asked.written} names it", asked, weight=Weight.EXTRA + pin.trust), ()
     elif row and table:
         why = f"{pin.name} {pin.release} {_WHY[table]}"
