@@ -75,7 +75,9 @@ def unread(projects: Iterable[PythonProject]) -> Iterator[Warning_]:
         above, _, module = folder.rpartition("/")
         if above in found and above in imported(found.values()):
             message = f"{module} is imported, and {above}, which is not checked out, is called like it: pip installs it"
-            advice = "from there where it can, and what imports it stops where it cannot; check it out to have it read"
+            advice = (
+                "from there where it can, and what imports it may stop where it cannot; check it out to have it read"
+            )
             yield warn(f"{message} {advice}", found[folder])
 
 

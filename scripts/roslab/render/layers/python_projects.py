@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Sequence
 
 from roslab.plan.plan import Plan
@@ -57,6 +58,8 @@ def projects(plan: Plan) -> str:
     alone = [folder for folder in folders if folder in plan.python.alone and folder not in lost]
     copied = frozenset(plan.python.copied)
     commands = [_if_there(folder, f"{pip}{_own([folder], copied)}{_or_not(folder, plan)}", plan) for folder in unseen]
+    if not plan.workspace.ros:
+        commands += [_reached(folder, python.interpreter(plan)) for folder in unseen if _stands_for(folder, plan)]
     if whole and set(whole) <= set(plan.python.isolated):  # a package that they require may build beside the others
         commands.append(building.also_with_what_is_there(plan, pip.replace(isolation, "", 1), _own(whole, copied)))
     elif whole:
@@ -102,10 +105,28 @@ def _or_its_needs(folder: str, install: str, needs: str, interpreter: str) -> st
     return f"{{ {install} \\\n      || {{ {otherwise}; }}; }}"
 
 
+def _stands_for(folder: str, plan: Plan) -> bool:
+    """Tell whether a folder is that of an imported submodule, and not only its part that has the module's name."""
+    return folder in plan.python.imported and folder.rpartition("/")[0] not in plan.python.imported
+
+
+def _reached(folder: str, interpreter: str) -> str:
+    """Return the command that lets Python find such a submodule as a package, or the modules in it, behind all others.
+
+    pip may have nothing to install there, or install it under another name than the code imports.
+    """
+    return _find_in(folder, ("", "/.."), interpreter)
+
+
 def _on_path(folder: str, interpreter: str) -> str:
     """Return the command that lets Python find the modules of a folder, and of its ``src``, without an installation."""
+    return _find_in(folder, ("", "/src"), interpreter)
+
+
+def _find_in(folder: str, below: Sequence[str], interpreter: str) -> str:
     inside = "" if folder in ("", ".") else f"/{folder}"
-    places = " ".join(f'"${{PWD}}"{quote.shell(inside + below) if inside + below else ""}' for below in ("", "/src"))
+    there = (posixpath.normpath(f"/{inside}{each}").lstrip("/") for each in below)
+    places = " ".join(f'"${{PWD}}"{quote.shell(f"/{each}") if each else ""}' for each in there)
     purelib = f"$({interpreter} -c 'import sysconfig; print(sysconfig.get_path(\"purelib\"))')"
     name = quote.shell(f"/roslab{inside.replace('/', '-')}.pth")
     return f"printf '%s\\n' {places} >\"{purelib}\"{name}"
