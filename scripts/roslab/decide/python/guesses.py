@@ -10,7 +10,7 @@ from roslab.decide.notebooks import opened
 from roslab.decide.python.bare import repository_of
 from roslab.decide.python.built_here import built_here
 from roslab.decide.python.extras import for_developers
-from roslab.decide.python.linked_repositories import linked_repositories
+from roslab.decide.python.linked_repositories import Linked, linked_repositories
 from roslab.decide.python.manifests import with_includes
 from roslab.decide.python.on_index import on_index
 from roslab.decide.python.other_lists import as_in_list, named_in_list
@@ -19,7 +19,7 @@ from roslab.decide.python.pins import Pin, of_conda
 from roslab.decide.python.pythons import ANY
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
-from roslab.evidence.facts import Evidence, RequirementFile
+from roslab.evidence.facts import Evidence, Mention, RequirementFile
 from roslab.evidence.python.manager_lines import GROUP
 from roslab.evidence.python_project import PythonProject
 from roslab.evidence.ros.vcs import https
@@ -78,13 +78,13 @@ def guesses(
     tools = tooling("installers") | tools_of_developers()
     heavy = bool(known & {"torch", "tensorflow", "jax"})
     offered, limits = linked_repositories(evidence), _limits(evidence)
+    ways = {each.value: stated(each.text, "import", each.file, each.line) for each in told_ways(evidence)}
     for dependency in _imported(evidence, kind, manifests=manifests):
         package, apt = imports().get(dependency.name) or (on_index(evidence, dependency), None)
         package = package or (named_in_list(evidence, dependency) if dependency.name not in imports() else None)
-        linked = offered.of_module(dependency, ros=ros)
-        if linked and not package and dependency.name not in imports() and not places.aside(dependency.file):
-            if not {canonicalize_name(dependency.name), linked.key} & {*known, *found}:
-                found[linked.key] = replace(linked, file=dependency.file, line=dependency.line)
+        if not package and (said := _said(dependency, offered, {} if ros else ways, ros=ros)):
+            if not {canonicalize_name(dependency.name), said.key} & {*known, *found}:
+                found[said.key] = replace(said, file=dependency.file, line=dependency.line)
             continue
         name = canonicalize_name(package) if package else ""
         covered = not package or name in known or name in found or name in built
@@ -99,6 +99,25 @@ def guesses(
         guess = _as_in_extra(stated(package + version, "import", dependency.file, dependency.line), evidence)
         found[name] = guess if name in FRAMEWORKS else as_in_list(guess, evidence)
     return tuple(found.values())[:MAX_GUESSES]
+
+
+def _said(dependency: Dependency, offered: Linked, ways: Mapping[str, Requirement], *, ros: bool) -> Requirement | None:
+    """Return the repository that a page links to for a module of no table, or what the code tells to install for it."""
+    if dependency.name in imports():
+        return None
+    linked = offered.of_module(dependency, ros=ros)
+    return linked if linked and not places.aside(dependency.file) else ways.get(dependency.name)
+
+
+def told_ways(evidence: Evidence) -> Iterator[Mention]:
+    """Yield what the code tells to install for a module of no table that it does without, or stops without.
+
+    No part of the repository itself: that is told for its extras.
+    """
+    own = {canonicalize_name(project.name) for project in evidence.python if project.name}
+    for each in evidence.mentions:
+        if each.topic == "told_way" and each.value not in imports() and stated(each.text).key not in own:
+            yield each
 
 
 def _tries_torch(evidence: Evidence) -> bool:
@@ -167,8 +186,9 @@ def _imported(evidence: Evidence, kind: Kind, *, manifests: bool) -> Iterator[De
     """
     used = {each.name for each in evidence.code if each.namespace == "import" and each.strength == "used"}
     compared = in_baselines(evidence, kind)
+    ways = {each.value for each in told_ways(evidence)}
     for each in evidence.code:
-        told = each.role == "told" and each.name not in FRAMEWORKS
+        told = (each.role == "told" and each.name not in FRAMEWORKS) or each.name in ways
         tried = (each.name == "torch" and _tries_torch(evidence)) or successors().get(each.name) in used
         counts = each.strength == "used" or (each.strength == "optional" and (told or not manifests) and not tried)
         if each.namespace == "import" and counts and not (places.test(each.file) or compared(each.file)):

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from roslab.config.model import Kind
 from roslab.decide.decision import Warning_
 from roslab.decide.python.firmware import without_firmware
-from roslab.decide.python.guesses import known_names
+from roslab.decide.python.guesses import known_names, told_ways
 from roslab.decide.python.may_bring import (
     SHORTEST,
     absent,
@@ -175,7 +175,7 @@ def unknown_modules(evidence: Evidence, kind: Kind, chosen: Chosen) -> list[Depe
     found = [used for used in _imported(evidence, kind, chosen) if canonicalize_name(used.name) not in not_on_index()]
     found = [used for used in found if used.name not in imports() and not on_index(evidence, used)]
     itself = {said.value for said in evidence.mentions if said.topic == "own_spelling"}
-    itself |= of_owners(chosen)
+    itself |= of_owners(chosen) | ({each.value for each in told_ways(evidence)} if kind not in _OF_ROS else set())
     found = [used for used in found if used.name not in itself and canonicalize_name(used.name) not in itself]
     told = {bare_name(git.name) for git in _told(evidence)}
     found = [used for used in found if not _of_ros(used.name) or begins_like(used.name, told)]

@@ -11,6 +11,7 @@ from roslab.evidence.python import (
     index_links,
     own_history,
     print_statement,
+    told_ways,
     version_file,
 )
 from roslab.repository.checkout import Repository
@@ -24,6 +25,7 @@ _READERS = (
     version_file.read,
     binaries.read,
     index_links.read,
+    told_ways.read,
 )
 
 
