@@ -134,12 +134,46 @@ def test_what_this_python_cannot_import_is_not_imported(tmp_path: Path, ubuntu: 
     assert list(found.command[3:]) == asked
 
 
+def test_a_framework_that_the_code_can_do_without_is_imported(tmp_path: Path) -> None:
+    (tmp_path / "main.py").write_text("try:\n    import torch\nexcept ImportError:\n    torch = None\n")
+    (tmp_path / "requirements.txt").write_text("numpy\ntorch\n")
+    proofs = plan_repository(tmp_path, branch=None).plan.proofs
+    assert "torch" in next(proof for proof in proofs if proof.name == "declared Python packages import").command
+
+
 def test_what_stops_without_a_display_is_not_imported(tmp_path: Path) -> None:
     (tmp_path / "main.py").write_text("import numpy\n")
     (tmp_path / "requirements.txt").write_text("numpy\nPyAutoGUI\npynput\npygame\n")
     proofs = plan_repository(tmp_path, branch=None).plan.proofs
     found = next(proof for proof in proofs if proof.name == "declared Python packages import")
     assert list(found.command[3:]) == ["numpy", "pygame"]
+
+
+TRIED = "try:\n    import RPi.GPIO as GPIO\nexcept (ImportError, RuntimeError):\n    GPIO = None\n"
+SHOWN = "declared Python packages that the code can do without are installed"
+
+
+@pytest.mark.parametrize(
+    ("code", "without"),
+    [
+        (TRIED, ["RPi.GPIO"]),
+        ("def blink():\n" + "".join(f"    {line}\n" for line in TRIED.splitlines()), ["RPi.GPIO"]),
+        (TRIED.replace("GPIO = None", "raise SystemExit('no pins')"), []),
+        (TRIED + "def blink():\n    import RPi.GPIO\n", []),
+        (TRIED.replace("try:\n    ", "").partition("except")[0], []),
+        ("if True:\n    import RPi.GPIO\n", []),
+    ],
+)
+def test_what_the_code_can_do_without_is_not_imported(tmp_path: Path, code: str, without: list[str]) -> None:
+    """A library of a device's may be there, and stop where the device is not."""
+    (tmp_path / "main.py").write_text("import numpy\n" + code)
+    (tmp_path / "requirements.txt").write_text("numpy\nRPi.GPIO\n")
+    proofs = plan_repository(tmp_path, branch=None).plan.proofs
+    shown = [list(proof.command[4:]) for proof in proofs if proof.name == SHOWN]
+    assert shown == ([without] if without else [])
+    imported = next(proof for proof in proofs if proof.name == "declared Python packages import")
+    assert ("RPi.GPIO" in imported.command) is not bool(without)
+    assert all(proof.required for proof in proofs if proof.rung == 0)
 
 
 PROGRAM = "import os\nimport cv2\nimport sim.core\nif os.environ.get('X'):\n    import lazy\nimport bullet\n"

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslab.decide.decision import Decision
+from roslab.knowledge.accelerated import accelerated
 from roslab.knowledge.distros import python_of_ubuntu
+from roslab.knowledge.frameworks import imports
+from roslab.knowledge.guesses import same_module
 from roslab.knowledge.not_importable import importable_below, importable_with_display
 from roslab.plan.compiled import compiled
 from roslab.plan.proof import Proof
@@ -14,6 +17,7 @@ from roslab.plan.run import WORKSPACES
 from roslab.plan.workspace import Workspace
 from roslab.values.dataclass import replace
 from roslab.values.interpreter import Interpreter
+from roslab.values.name import canonicalize_name
 from roslab.values.requirement import Requirement
 from roslab.values.version import Version
 
@@ -120,8 +124,12 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
     found = _workspace_proofs(decision, own=own)
     version = None if own else decision.python.version or python_of_ubuntu().get(decision.ubuntu or "")
     distributions = _declared_distributions(decision, version)
-    if distributions:
-        found.append(_import_proof(version, distributions))
+    without = [name for name in distributions if _caught(name, decision.command_imports.caught)]
+    if imported := [name for name in distributions if name not in without]:
+        found.append(_import_proof(version, imported))
+    if without:
+        name = "declared Python packages that the code can do without are installed"
+        found.append(Proof(name=name, command=(_python(version), "-m", "pip", "show", *without)))
     if decision.command_imports.required and not (version or "").startswith("2"):
         found.append(
             Proof(
@@ -190,11 +198,22 @@ def _workspace_proofs(decision: Decision, *, own: bool) -> list[Proof]:
 def _import_proof(version: str | None, distributions: list[str]) -> Proof:
     if version and Version(version) < Version("3.8"):
         # No importlib.metadata before 3.8: ask pip for each package
-        python = "python2" if version.startswith("2") else "python3"
-        return Proof(
-            name="declared Python packages are installed", command=(python, "-m", "pip", "show", *distributions)
-        )
+        command = (_python(version), "-m", "pip", "show", *distributions)
+        return Proof(name="declared Python packages are installed", command=command)
     return Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions))
+
+
+def _python(version: str | None) -> str:
+    return "python2" if (version or "").startswith("2") else "python3"
+
+
+def _caught(distribution: str, modules: Iterable[str]) -> bool:
+    """Tell whether the code goes on without a package, no framework: it may need a device that is not there."""
+    name = canonicalize_name(distribution)
+    if name in accelerated():
+        return False
+    found = (canonicalize_name((imports().get(module) or (None, None))[0] or module) for module in modules)
+    return any(name == each or same_module(name, each) for each in found)
 
 
 def _declared_distributions(decision: Decision, version: str | None) -> list[str]:

@@ -29,7 +29,8 @@ def imported_by_command(evidence: Evidence, command: Command, guessed: Iterable[
     names = {each.key for each in guessed} if programs else set()
     found = (each.value for each in evidence.mentions if each.topic == "start_import" and each.inside in programs)
     tried = (module for module in dict.fromkeys(found) if module not in required and _tried(module, names))
-    return CommandImports(required=required, tried=tuple(tried))
+    caught = tuple(each.value for each in evidence.mentions if each.topic == "caught_import")
+    return CommandImports(required=required, tried=tuple(tried), caught=caught)
 
 
 def _required(evidence: Evidence, command: Candidate | None, guessed: Iterable[Requirement]) -> Iterator[str]:

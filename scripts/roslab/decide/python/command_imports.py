@@ -1,4 +1,4 @@
-"""Modules that the default command's files import at their top, of the packages that are only tried."""
+"""Modules that the default command's files import at their top, and those that no code needs."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ class CommandImports:
     """What its own file imports and lines of the README install: an image without it gets no tag."""
     tried: tuple[str, ...] = ()
     """What it or modules of the tree import and a guess may bring: what is not there is told."""
+    caught: tuple[str, ...] = ()
+    """Modules without which the code goes on, wherever it imports them: of a declared package, too."""
 
 
 NO_IMPORTS = CommandImports()

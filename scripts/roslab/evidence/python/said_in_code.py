@@ -5,6 +5,7 @@ from __future__ import annotations
 from roslab.evidence.facts import Mention
 from roslab.evidence.python import (
     binaries,
+    caught,
     companions,
     conflicts,
     environments,
@@ -26,6 +27,7 @@ _READERS = (
     binaries.read,
     index_links.read,
     told_ways.read,
+    caught.read,
 )
 
 
