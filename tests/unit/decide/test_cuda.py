@@ -329,6 +329,22 @@ def test_jax_computes_on_the_cpu_unless_its_extra_is_asked_for(
     assert ("nvidia/cuda" in decision.base_image) == (kind == "cuda")
 
 
+@pytest.mark.parametrize(
+    ("listed", "toolkit"),
+    [
+        ("jax-cuda12-plugin==0.4.30\nnvidia-cudnn-cu12==9.5.1.17\n", "-base-"),
+        ("jax-cuda12-plugin==0.4.30\n", "-runtime-"),
+        ("jax-cuda12-plugin==0.4.30\nnvidia-cudnn-cu12==9.5.1.17\ncupy-cuda12x\n", "-runtime-"),
+        ("torch==2.4.0\nnvidia-cudnn-cu12==9.1.0.70\n", "-runtime-"),
+    ],
+)
+def test_jax_takes_the_libraries_of_wheels_that_are_listed(
+    tree: Callable[[dict[str, str]], Decision], listed: str, toolkit: str
+) -> None:
+    decision = tree({"requirements.txt": f"jax==0.4.30\njaxlib==0.4.30\n{listed}", "train.py": "import jax\n"})
+    assert toolkit in decision.base_image
+
+
 @pytest.mark.parametrize(("plugin", "cuda"), [("jax-cuda12-plugin", "12.3"), ("jax-cuda13-plugin", "13.0")])
 def test_the_wheel_for_cuda_that_jax_is_frozen_with(
     tree: Callable[[dict[str, str]], Decision], plugin: str, cuda: str

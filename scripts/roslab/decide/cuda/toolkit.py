@@ -11,8 +11,10 @@ from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 from roslab.evidence.python_project import PythonProject
+from roslab.knowledge.accelerated import plugin_of_jax
 from roslab.knowledge.compiled import without_nvcc
 from roslab.knowledge.frameworks import build_needs
+from roslab.knowledge.other_backends import other_backends
 from roslab.values.name import of_fork
 from roslab.values.requirement import Requirement
 
@@ -23,7 +25,8 @@ _WITH_NVCC = frozenset({"pycuda", "tensorrt", "triton", "taichi", "nvidia-dali"}
 _BRING_CUDA = frozenset({"torch", "torchvision", "torchaudio"})
 """Their wheels hold CUDA's libraries, and nothing else asks for them. https://github.com/pytorch/pytorch/wiki"""
 _USE_IT = ("tensorflow", "jax", "cupy", "onnxruntime-gpu", "paddlepaddle", "mxnet", "numba", "keras", "theano")
-"""They load the libraries of the system."""
+"""They load the libraries of the system; JAX those of NVIDIA's wheels, where a list has them."""
+_CUDNN = "nvidia-cudnn-cu"
 
 
 def decide_toolkit(evidence: Evidence, chosen: Chosen) -> Toolkit:
@@ -32,9 +35,10 @@ def decide_toolkit(evidence: Evidence, chosen: Chosen) -> Toolkit:
     if _compiled(evidence, chosen, asked) or not asked:
         return "devel"
     names = {each.key for each in asked}
-    if any(name.startswith(_USE_IT) for name in names) or not names & _BRING_CUDA:
-        return "runtime"
-    return "base"
+    of_jax = any(map(plugin_of_jax, names)) and any(name.startswith(_CUDNN) for name in names)
+    use = {name for name in names - other_backends().keys() if name.startswith(_USE_IT)}
+    use = {name for name in use if not (of_jax and name.startswith("jax"))}
+    return "base" if (of_jax or names & _BRING_CUDA) and not use else "runtime"
 
 
 def extends_torch(evidence: Evidence, chosen: Chosen) -> bool:
