@@ -454,3 +454,19 @@ def test_a_build_of_an_older_release_than_the_projects_own_tells_no_cuda(
     )
     files = {"requirements.txt": f"{pinned}\n", "README.md": page, "docker/Dockerfile.sim": older}
     assert tree(files | {"main.py": "import torch\n"}).cuda == cuda
+
+
+@pytest.mark.parametrize(
+    ("line", "cuda"),
+    [
+        ("$ ml load GCC/12.3.0 TensorFlow/2.15.1-CUDA-12.1.1", "13.0"),
+        ("module load PyTorch/2.1.2-foss-2023a-CUDA-12.1.1", "13.0"),
+        ("ml load cuda-11.8", "11.8"),
+        ("It was run with CUDA 11.8.", "11.8"),
+    ],
+)
+def test_the_cuda_of_a_cluster_s_other_module_is_not_the_code_s(
+    tree: Callable[[dict[str, str]], Decision], line: str, cuda: str
+) -> None:
+    page = f"# Net\n\n## Cluster\n\n```\n{line}\n```\n"
+    assert tree({"train.py": "import torch\n", "README.md": page}).cuda == cuda

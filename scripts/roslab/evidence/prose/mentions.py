@@ -95,6 +95,8 @@ _REMOVED = pattern(
     r"(?<![\w./-])(?:rm|unlink|(?:apt|apt-get|brew|conda)\s+(?:remove|purge|unlink|uninstall)|setcap|getcap)\s[^\n;&|]{0,200}\Z"
 )
 """A command before a Python version that takes it away, or its privileges: it is about the author's machine."""
+_OF_MODULE = pattern(r"(?<![\w./-])(?:ml|module)\s+[^\n;&|]{0,120}/[\w.+-]{1,40}-\Z", re.IGNORECASE)
+"""What stands before the CUDA that a cluster built another module with: ``ml load TensorFlow/2.15.1-CUDA-12.1.1``."""
 _EXAMPLE = pattern(r"\b(?:for example|for instance|e\.g\.)[^\n]*:\W*(?:<br ?/?>)?\W*\Z", re.IGNORECASE)
 """A line that an example follows, which then stands in a block of its own."""
 _MASTER = pattern(r"\broscore\b")
@@ -127,7 +129,7 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
                 continue
             if topic == "ubuntu" and source == "readme" and not _a_release(value, context, match):
                 continue
-            if topic == "python" and _of_no_use(text, max(0, start), match.start()):
+            if _of_others(topic, text, max(0, start), match.start()):
                 continue
             if topic == "distro" and source == "readme":
                 context = _introduced(text, start, context)
@@ -142,6 +144,13 @@ def read(text: str, file: str, source: Literal["dockerfile", "ci", "readme", "sc
             found += 1
             if found >= MAX_MENTIONS:
                 break
+
+
+def _of_others(topic: Topic, text: str, start: int, end: int) -> bool:
+    """Tell whether the line before a version, from ``start`` to ``end``, shows that the code is not about it."""
+    if topic == "cuda":
+        return bool(_OF_MODULE.search(text, start, end))
+    return topic == "python" and _of_no_use(text, start, end)
 
 
 def _masters(text: str, file: str) -> Iterator[Mention]:
