@@ -5,7 +5,8 @@ A repair is one table with the id of a failure (``failures_*.toml``):
 ==============  ========================================================================================
 ``key``         the key of roslab.yaml that answers, ``value`` what is written there, with ``{name}`` of
                 what the failure captured
-``way``         in place of ``value``: the way in which it is worked out from plan and log, see ``repair/ways.py``
+``way``         the way in which it is worked out from plan and log, see ``repair/ways.py``; ``value`` is then what
+                that way is told besides (``Eigen3<3.4``), and mostly nothing
 ``dockerfile``  instructions to insert before the failed one in an author's own Dockerfile, with ``{name}``
 ``only``        regular expression, without names: these instructions are for a failed one that it matches
 ``find``        regular expression, with ``{name}``, on the failed instruction of such a Dockerfile;

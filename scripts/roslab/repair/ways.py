@@ -12,7 +12,7 @@ from roslab.knowledge.distros import default_distro, distro, distros, distros_of
 from roslab.knowledge.os_releases import has_ended
 from roslab.knowledge.released import released
 from roslab.knowledge.repairs import repairs
-from roslab.repair import clones, flags, keys, linked_packages, missing, releases
+from roslab.repair import clones, flags, keys, linked_packages, missing, older_library, releases
 from roslab.repair.change import Given, Worked
 from roslab.values.dataclass import replace
 from roslab.values.pattern import pattern
@@ -282,6 +282,7 @@ WAYS: Mapping[str, Way] = {
     "newer-ubuntu": newer_ubuntu,
     "not-errors": flags.not_errors,
     "numpy": numpy,
+    "older-library": older_library.older_library,
     "older-python": older_python,
     "older-ros": older_ros,
     "other-ros": other_ros,

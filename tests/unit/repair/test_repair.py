@@ -376,7 +376,7 @@ def test_a_tag_that_nvidia_never_renewed_is_not_guessed() -> None:
 def test_a_repair_belongs_to_a_failure_and_says_how(name: str) -> None:
     row = repairs()[name]
     assert name in {failure.id for failure in failures()}
-    assert bool(row.value) + bool(row.way) == bool(row.key)
+    assert bool(row.value or row.way) == bool(row.key)
     assert row.way in {"", *WAYS}
     assert row.key or row.dockerfile or row.find or row.image or row.files
     assert bool(row.image) == bool(row.tag)
