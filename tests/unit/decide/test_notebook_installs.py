@@ -29,7 +29,9 @@ def guessed(found: Decision) -> set[str]:
         ("%pip install ikpy", {"ikpy"}),
         ("! python -m pip install -q -U ikpy tabulate", {"ikpy", "tabulate"}),
         ("!pip3 install ikpy==3.3", {"ikpy"}),
+        ("!pip install ikpy    !pip install tabulate --upgrade", {"ikpy", "tabulate"}),  # a break that was lost
         ("# !pip install ikpy", set()),
+        ("# later !pip install ikpy", set()),
         ("pip install ikpy", set()),  # no Python
         ("!pip uninstall ikpy", set()),
         ("!pip install -e .", set()),

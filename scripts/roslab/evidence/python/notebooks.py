@@ -24,6 +24,8 @@ _INSTALL = pattern(
 )
 """A line that IPython gives to the shell, or to a tool by its own word for it.
 https://ipython.readthedocs.io/en/stable/interactive/magics.html"""
+_NEXT = pattern(r"\s+(?=[!%]\s{0,3}(?:sudo\s+)?(?:python[\d.]*\s+-m\s+pip|pip[23]?|apt|apt-get|conda|mamba)\s)")
+"""Where a second one begins in a line: the break between two was lost."""
 
 
 def files(repository: Repository) -> list[File]:
@@ -62,7 +64,12 @@ def installs(text: str) -> Iterator[tuple[int, str]]:
     """Yield ``(line of the file, command)`` for the lines that install something: ``!pip install ikpy``."""
     if "install" not in text:
         return iter(())
-    return _lines(text, lambda code: match[1] if (match := _INSTALL.match(code)) else None)
+    return _lines(text, _install)
+
+
+def _install(code: str) -> str | None:
+    said = [match[1] for each in _NEXT.split(code) if (match := _INSTALL.match(each))]
+    return " && ".join(said) if said and _INSTALL.match(code) else None
 
 
 def _lines(text: str, wanted: Callable[[str], str | None]) -> Iterator[tuple[int, str]]:
