@@ -277,6 +277,22 @@ def test_a_package_compiled_as_cpp11_tells_nothing_of_another(tree: Tree) -> Non
     assert tree(moved | {"README.md": "Tested with ROS Noetic"}).ros_distro == "noetic"
 
 
+@pytest.mark.parametrize(
+    ("adds", "distro"),
+    [
+        ("", "noetic"),
+        ("add_subdirectory(sdk/other)\n", "noetic"),
+        ("add_subdirectory(${CMAKE_CURRENT_SOURCE_DIR}/sdk)\n", "melodic"),
+        ("add_subdirectory(${SDK})\n", "melodic"),
+    ],
+)
+def test_cpp11_of_a_project_that_its_package_never_adds_tells_nothing(tree: Tree, adds: str, distro: str) -> None:
+    files = ros1(f"add_executable(b sdk/cloud.cpp)\n{adds}", "#include <vector>\n", "Tested with ROS Noetic")
+    files["sdk/CMakeLists.txt"] = 'project(sdk)\nset(CMAKE_CXX_FLAGS "-std=c++11")\nadd_library(sdk cloud.cpp)\n'
+    files["sdk/cloud.cpp"] = "#include <pcl/point_types.h>\n"
+    assert tree(files).ros_distro == distro
+
+
 def test_a_newer_cmake_that_a_folder_asks_for_counts_where_pip_has_none(tree: Tree) -> None:
     files = ros1(page="Tested with ROS Indigo")
     assert tree(files).ros_distro == "indigo"
