@@ -23,8 +23,9 @@ from roslab.decide.launch_calls import (
 )
 from roslab.decide.made_folders import made_before
 from roslab.decide.own_test_runs import runs_tests
-from roslab.decide.pages_of_tools import of_a_tool
+from roslab.decide.pages_of_tools import of_a_tool, outside, starting_packages
 from roslab.decide.programs import by_source, in_packages, installed_by_pip, on_path, one_letter_off, one_of_several
+from roslab.decide.programs import compiled as programs_of
 from roslab.decide.reasons import of_readme
 from roslab.decide.renamed_launches import Declared, declared_by, renamed
 from roslab.decide.ros.installed_programs import with_installed
@@ -63,20 +64,18 @@ def written(evidence: Evidence, kind: Kind, *, ros: bool, compiled: bool) -> tup
 
     So is a file of Python that no package has, beside nodes or on a page below the root of a repository of ROS, and any
     that the page of one package runs in a collection of packages; and, where packages have launch files, what the
-    page of a folder without any runs.
+    page of a folder without any runs. Not one that starts something of the packages itself, from the page at the root.
     """
     found = tuple(with_installed(calls_of(evidence, kind, ros=ros, compiled=compiled), evidence))
     nodes = ros and any(each.strong and not each.argv[0].startswith(_NO_NODES) for each in found)
     folders = tuple(f"{m.file.rpartition('/')[0]}/" for m in packages_of(evidence).built if "/" in m.file)
     many = ros and len(folders) >= _MANY
-    lone = [
-        c.argv[0].startswith("python") and (not c.argv[1].startswith(folders) or (many and c.file.startswith(folders)))
-        for c in found
-    ]
+    starting = starting_packages(evidence, packages_of(evidence).names) if nodes else frozenset()
+    lone = [outside(c, folders, starting, many=many) for c in found]
     tools = [ros and of_a_tool(c, folders, evidence) for c in found]
-    weak = [(nodes or (ros and "/" in c.file)) and outside for c, outside in zip(found, lone, strict=True)]
-    weak = [outside or tool for outside, tool in zip(weak, tools, strict=True)]
-    said = (replace(c, strong=False) if outside else c for c, outside in zip(found, weak, strict=True))
+    weak = [(nodes or (ros and "/" in c.file)) and apart for c, apart in zip(found, lone, strict=True)]
+    weak = [apart or tool for apart, tool in zip(weak, tools, strict=True)]
+    said = (replace(c, strong=False) if apart else c for c, apart in zip(found, weak, strict=True))
     return without_others(said, evidence) if ros else tuple(said)
 
 

@@ -1267,6 +1267,28 @@ def test_the_page_of_one_package_among_many_chooses_no_script(tree: Tree, others
     assert "rospack" not in " ".join(made.command)
 
 
+@pytest.mark.parametrize(
+    ("starts", "command"),
+    [
+        ('["roslaunch", "radar", "radar.launch"]', ("python3", "main.py")),
+        ('["roslaunch", "elsewhere", "radar.launch"]', ("roslaunch", "radar", "radar.launch")),
+    ],
+)
+def test_a_script_beside_packages_that_starts_one_is_what_the_page_runs(
+    tree: Tree, starts: str, command: tuple[str, ...]
+) -> None:
+    xml = "<package><name>radar</name><buildtool_depend>catkin</buildtool_depend></package>"
+    files = {
+        "README.md": "# ROS Noetic\n```\ncatkin_make\n```\n# Usage\n```\npython3 main.py\n```\n",
+        "main.py": f"import subprocess\nsubprocess.Popen({starts})\n",
+        "src/radar/package.xml": xml,
+        "src/radar/CMakeLists.txt": "project(radar)\nfind_package(catkin REQUIRED)\n",
+        "src/radar/README.md": "# Usage\n```\nroslaunch radar radar.launch\n```\n",
+        "src/radar/launch/radar.launch": '<launch><node pkg="rospy_tutorials" type="talker" name="talker"/></launch>\n',
+    }
+    assert tree(files).command == command
+
+
 HERE = "https://github.com/lab/demo/tree/main"
 
 
