@@ -14,6 +14,7 @@ from roslab.decide.cuda.version import Cuda
 from roslab.decide.decision import Choice, Decision, Download, MendedBase, OwnScript
 from roslab.decide.foreign_interpreters import decide_interpreters
 from roslab.decide.goes_without import goes_without
+from roslab.decide.head_archives import head_archives
 from roslab.decide.launch_needs import decide_launch_needs
 from roslab.decide.launched_simulators import brought_simulators
 from roslab.decide.nodes_without_ros import decide_nodes
@@ -279,6 +280,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         ctest=runs_ctest(evidence, config, folder_name, tool, of.missing.answer.tests),
         compiles=bool(compiled(evidence)),
         clones_day=of.clones_day.answer,
+        downloads_heads=bool(head_archives(evidence)),
         without=of.platforms.answer.without,
         platforms=of.platforms.answer.built,
         platforms_refused=of.platforms.answer.refused,

@@ -219,6 +219,8 @@ class Decision:
     """A build file has warnings of the compiler count as errors."""
     clones_day: str = ""
     """The day of what files of CMake clone without a commit."""
+    downloads_heads: bool = False
+    """CMake downloads the archive of a branch and compiles it."""
     without: tuple[str, ...] = ()
     """Options of the compiler that its files of CMake pass and that are left out for arm64."""
     compilers: tuple[tuple[str, str], ...] = ()

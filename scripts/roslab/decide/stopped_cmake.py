@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from roslab.config.model import Kind
 from roslab.decide.beside_cpp import mostly_cpp
 from roslab.decide.decision import Warning_
+from roslab.decide.head_archives import told_of_heads
 from roslab.decide.programs import top_of
 from roslab.decide.reasons import warn
 from roslab.decide.ros.without_code import stopping
@@ -25,7 +26,11 @@ def left_to_python(evidence: Evidence) -> bool:
 
 
 def told_of_stop(evidence: Evidence, kind: Kind) -> Iterator[Warning_]:
-    """Yield a warning for the folder or file that a plain project adds or compiles and the tree does not have."""
+    """Yield a warning for the folder or file that a plain project adds or compiles and the tree does not have.
+
+    And for what it downloads and compiles, another one each time.
+    """
+    yield from told_of_heads(evidence, kind)
     if kind == "cpp":
         yield from (
             warn(

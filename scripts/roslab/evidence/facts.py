@@ -159,7 +159,7 @@ class Mention:
         "screen", "mounted", "argument_count", "copied", "session_loaded", "system_library", "edited", "left_beside",
         "strict", "shown", "usetex", "handed_place", "generates", "onnx_on_gpu", "omitted_package",
         "copied_script", "python3_module", "speaks", "ending", "built_by", "robot_model", "in_bin", "python2_node",
-        "module_aside", "ros_call", "robot_models", "of_windows", "told_way", "caught_import",
+        "module_aside", "ros_call", "robot_models", "of_windows", "told_way", "caught_import", "head_archive",
     ]  # fmt: skip
     value: str
     source: Literal[

@@ -64,7 +64,15 @@ from roslab.evidence.ros import (
 from roslab.repository.checkout import Repository
 
 MENTIONED = (
-    *(branch_tables.read, cloned_heads.read, for_reference.read, git_folder.read, named_ports.read, opened.read),
+    *(
+        branch_tables.read,
+        cloned_heads.read,
+        cloned_heads.archives,
+        for_reference.read,
+        git_folder.read,
+        named_ports.read,
+        opened.read,
+    ),
     *(asked_options.read, matlab.mentions, of_other_indexes.read, said_in_code.read, shared_objects.made_on),
     *(optional_ros.read, own_spelling.read, started_by_scripts.calls, started_programs.read, templates.read),
     *(

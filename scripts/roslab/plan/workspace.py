@@ -38,7 +38,7 @@ class Program:
     install: bool = False
     """It is installed after that, so that others find its libraries and modules."""
     keeps_going: bool = False
-    """A program of many that does not compile is left out, for none of them is started."""
+    """What does not compile is left out: of many programs of which none is started, or beside the one that is."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -232,8 +232,19 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
         programs=() if config.compatible else programs[:MAX_FOLDERS],
         compilers=decision.compilers,
         install=decision.installed and not config.compatible,
-        keeps_going=_many(decision) and not (decision.installed or config.compatible or decision.command_named),
+        keeps_going=not (decision.installed or config.compatible)
+        and ((_many(decision) and not decision.command_named) or _head_may_fail(decision)),
     )
+
+
+def _head_may_fail(decision: Decision) -> bool:
+    """Tell whether the archive of a branch is compiled beside a program of the project that is started, or a shell.
+
+    Of any other command nothing tells whether it needs what is left out.
+    """
+    command = decision.command
+    known = not isinstance(command, str) and "/" not in command[0] and not command[0].startswith("python")
+    return decision.downloads_heads and known and not decision.ctest
 
 
 def _many(decision: Decision) -> bool:

@@ -56,6 +56,16 @@ def test_one_that_stops_at_a_warning_alone_is_there(tmp_path: Path) -> None:
     assert (tmp_path / "b").exists()
 
 
+@pytest.mark.usefixtures("scripts_on_path")
+@pytest.mark.parametrize(("needed", "code"), [("a", 0), ("b", 2)])
+def test_the_program_that_is_started_has_to_be_there(tmp_path: Path, needed: str, code: int) -> None:
+    if shutil.which("make") is None or shutil.which("bash") is None:
+        pytest.skip("an image has make and bash")
+    (tmp_path / "Makefile").write_text("all: a b\na:\n\tcp /bin/true a\nb:\n\tfalse\n")
+    command = ["make-what-compiles", "--program", needed, "make", "--jobs=1"]
+    assert subprocess.run(command, cwd=tmp_path, capture_output=True, check=False).returncode == code
+
+
 PROGRAMS = "".join(f"add_executable(part{name} a.cpp)\n" for name in "abc")
 
 
@@ -82,3 +92,31 @@ def test_a_warning_is_looked_at_before_a_program_is_left_out(tmp_path: Path) -> 
     (tmp_path / "CMakeLists.txt").write_text(f"project(demo CXX)\nadd_compile_options(-Werror)\n{PROGRAMS}")
     (tmp_path / "a.cpp").write_text("int main() {}\n")
     assert " && make-what-compiles warnings-pass /home/" in dockerfile(plan_repository(tmp_path).plan)
+
+
+HEAD = "https://github.com/google/googletest/archive/master.zip"
+
+
+@pytest.mark.parametrize(
+    ("url", "more", "readme", "called"),
+    [
+        (HEAD, "", "./demo fast", "make-what-compiles --program demo "),
+        (HEAD.replace("master", "refs/heads/main"), "", "./demo fast", "make-what-compiles --program demo "),
+        (HEAD.replace("master", "release-1.8.1"), "", "./demo fast", ""),
+        (HEAD.replace("master", "3f0cf6b62ad1eb50d8736538363d3580dd640c3e"), "", "./demo fast", ""),
+        (HEAD, "EXCLUDE_FROM_ALL 1", "./demo fast", ""),
+        (HEAD, "", "python3 plot.py", "make-what-compiles make "),
+    ],
+)
+def test_the_archive_of_a_branch_may_not_compile(tmp_path: Path, url: str, more: str, readme: str, called: str) -> None:
+    lists = f"include(ExternalProject)\nExternalProject_Add(gtest\n  URL {url}\n  {more})\nadd_executable(demo a.cpp)\n"
+    page = f"```\nmkdir build && cd build\ncmake .. && make\n{readme}\n```\n"
+    files = {"CMakeLists.txt": f"project(demo CXX)\n{lists}", "a.cpp": "int main() {}\n", "README.md": page}
+    for path, text in (files | {"plot.py": "import math\nprint(math.pi)\n"}).items():
+        (tmp_path / path).write_text(text)
+    plan = plan_repository(tmp_path).plan
+    whole = dockerfile(plan)
+    assert ("make-what-compiles" in whole) == bool(called)
+    assert f"&& {called}" in whole
+    told = [(each.file, each.line) for each in plan.warnings if "another one each time" in each.message]
+    assert told == [("CMakeLists.txt", 3)] * bool(called)

@@ -9,6 +9,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.cmake import Call, calls
 from roslab.evidence.native import templates
+from roslab.evidence.native.cmake_needs import made_here
 from roslab.evidence.native.x86 import cmake_files
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
@@ -21,6 +22,10 @@ _SHORT = pattern(r"(gh|gl):([\w.-]+/[\w.-]+)#([\w./-]+)$")
 _HOSTS = {"gh": "https://github.com/", "gl": "https://gitlab.com/"}
 _BRANCH = pattern(r"(?:(?:origin|remotes/origin|refs/heads)/[\w./-]+|HEAD|[A-Za-z]+(?:[-_/][A-Za-z]+){0,4})$")
 """A ref without a number: a tag of that form stays itself, for a day moves branches alone."""
+_ARCHIVE = pattern(
+    r"https?://github\.com/[\w.-]+/[\w.-]+/archive/(?:refs/heads/)?[A-Za-z]+(?:[-_/][A-Za-z]+){0,4}\.(?:zip|tar\.gz)$"
+)
+"""Of a branch, not of a tag with a number or a commit."""
 _HEX = pattern(r"[0-9a-f]{7,40}$")
 _NAMED = pattern(r"_REPOSITORY\b|CPMAddPackage")
 _URL = pattern(r"(?:https?|git|ssh)://\S+$|git@[\w.-]+:\S+$")
@@ -38,6 +43,23 @@ def read(repository: Repository) -> Iterator[Mention]:
             if url and url not in told:
                 told.add(url)
                 yield Mention(topic="cloned_head", value=url, source="code", file=file.path, line=call.line, text=url)
+
+
+def archives(repository: Repository) -> Iterator[Mention]:
+    """Yield each project that CMake always downloads as the archive of a branch, and compiles with all the others.
+
+    https://cmake.org/cmake/help/latest/module/ExternalProject.html (EXCLUDE_FROM_ALL), 2026-11-29.
+    """
+    for file in cmake_files(repository):
+        text = repository.read(file)
+        if "/archive/" not in text or places.vendored(file.path):
+            continue
+        for call in calls(text, frozenset({"externalproject_add"})):
+            url = dict(pairwise(call.words)).get("URL", "")
+            asked = call.in_function or "EXCLUDE_FROM_ALL" in call.words or not made_here(call.conditions)
+            if not asked and _ARCHIVE.match(url):
+                name = call.words[0]
+                yield Mention(topic="head_archive", value=name, source="code", file=file.path, line=call.line, text=url)
 
 
 def _cloned(call: Call) -> str | None:

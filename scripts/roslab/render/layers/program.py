@@ -15,6 +15,12 @@ def _compiler(variable: str, name: str) -> str:
     return f'export {variable}="$(command -v {quote.shell(name)} || command -v {"cc" if variable == "CC" else "c++"})"'
 
 
+def _needed(plan: Plan) -> str:
+    """Return the option that says which program has to be there, none for a shell."""
+    command = plan.run.command
+    return "" if isinstance(command, str) or command[0] == "bash" else f"--program {quote.shell(command[0])} "
+
+
 def compile_program(plan: Plan) -> str:
     """Compile a plain CMake project as the user."""
     program = plan.workspace.program
@@ -25,7 +31,7 @@ def compile_program(plan: Plan) -> str:
     launchers = compiler_cache.launchers(plan)
     kept = secrets.Secrets(mounts=(compiler_cache.tree_mount(plan),)) if launchers else secrets.NONE
     told = f"{compiler_cache.WITH_CACHE} --told " if launchers else ""
-    going = f"{KEEPS_GOING} " if program.keeps_going else ""
+    going = f"{KEEPS_GOING} {_needed(plan)}" if program.keeps_going else ""
     passing = workspace.warnings_pass(plan, quote.shell_with_user(workspace.source_folder(plan)))
     scripts = {KEEPS_GOING: going, system.LENIENT: passing, compiler_cache.WITH_CACHE: told}
     script = "".join(shell.copy_script(name) for name, called in scripts.items() if called)
