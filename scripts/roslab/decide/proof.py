@@ -9,6 +9,7 @@ from roslab.config.model import BuildTool, Config, Kind
 from roslab.decide.decision import Choice
 from roslab.decide.reasons import configured
 from roslab.decide.system.own_options import own_options
+from roslab.decide.system.unreached import unreached
 from roslab.evidence import places
 from roslab.evidence.facts import Evidence
 from roslab.values.pattern import pattern
@@ -37,14 +38,16 @@ def runs_ctest(
 ) -> bool:
     """Tell whether there are tests for ctest; ``left_out``: the options by which the build leaves tests out.
 
-    None that wait for an option which is off by itself and which the build does not set.
+    None that wait for an option which is off by itself and which the build does not set, nor those of a project that no
+    build comes to.
     """
     if build_tool != "cmake" or left_out:
         return False
     given = (*own_options(evidence, config, folder_name, build_tool), *config.cmake_options.split(), *config.build_args)
     last = {word.partition("=")[0].partition(":")[0].removeprefix("-D"): not _OFF.search(word) for word in given}
     on = {name for name, set_on in last.items() if set_on}
-    tested = (project for project in evidence.cmake if project.tests and not places.vendored(project.file))
+    other = unreached(evidence)
+    tested = (p for p in evidence.cmake if p.tests and not (places.vendored(p.file) or p.file in other))
     return any(on.issuperset(project.untested) for project in tested)
 
 

@@ -98,3 +98,14 @@ def test_what_tests_of_a_project_ask_for_that_the_built_one_does_not_add(
     }
     decision = tree(files | ({"package.xml": package} if package else {}))
     assert ("libboost-all-dev" in decision.apt) is needed
+
+
+@pytest.mark.parametrize(("folder", "needed"), [("include/solver", False), ("src/solver", True)])
+def test_the_page_of_a_library_among_the_headers_compiles_nothing_here(
+    tree: Tree, folder: str, *, needed: bool
+) -> None:
+    lists = f"{OTHER.format('GSL')}enable_testing()\nadd_test(NAME b COMMAND other)\n"
+    made = {"CMakeLists.txt": TOP.format(""), f"{folder}/CMakeLists.txt": lists, f"{folder}/b.cpp": "int main() {}\n"}
+    page = "# Install\n```\nmkdir build && cd build\ncmake ..\nmake install\n```\n"
+    decision = tree({**FILES, **made, f"{folder}/README.md": page, "README.md": "# Demo\n"})
+    assert ("libgsl-dev" in {*decision.apt, *decision.apt_guessed}, decision.ctest) == (needed, needed)

@@ -14,6 +14,7 @@ from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Evidence
 
 _SAYS = frozenset({"compiled", "installed_here", "build_script", "make"})
+_HEADERS = "include"
 DEEPEST = 32
 """Most folders of a path, the last ones, that are compared."""
 
@@ -57,8 +58,11 @@ def unreached(evidence: Evidence, *, by_page: bool = True) -> frozenset[str]:
 
 
 def _said(projects: Iterable[CMakeProject], evidence: Evidence) -> Iterator[CMakeProject]:
-    """Yield the projects in, or above, whose folders a page or a script compiles something."""
-    said = [mention for mention in evidence.mentions if mention.topic in _SAYS]
+    """Yield the projects in, or above, whose folders a page or a script compiles something.
+
+    What lies among the headers is a copied library, whose own page tells how it is compiled by itself.
+    """
+    said = [each for each in evidence.mentions if each.topic in _SAYS and _HEADERS not in each.file.split("/")[:-1]]
     places = {posixpath.normpath(mention.value.split(" ")[0]) for mention in said}
     places |= {posixpath.dirname(mention.file) for mention in said}
     inside = {part for place in places for part in _parts(place)}
