@@ -692,3 +692,18 @@ def test_a_repository_of_which_the_tree_has_a_copy_is_not_looked_into(tree: Tree
     page = "# Quad\nROS Noetic, with the model of https://github.com/arms/arm-common\n"
     found = _sought(tree({**copied, **own, "README.md": page}))
     assert ("https://github.com/arms/arm-common" in found) is looked
+
+
+@pytest.mark.parametrize(
+    ("own", "sought"),
+    [
+        ("lab-ros1-common", ["lab-core-common", "lab_core_common", "lab-core", "lab_core"]),
+        ("lab_ros1-common", ["lab_core_common", "lab_core"]),
+        ("common", ["lab_core_common", "lab_core"]),
+    ],
+)
+def test_an_owner_who_writes_repositories_with_dashes_does_so_for_others(
+    tree: Tree, own: str, sought: list[str]
+) -> None:
+    files = _package("lab_utils", "lab_core_common") | _git(f"{LAB}/{own}.git")
+    assert list(_sought(tree(files))) == [f"{LAB}/{each}" for each in sought]

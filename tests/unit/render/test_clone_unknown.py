@@ -327,3 +327,12 @@ def test_a_name_may_have_a_dash(image: Path) -> None:
     _commit(image / "lab/lab-util")
     _manifest(image / "ws/src/lib", "lib", "lab-util")
     assert _run(image, "lab-util") == (0, ["docs", "lab-util", "lib"])
+
+
+def test_an_owner_who_writes_repositories_with_dashes_does_so_for_others(image: Path) -> None:
+    _manifest(image / "lab/more-parts", "more_parts", "arm_core")
+    _commit(image / "lab/more-parts")
+    _manifest(image / "lab/arm-core", "arm_core")
+    _commit(image / "lab/arm-core")
+    _git(image / "ws/src", "clone", "--quiet", (image / "lab/more-parts").as_uri())
+    assert _run(image, "arm_core", want="more_parts") == (0, ["arm-core", "docs", "lib", "more-parts"])

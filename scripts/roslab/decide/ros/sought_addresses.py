@@ -48,12 +48,11 @@ def addresses_of(
     free = [name for name in names if owner and name not in ours and not ever_released(name)]
     for name in free:
         for called in () if vendor_of(name)[0] else called_by(name):
-            url = f"{owner}/{called}"
             if called == name or not (called in known or ever_released(called)):
-                owned[url] = (*owned.get(url, ()), name)
+                for url in (f"{owner}/{each}" for each in _spelled(called, here)):
+                    owned[url] = (*owned.get(url, ()), name)
     for name in free:
-        for called in wholes(name):
-            url = f"{owner}/{called}"
+        for url in (f"{owner}/{each}" for called in wholes(name) for each in _spelled(called, here)):
             owned[url] = tuple(dict.fromkeys((*owned.get(url, ()), name)))
     there = {here, *map(address, found)}
     found |= {url: held for url, held in owned.items() if address(url) not in there}
@@ -74,6 +73,12 @@ def by_authors(names: Iterable[str], evidence: Evidence) -> Iterator[tuple[str, 
     for name in (each for each in names if not (ever_released(each) or vendor_of(each)[0])):
         for account in filter(None, accounts):
             yield f"{account}/{name}", (name,)
+
+
+def _spelled(name: str, here: str) -> tuple[str, ...]:
+    """Return the names that a repository may have, with dashes first where the owner writes this one with dashes."""
+    own = here.rpartition("/")[2]
+    return tuple(dict.fromkeys((name.replace("_", "-"), name))) if "-" in own and "_" not in own else (name,)
 
 
 def _account(git: GitSource) -> str:

@@ -122,9 +122,11 @@ for key in "$@"; do
   headers="^ *# *include *[<\"]${key}/"
   if [[ "${key}" = lib* && ! "${key}" =~ _(ros2?|msgs|srvs|interfaces)$ ]] && ! grep --quiet --recursive --exclude-dir=.git "${headers}" "$(dirname "${manifest}")"; then continue; fi
   origin="$(git -c safe.directory='*' -C "$(dirname "${manifest}")" config --get remote.origin.url)" || continue
-  # A part is with the whole: in X for X_msgs, and in X_Y for X_Y_Z
+  # A part is with the whole: in X for X_msgs, and in X_Y for X_Y_Z. Who writes names of repositories with dashes does so there
   for name in $(sed --regexp-extended 'p; s/_(msgs|srvs|interfaces|lib)$//; p; :a; s/^([^_]+_.+)_[^_]*$/\1/; p; ta; d' <<<"${key}" | uniq); do
-    if try "${key}" "${origin%/*}/${name}"; then
+    spelled="${name}"
+    if [[ "${origin##*/}" = *-* && "${origin##*/}" != *_* ]]; then spelled="${name//_/-}"; fi
+    if try "${key}" "${origin%/*}/${spelled}" || { [ "${spelled}" != "${name}" ] && try "${key}" "${origin%/*}/${name}"; }; then
       new=yes
       break
     fi
