@@ -177,6 +177,36 @@ Error: trying to mutate a frozen list value
 
 ros-core-key: rosdep install --from-paths src
 arm: Cannot locate rosdep definition for [std_msgs]
+
+file-truncated: make
+cmake -E tar: error: ZIP decompression failed (-5)
+
+download-no-archive: make
+cmake -E tar: error: Problem with a: Unrecognized archive format
+
+cmake-needs-newer-install: cmake .
+CMake Error at /opt/arm.cmake:77 (add_library):
+  add_library INTERFACE library requires no source arguments.
+
+api-known: make
+error: no matching function for call to 'rclcpp::Duration::Duration(int)'
+
+api-known: make
+a.c:3:9: error: 'AVCodecParameters' has no member named 'ch_layout'
+
+api-known: make
+a.c:3:9: error: 'AV_OPT_TYPE_CHANNEL_LAYOUT' undeclared (first use in this function)
+
+link-torch-library: pip install .
+/usr/bin/ld: cannot find -lc10_cuda
+
+conda-file-of-linux: conda env create
+ResolvePackageNotFound:
+  - _libgcc_mutex=0.1
+
+shell-cannot-read-command: make
+/bin/sh: 1: Syntax error: Unterminated quoted string
+make[2]: *** [arm.o] Error 2
 """
 """Each failure with the step that ended, and what it printed; without a step, a log of its own."""
 
@@ -267,6 +297,26 @@ def test_a_module_that_no_table_has_may_be_of_the_project() -> None:
     said = "ModuleNotFoundError: No module named '{}'\n"
     assert "PYTHONPATH" in found(said.format("armwrap")).fix
     assert "PYTHONPATH" not in found(said.format("cv2")).fix
+
+
+def test_a_library_of_the_system_is_of_another_release_and_not_of_this_build() -> None:
+    said = "{}libarm.so: undefined reference to `arm::{}'\ncollect2: error: ld returned 1 exit status"
+    assert found(said.format("../lib/", "move()"), "make").id == "link-own-library"
+    assert found(said.format("/usr/lib/", "move()"), "make").id == "link-undefined"
+    assert found(said.format("../lib/lib", "move()"), "make").id == "link-undefined"
+
+
+def test_a_wheel_that_is_not_ready_is_not_why_its_code_does_not_compile() -> None:
+    tried = "urllib.error.HTTPError: HTTP Error 404: Not Found\n\nDuring handling of the above exception, another\n"
+    ninja = "subprocess.CalledProcessError: Command '['ninja', '-v']' returned non-zero exit status 1."
+    broken = "a.cpp:3:1: error: 'arm' is not a member of 'grip'\n"
+    assert found(f"{tried}{ninja}", "pip install .").id == "ready-wheel-not-found"
+    assert found(f"{broken}{tried}{ninja}", "pip install .").id == "api-member"
+    assert found(tried, "python get.py").id == "download-gone"
+
+
+def test_a_library_that_the_project_brings_is_named() -> None:
+    assert "DBoW2" in found("liba.so: undefined reference to `DBoW2::FORB::L'", "make").cause.partition("(")[2]
 
 
 def test_keys_of_every_ubuntu_are_not_to_be_skipped() -> None:
