@@ -23,7 +23,10 @@ class AptSource:
 
 
 def host_of(url: str) -> str | None:
-    """Return the host of an address, ``None`` if it has none."""
+    """Return the host of an address, ``None`` if it has none, or none that can be read (``https://[HOST/``)."""
     from urllib.parse import urlsplit  # noqa: PLC0415 - few trees add a source
 
-    return urlsplit(url).hostname
+    try:
+        return urlsplit(url).hostname
+    except ValueError:
+        return None

@@ -119,6 +119,32 @@ def test_a_known_key_takes_the_place_of_one_without_https(tree: Tree) -> None:
     assert line.startswith("deb [signed-by=https://packages.osrfoundation.org/gazebo.gpg] http://packages.osrf")
 
 
+OTHERS = f"sudo apt-key adv --keyserver hkp://keyserver.ubuntu.com:80 --recv-keys {FINGERPRINT}\n"
+
+
+def test_a_known_key_takes_the_place_of_the_one_of_another_source(tree: Tree) -> None:
+    source = "deb http://packages.osrfoundation.org/gazebo/ubuntu `lsb_release -cs` main"
+    add = f"sudo sh -c 'echo \"{source}\" > /etc/apt/sources.list.d/g.list'\n"
+    (line,) = tree(page(OTHERS, add, "sudo apt install gz-harmonic\n")).repositories
+    assert line.startswith("deb [signed-by=https://packages.osrfoundation.org/gazebo.gpg] http://packages.osrf")
+
+
+@pytest.mark.parametrize("scheme", ["https", "http"])
+def test_the_key_of_its_own_host_is_its_key(tree: Tree, scheme: str) -> None:
+    key = f"wget {scheme}://keys.acme.org/acme.key -O - | sudo apt-key add -\n"
+    decision = tree(page(OTHERS, ADD.replace(f" {SIGNED}", ""), key, INSTALL))
+    assert [line.split()[1] for line in decision.repositories] == [
+        "[signed-by=https://keys.acme.org/acme.key]"
+    ] * (scheme == "https")
+    told = [w.message for w in decision.warnings if w.message.startswith("not added: ")]
+    assert [message.endswith("its key is fetched without https") for message in told] == [True] * (scheme == "http")
+
+
+def test_an_address_whose_host_cannot_be_read_is_passed_by(tree: Tree) -> None:
+    key = "wget https://[HOST/acme.key -O - | sudo apt-key add -\n"
+    assert tree(page(key, KEY, ADD, INSTALL)).repositories == (ADDED,)
+
+
 @pytest.mark.parametrize(
     ("commands", "why"),
     [

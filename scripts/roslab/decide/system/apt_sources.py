@@ -44,7 +44,7 @@ def decide_apt_sources(
             continue
         suite = source.suite.format(codename=ubuntu) if "{" in source.suite else source.suite
         release = suite.partition("-")[0]
-        key = source.key or keys_of_sources().get(host)
+        key = keys_of_sources().get(host) or source.key  # what a page fetches beside it may be another source's
         why_not = None if key else source.refused
         if release in ubuntus().values() and release != ubuntu:
             why_not = f"it is for {release}, the image is {ubuntu}"

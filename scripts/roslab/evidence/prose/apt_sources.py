@@ -44,6 +44,7 @@ class _Key:
     refused: str | None
     place: str | None
     line: int
+    host: str | None = None
 
 
 def read(repository: Repository) -> tuple[AptSource, ...]:
@@ -68,7 +69,7 @@ def said(text: str, file: str) -> Iterator[AptSource]:
             continue
         options, url, suite, components = match.groups()
         line = _line(text, match.start())
-        key = _of(options or "", keys, line)
+        key = _of(options or "", host_of(url), keys, line)
         yield AptSource(
             url=_CODENAME.sub("{codename}", url),
             suite="{codename}" if suite[0] in "$`" else suite,
@@ -92,7 +93,7 @@ def _fetched(joined: str, text: str) -> Iterator[_Key]:
             continue
         place = _PLACE.search(match[0])
         refused = None if url.startswith("https://") else "its key is fetched without https"
-        yield _Key(None if refused else url, refused, place and place[0], _line(text, match.start()))
+        yield _Key(None if refused else url, refused, place and place[0], _line(text, match.start()), host_of(url))
 
 
 def _asked(joined: str, text: str) -> Iterator[_Key]:
@@ -105,12 +106,21 @@ def _asked(joined: str, text: str) -> Iterator[_Key]:
         yield _Key(None if refused else url, refused, None, _line(text, match.start()))
 
 
-def _of(options: str, keys: list[_Key], line: int) -> _Key:
-    """Return the key of a source: the one whose file it names, else the nearest."""
+def _of(options: str, host: str | None, keys: list[_Key], line: int) -> _Key:
+    """Return the key of a source: the one whose file it names, else the nearest, of its own host if there is one.
+
+    A page that adds several sources fetches a key for each: another's key may be nearer, and may be trusted where its
+    own is not.
+    """
     if "trusted=" in options:
         return _Key(None, "it is trusted without a key", None, line)
     place = _PLACE.search(options)
     named = [key for key in keys if place and key.place == place[0]]
     near = [key for key in keys if abs(key.line - line) <= NEAR and not (place and key.place)]
-    best = min(named or near, key=lambda key: (key.url is None, abs(key.line - line)), default=None)
+    own = [key for key in near if host and key.host and _domain(key.host) == _domain(host)]
+    best = min(named or own or near, key=lambda key: (key.url is None, abs(key.line - line)), default=None)
     return best or _Key(None, "nothing beside it fetches its key", None, line)
+
+
+def _domain(host: str) -> str:
+    return ".".join(host.split(".")[-2:])
