@@ -104,6 +104,8 @@ class Command:
     """What that entry point does with words that a container is given."""
     page: Candidate | None = None
     """What a page runs, if that is the command."""
+    guessed: bool = False
+    """No page runs or names it: it is what launch files or programs are called, or what most of them are in."""
 
 
 def decide_command(
@@ -155,6 +157,7 @@ def decide_command(
         ports=ports,
         volumes=volumes,
         page=page,
+        guessed=bool(page and not page.strong) and why.weight == Weight.ONLY_ONE,
     )
     if (authored and composed(authored)) or (not (authored and started(authored)) and command != ("bash",)):
         chosen = _given(chosen, dockerfile, authored)

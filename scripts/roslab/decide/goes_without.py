@@ -37,7 +37,7 @@ class GoesWithout:
     failing: tuple[str, ...]
     needed: tuple[str, ...]
     alone: tuple[str, ...]
-    """The folders of those that nothing needs, where a shell is started."""
+    """The folders of those that nothing needs, where a shell is started, or what no page says."""
     plain: tuple[str, ...]
     """The folders of projects without a package.xml that the tool builds too, and that nothing needs."""
     system: Choice[SystemPackages]
@@ -58,7 +58,11 @@ def goes_without(of: Choices, evidence: Evidence, config: Config) -> GoesWithout
         ros_distro=of.release.answer.name if of.release.answer else None,
     )
     whole = bool(of.own.answer or config.compatible or of.kind.answer not in {"ros1", "ros2"})
-    alone = () if whole else spare(evidence, config, of.command.answer, of.packages, {*of.left_out, *failing})
+    alone = (
+        ()
+        if whole
+        else spare(evidence, config, of.command.answer, of.packages, left_out={*of.left_out, *failing}, started=needed)
+    )
     told = stopping(once(of.system.warnings, of.missing.warnings), of.packages, needed, evidence)
     told = what_stops(told, of.packages, {*alone, *failing, *of.left_out}, of.build_tool.answer)
     may_go, gone = ({*failing} - {*needed}, of.left_out) if not whole else ((), ())

@@ -120,6 +120,40 @@ def test_what_no_other_package_needs_is_spare_where_a_shell_is_started(
     assert (f"leave-out-failed --most {spare // 3} --spare src/" in dockerfile(plan)) == bool(spare)
 
 
+BRINGS = "".join(INCLUDES.format(f"task_{number}", "") for number in (1, 2))
+LAUNCHED = {
+    path: text
+    for number in range(8)
+    for path, text in _package(
+        f"task_{number}", launch=NODE.format(f"task_{number}", "") + BRINGS * (not number), needs="lib" * (number == 3)
+    ).items()
+} | _package("lib")
+ASKS = LAUNCHED["task_0/package.xml"].replace("</package>", "<run_depend>task_7</run_depend></package>")
+
+
+@pytest.mark.parametrize(
+    ("page", "more", "spare"),
+    [
+        ("# Tasks\n", {}, 5),
+        ("# Tasks\n", {"task_0/package.xml": ASKS}, 4),
+        ("`roslaunch task_0 task_0.launch`\n", {}, 0),
+        ("Start it with task_0.launch of task_0\n", {}, 0),
+    ],
+)
+def test_what_a_command_does_not_need_that_no_page_says_is_spare(
+    tmp_path: Path, page: str, more: dict[str, str], spare: int
+) -> None:
+    for path, text in {**LAUNCHED, **more, "README.md": page}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    plan = plan_repository(tmp_path).plan
+    assert plan.run.command == ("roslaunch", "task_0", "task_0.launch")
+    assert plan.workspace.must_build == ("task_0", "task_1", "task_2")
+    folder = f"src/{tmp_path.name}/task_"
+    asked = "".join(f" --spare {folder}{number}" for number in range(3, 3 + spare))
+    assert (f" --keep task_2 --most {spare // 3}{asked} -- " in dockerfile(plan)) == bool(spare)
+
+
 @pytest.mark.parametrize(
     ("code", "run", "said"),
     [
