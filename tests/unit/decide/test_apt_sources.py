@@ -133,9 +133,9 @@ def test_a_known_key_takes_the_place_of_the_one_of_another_source(tree: Tree) ->
 def test_the_key_of_its_own_host_is_its_key(tree: Tree, scheme: str) -> None:
     key = f"wget {scheme}://keys.acme.org/acme.key -O - | sudo apt-key add -\n"
     decision = tree(page(OTHERS, ADD.replace(f" {SIGNED}", ""), key, INSTALL))
-    assert [line.split()[1] for line in decision.repositories] == [
-        "[signed-by=https://keys.acme.org/acme.key]"
-    ] * (scheme == "https")
+    assert [line.split()[1] for line in decision.repositories] == ["[signed-by=https://keys.acme.org/acme.key]"] * (
+        scheme == "https"
+    )
     told = [w.message for w in decision.warnings if w.message.startswith("not added: ")]
     assert [message.endswith("its key is fetched without https") for message in told] == [True] * (scheme == "http")
 

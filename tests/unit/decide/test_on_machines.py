@@ -23,6 +23,7 @@ SETTINGS = '{\n  "ros.distro": "iron"\n}\n'
 INCLUDED = '{"configurations": [{"includePath": ["/opt/ros/iron/include/**"]}]}\n'
 CACHE = "actionlib_DIR:PATH=/opt/ros/indigo/share/actionlib/cmake\n"
 PREFIX = "colcon_command_prefix_build.sh.env"
+APT = "sudo apt-get install -y ros-kinetic-joy ros-kinetic-tf\n"
 UNSAID = "nothing says which ROS distribution"
 
 
@@ -39,6 +40,11 @@ UNSAID = "nothing says which ROS distribution"
         (CATKIN, {"devel/_setup_util.py": "CMAKE_PREFIX_PATH = '/opt/ros/kinetic'.split(';')\n"}, "kinetic"),
         (AMENT, {".vscode/settings.json": SETTINGS, "README.md": "Tested on ROS 2 Jazzy.\n"}, "jazzy"),
         (CATKIN, {"scripts/run.sh": "#!/bin/bash\nsource /opt/ros/kinetic/setup.bash\n"}, "kinetic"),
+        (CATKIN, {"tools/robot.sh": APT}, "kinetic"),
+        (CATKIN, {"Makefile": f"deps:\n\t{APT}"}, "kinetic"),
+        (CATKIN, {"run.sh": f"{APT}source /opt/ros/melodic/setup.bash\n"}, "melodic"),
+        (CATKIN, {"apt-packages.txt": "ros-kinetic-joy\nros-kinetic-tf\n"}, "kinetic"),
+        (CATKIN, {"ansible/roles/robot.yml": "- apt:\n    name:\n      - ros-kinetic-joy\n"}, "kinetic"),
         (AMENT, {"robot.service": "[Service]\nExecStart=bash -c '. /opt/ros/iron/setup.sh; ros2 run a b'\n"}, "iron"),
     ],
 )
@@ -61,6 +67,11 @@ def test_the_distribution_of_a_machine(tree: Tree, manifest: str, files: dict[st
         {"config/robot.env": "ROS_DISTRO=iron\n"},
         {"third_party/run.sh": "source /opt/ros/iron/setup.bash\n"},
         {"scripts/install_old.sh": "source /opt/ros/iron/setup.bash\n"},
+        {"tools/robot.sh": "# apt install ros-iron-joy\n"},
+        {"tools/robot.sh": "apt install ros-iron-joy || apt install ros-foxy-joy\n"},
+        {"config/robot.yaml": "names: [ros-iron-joy]\n"},
+        {"names.txt": "ros-iron-joy\n"},
+        {"third_party/apt.txt": "ros-iron-joy\n"},
     ],
 )
 def test_what_tells_of_no_machine(tree: Tree, files: dict[str, str]) -> None:

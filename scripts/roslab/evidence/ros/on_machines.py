@@ -1,4 +1,7 @@
-"""Distributions in what an editor, a build or catkin wrote on the author's machine, and in scripts that work on it."""
+"""Distributions in what an editor, a build or catkin wrote on the author's machine, and in scripts that work on it.
+
+Scripts and lists of any name may also tell it by the packages that they install on it: ``ros-melodic-joy``.
+"""
 
 from __future__ import annotations
 
@@ -20,6 +23,13 @@ SETUPS = ("CMakeCache.txt", "setup.sh", "setup.bash", "_setup_util.py")
 _CALLED, _KEPT = "colcon_command_prefix_", ".env"
 """How the names of those files begin and end. https://github.com/colcon/colcon-core (colcon_core/shell), 2026-11-28."""
 SCRIPTS = (".sh", ".bash", ".zsh", ".service", ".desktop", ".tmux")
+LISTS = (".txt", ".yml", ".yaml")
+_LISTS = pattern(
+    r"(?:^|[^a-z])(?:(?:apt|debs?|packages?|dep(?:endencie)?s|ros|install)[^/]*\.txt$|(?:ansible|playbooks?)(?:[^a-z]|$))",
+    re.IGNORECASE,
+)
+"""The path of what lists packages: for a reader, a script, or Ansible."""
+LARGEST = 64 * 1024
 MOST = 40
 """Files that are read: a build folder has one for each package."""
 TOPLEVEL = "CMakeLists.txt"
@@ -30,10 +40,13 @@ _LEFT = pattern(r"(?:^|[-_.])(?:old|legacy|deprecated|obsolete|backup|bak)(?:[-_
 """A script that its author keeps and runs no more."""
 _NAMED = r"/opt/ros/([a-z]+)\b(?!\.)"
 _EACH = pattern(_NAMED)
+_PACKAGE = r"(?<![\w/.-])ros-([a-z]+)-[a-z]"
+_PACKAGES = pattern(_PACKAGE)
 _BUILT = pattern(rf"[^\n]{{0,400}}?{_NAMED}")
 _ENVIRONMENT = pattern(r"ROS_DISTRO=([a-z]+)\s*$", re.MULTILINE)
 _LINK = pattern(r"/opt/ros/([a-z]+)/share/catkin/cmake/toplevel\.cmake\s*$")
 _SOURCED = pattern(rf"(?![ \t]*#)[^#\n]{{0,400}}?{_NAMED}")
+_INSTALLED = pattern(rf"(?![ \t]*#)[^#\n]{{0,400}}?{_PACKAGE}")
 _SET = pattern(rf"(?![ \t]*//)[^\n]{{0,400}}?(?:{_NAMED}|\"ros\.distro\"[ \t]*:[ \t]*\"([a-z]+)\")")
 
 
@@ -49,8 +62,14 @@ def read(repository: Repository) -> Iterator[Mention]:
     scripts = tuple(f for f in scripts if f.name.lower() not in SETUPS and not _LEFT.search(f.name))
     for file in nearest(f for f in scripts if not places.aside(f.path))[:MOST]:
         text = repository.read(file)
-        if len(set(_EACH.findall(text)) & distros().keys()) == 1:
+        sourced = set(_EACH.findall(text)) & distros().keys()
+        if len(sourced) == 1:
             yield from _named(file, text)
+        elif not sourced:
+            yield from _of_packages(file, text)
+    lists = (f for f in repository.suffixed(*LISTS) if _LISTS.search(f.path) and f.size <= LARGEST)
+    for file in nearest(f for f in lists if not places.aside(f.path) and f.name != TOPLEVEL)[:MOST]:
+        yield from _of_packages(file, repository.read(file))
     yield from _links(repository)
 
 
@@ -81,10 +100,20 @@ def _links(repository: Repository) -> Iterator[Mention]:
             yield Mention(topic="machine", value=match[1], source="code", file=path, line=1, text=said)
 
 
+def _of_packages(file: File, text: str) -> Iterator[Mention]:
+    """Yield the one distribution whose packages a file names."""
+    if len(set(_PACKAGES.findall(text)) & distros().keys()) == 1:
+        yield from _told(file, text, _INSTALLED, "ros-")
+
+
 def _named(file: File, text: str) -> Iterator[Mention]:
     said_by = _SOURCED if file.suffix in SCRIPTS and file.name not in SETUPS else _BUILT
     lines, word = (_SET, "ros") if file.suffix == ".json" else (said_by, "/opt/ros/")
     lines, word = (_ENVIRONMENT, "ROS_DISTRO=") if file.suffix == _KEPT else (lines, word)
+    yield from _told(file, text, lines, word)
+
+
+def _told(file: File, text: str, lines: re.Pattern[str], word: str) -> Iterator[Mention]:
     told: set[str] = set()
     for match in matching_lines(lines, text, word) if word in text else ():
         name = next(filter(None, match.groups()))
