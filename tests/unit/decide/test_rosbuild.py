@@ -112,6 +112,13 @@ def test_what_never_had_an_image_means_the_next_distribution_that_has_one(
     assert not any("nothing says which ROS" in warning.message for warning in found.warnings)
 
 
+def test_a_script_installs_packages_of_what_never_had_an_image(tmp_path: Path) -> None:
+    script = "sudo apt-get install xterm ros-fuerte-camera-umd\n"
+    found = decided(tmp_path, {"manifest.xml": MANIFEST, "CMakeLists.txt": CMAKE, "install.sh": script})
+    assert found.ros_distro == "indigo"
+    assert [w.file for w in found.warnings if "fuerte has no official image" in w.message] == ["install.sh"]
+
+
 def test_the_plural_of_a_distribution_is_its_name(tmp_path: Path) -> None:
     package = "<package><name>a</name><buildtool_depend>catkin</buildtool_depend></package>"
     files = {"package.xml": package, "CMakeLists.txt": "project(a)\n", "README.md": "Needs ROS KINETICS on Ubuntu.\n"}

@@ -15,7 +15,7 @@ from roslab.evidence.prose.installs import Collector
 from roslab.evidence.prose.merged import Prose, merge
 from roslab.evidence.prose.pages import pages, text_of
 from roslab.evidence.prose.release_branches import headed
-from roslab.knowledge.distros import distros
+from roslab.knowledge.distros import ever
 from roslab.repository.checkout import File, Repository, nearest
 from roslab.values.dataclass import replace
 from roslab.values.endings import SHELL_SCRIPTS
@@ -166,8 +166,8 @@ def _given(repository: Repository) -> list[File]:
 
 
 def _distros(asked: tuple[Dependency, ...]) -> Iterator[Mention]:
-    """Yield the distributions in names of packages: ``ros-melodic-tf``, each once."""
-    named = {match[1]: each for each in reversed(asked) if (match := _ROS.match(each.name)) and match[1] in distros()}
+    """Yield the distributions in names of packages: ``ros-melodic-tf``, each once; also one without an image."""
+    named = {match[1]: each for each in reversed(asked) if (match := _ROS.match(each.name)) and match[1] in ever()}
     for name, each in named.items():
         yield Mention(topic="distro", value=name, source="script", file=each.file, line=each.line, text=each.name)
 
