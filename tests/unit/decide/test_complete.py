@@ -39,6 +39,30 @@ def test_the_one_that_has_all(tree: Tree, page: str, depends: str, chosen: str) 
     assert _decided(tree, page, depends).ros_distro == chosen
 
 
+RECOMMENDED = "# demo\n\nWe recommend ROS 2 Jazzy.\n\nTested on ROS 2 Humble.\n"
+ONLY_RUN = "<exec_depend>franka_description</exec_depend>"
+
+
+@pytest.mark.parametrize(
+    ("page", "depends", "chosen"),
+    [
+        (RECOMMENDED, "<depend>franka_description</depend>", "humble"),
+        (RECOMMENDED, "<depend>nav2_msgs</depend>", "jazzy"),
+        (RECOMMENDED, ONLY_RUN, "jazzy"),  # it is compiled without
+        (RECOMMENDED.replace("Tested on", "It does not work on"), "<depend>franka_description</depend>", "jazzy"),
+        (
+            RECOMMENDED.replace("Tested on", "Humble is gone, no longer tested on"),
+            "<depend>franka_description</depend>",
+            "jazzy",
+        ),
+    ],
+)
+def test_one_that_is_named_with_less_weight_and_has_what_compiling_needs(
+    tree: Tree, page: str, depends: str, chosen: str
+) -> None:
+    assert _decided(tree, page, depends).ros_distro == chosen
+
+
 def test_the_reason_names_what_the_newer_lacks(tree: Tree) -> None:
     found = _decided(tree, BOTH, "<depend>franka_description</depend>")
     why = next(each.reason for each in found.reasons if each.question == "ros_distro")

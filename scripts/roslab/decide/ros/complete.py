@@ -1,4 +1,4 @@
-"""Which of several distributions that are named alike has all packages that the manifests declare."""
+"""Which of several distributions that are named has all packages that the manifests declare."""
 
 from __future__ import annotations
 
@@ -12,22 +12,37 @@ from roslab.knowledge.distros import distros
 from roslab.knowledge.released import released
 from roslab.values.dataclass import replace
 
+_LATER = frozenset({"test", "doc"})
+
 
 def complete(best: Reason, reasons: Iterable[Reason], keys: frozenset[str], evidence: Evidence) -> Reason:
     """Return the reason for the newest of those with the weight of the ``best`` that lacks no package, else the best.
 
     ``keys``: what only distributions of ROS can have; what none of those named has speaks against none. CI and an
-    author's image bring by themselves what is lacking, and the list of rolling has gaps.
+    author's image bring by themselves what is lacking, and the list of rolling has gaps. Where none of that weight has
+    all, it is one that is also said to be what the packages are for, and has all that they are compiled with.
     """
-    named = {each.answer: each for each in reasons if each.weight == best.weight and not _rolling(each)}
-    if len(named) < 2 or best.answer not in named or best.weight > Weight.RECOMMENDED:
+    if best.weight > Weight.RECOMMENDED or _rolling(best):
         return best
-    asked = keys & _needed(evidence) & frozenset().union(*map(released, named))
+    named = [each for each in reasons if not _rolling(each)]
+    alike = [each for each in named if each.weight == best.weight]
+    less = [each for each in named if Weight.SPEAKS_OF_IT < each.weight <= best.weight]
+    return (
+        _full(best, alike, keys & _needed(evidence, _LATER))
+        or _full(best, less, keys & _needed(evidence, _LATER | {"exec"}))
+        or best
+    )
+
+
+def _full(best: Reason, named: Iterable[Reason], asked: frozenset[str]) -> Reason | None:
+    """Return the heaviest reason for one that has all of these which any has, the newest, where the best has not."""
+    named = {each.answer: each for each in sorted(named, key=lambda each: each.weight)}.values()
+    asked &= frozenset().union(*(released(each.answer) for each in named))
     lacking = sorted(asked - released(best.answer))
-    full = [name for name in named if asked <= released(name)]
+    full = [each for each in named if asked <= released(each.answer)]
     if not lacking or not full:
-        return best
-    found = named[max(full, key=lambda name: distros()[name].preference)]
+        return None
+    found = max(full, key=lambda each: (each.weight, distros()[each.answer].preference))
     why = f"{found.reason}; {best.answer}, which is named too, has no {', '.join(lacking[:3])}"
     return replace(found, reason=why, weight=best.weight + 1)
 
@@ -36,7 +51,7 @@ def _rolling(reason: Reason) -> bool:
     return distros()[reason.answer].never_ends
 
 
-def _needed(evidence: Evidence) -> frozenset[str]:
-    """Return what packages depend on for more than their tests and their documentation."""
+def _needed(evidence: Evidence, but: frozenset[str]) -> frozenset[str]:
+    """Return what packages depend on, but in these roles alone."""
     declared = (each for manifest in packages_of(evidence).built for each in manifest.dependencies)
-    return frozenset(each.name for each in declared if each.role not in {"test", "doc"})
+    return frozenset(each.name for each in declared if each.role not in but)
