@@ -41,7 +41,7 @@ from roslab.decide.ros.filled_refs import with_refs
 from roslab.decide.ros.itself import names_of_itself
 from roslab.decide.ros.layout import decide_layout
 from roslab.decide.ros.other_dockerfiles import without_their_clones
-from roslab.decide.ros.sought import linked, tried
+from roslab.decide.ros.sought import tried
 from roslab.decide.ros.sources import decide_sources
 from roslab.decide.ros.used import asked
 from roslab.decide.ros.workspace import of_one_ros, packages_of
@@ -218,7 +218,6 @@ def decide(evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
         cloned=sources.answer.with_unknown_packages,
         may_hold=sources.answer.may_hold,
         tried=tried(sources.answer.sought),
-        linked=linked(sources.answer.sought),
         config=config,
     )
     left_out, sources, system = as_tried(

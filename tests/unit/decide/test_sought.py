@@ -334,14 +334,18 @@ def test_a_link_with_a_slash_at_its_end_is_one_to_a_repository(tree: Tree) -> No
     assert [*_sought(decision)] == [f"{LAB}/quad-ros-wrapper", f"{LAB}/quad_wrapper"]
 
 
-def test_nothing_is_looked_for_that_only_a_package_needs_which_is_not_built(tree: Tree) -> None:
+@pytest.mark.parametrize(("more", "looked"), [("", True), ("find_package(AcmeSDK REQUIRED)\n", False)])
+def test_a_package_that_the_command_does_not_need_is_built_where_the_owner_has_what_it_lacks(
+    tree: Tree, more: str, looked: bool
+) -> None:
     files = _git(f"{LAB}/mpc") | _package("mpc", "roscpp") | _package("extra", "quad_x")
+    files["extra/CMakeLists.txt"] += more
     files["mpc/launch/mpc.launch"] = '<launch><node pkg="mpc" type="mpc" name="mpc"/></launch>\n'
     decision = tree(files | {"README.md": "ROS Noetic.\n\n    roslaunch mpc mpc.launch\n"})
-    assert decision.left_out == ("extra",)
-    assert not _sought(decision)
-    assert not any("the build looks for it" in each.message for each in decision.warnings)
-    assert not any(each.question == "source" for each in decision.reasons)
+    assert (decision.left_out, decision.lacking) == (() if looked else ("extra",), (("quad_x", ("extra",)),) * looked)
+    assert [*_sought(decision)] == [f"{LAB}/quad_x"] * looked
+    assert any("the build looks for it" in each.message for each in decision.warnings) == looked
+    assert any(each.question == "source" for each in decision.reasons) == looked
 
 
 def test_what_a_package_lacks_is_looked_for_first_where_a_page_names_a_repository(tree: Tree) -> None:

@@ -17,7 +17,7 @@ from roslab.decide.ros.clones import taken_apart
 from roslab.decide.ros.credited import credited
 from roslab.decide.ros.misnamed import BUILD_TYPES, library_called, of_pip
 from roslab.decide.ros.slips import meant
-from roslab.decide.ros.sought_addresses import addresses_of, by_authors, called_by
+from roslab.decide.ros.sought_addresses import addresses_of, by_authors
 from roslab.decide.ros.sought_links import listed_by_pages, of_ubuntu
 from roslab.decide.ros.source_names import address, akin, day_of_clone, fixed, plain, stands_already
 from roslab.decide.ros.vcs_files import distros_in
@@ -156,11 +156,6 @@ def tried(sought: Iterable[Source]) -> dict[str, str]:
             url = (source.repo or "").removesuffix(".git")
             found[name] = f"{found[name]} and {url}" if name in found else url
     return found
-
-
-def linked(sought: Iterable[Source]) -> frozenset[str]:
-    """Return the packages that are looked for in a repository which a page names, and not only in one of their name."""
-    return frozenset(name for source in sought for name in source.holding if source.name not in called_by(name))
 
 
 def without(

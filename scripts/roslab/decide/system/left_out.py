@@ -48,30 +48,26 @@ def leave_out(
     started: Collection[str],
     left: Collection[str],
     tried: Mapping[str, str],
-    linked: Collection[str],
     alike: Mapping[str, str] = MappingProxyType({}),
 ) -> LeftOut:
     """Return what is left out, as far as something else is built and nothing of it is started.
 
     ``lacking``: packages, each with a name that CMake requires and nothing brings; ``left``: packages that are left out
-    already. ``tried``: where the build looks for such names; ``linked``: those of them for which a page names a
-    repository. What needs these, or one that the command lacks, is left out only in the image, where none holds
-    them. ``alike``: the names of the tree, by these in small letters.
+    already. ``tried``: where the build looks for such names: what needs these is left out only in the image, where
+    none holds them. ``alike``: the names of the tree, by these in small letters.
     """
     out: dict[str, None] = dict.fromkeys(left)
     perhaps: dict[str, list[str]] = {}
     warnings = []
     stops: dict[str, None] = {}
-    of_command = (name for package, name in lacking if name in tried and {*needing(package, packages)} & {*started})
-    linked = {*linked, *of_command}
-    for (package, name), asked in sorted(lacking.items(), key=lambda each: each[0][1] in linked):
+    for (package, name), asked in sorted(lacking.items(), key=lambda each: each[0][1] in tried):
         if package in left:
             continue
         with_it = needing(package, packages)
         lost = {*out, *(each for names in perhaps.values() for each in names)}
         kept = {m.name for m in packages.built if not m.metapackage} - lost - {*with_it}
         skipped = build_tool in SKIP and (package in lost or kept) and not {*with_it} & {*started}
-        first = name in linked and package not in out
+        first = name in tried and package not in out
         where = tried.get(name) if first or not skipped else None
         if skipped and first:
             perhaps.setdefault(name, []).extend(with_it)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from roslab.config.model import WORKSPACE_TOOLS, BuildTool, Config, Kind
 from roslab.decide.decision import Choice
@@ -119,7 +119,6 @@ def decide_missing(
     cloned: bool = False,
     may_hold: Callable[[str], bool] = lambda _: False,
     tried: Mapping[str, str] | None = None,
-    linked: Collection[str] = (),
     config: Config,
 ) -> Choice[Missing]:
     """Return the packages to leave out of the build because of what they lack, with those that need these.
@@ -130,8 +129,8 @@ def decide_missing(
     ``switch``: options of CMake may be turned off that a page does not set.
     ``cloned``: the image clones packages whose names are not known here; ``may_hold``: whether one of them may be of a
     name. What cannot be left out is told, for there the build stops. ``tried``: where the build looks for packages
-    that nothing brings; ``linked``: those of them for which a page names a repository. What needs these is left out
-    only in the image, where none holds them. Commands of ``config`` may bring anything.
+    that nothing brings: what needs these is left out only in the image, where none holds them. Commands of ``config``
+    may bring anything.
     """
     custom, started = config.custom is not None, line_of(command).split()
     by_hand, said_by_hand = skip_packages(config, packages, build_tool, started)
@@ -182,9 +181,7 @@ def decide_missing(
         left={**(skipped(evidence, packages, build_tool, started) if build_tool in SKIP else {}), **by_hand},
     )
     alike, tried = other_letters(evidence, packages), with_modules(tried or {}, unmet, build_tool)
-    found = leave_out(
-        lacking, packages, build_tool, started=started, left=left, tried=tried, linked=linked, alike=alike
-    )
+    found = leave_out(lacking, packages, build_tool, started=started, left=left, tried=tried, alike=alike)
     warnings = [*said_by_hand, *codeless, *told_configs(found.warnings, unmet, kind)]
     first = {asked.name: asked for asked in reversed(unsure_of)}
     warnings += [warn(_PERHAPS.format(name), first[name]) for name in dict.fromkeys(d.name for d in unsure_of)]
