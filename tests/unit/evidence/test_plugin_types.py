@@ -22,6 +22,7 @@ def of(text: str) -> list[str]:
         ("solver_plugin: solver_plugins::CeresSolver\n", ["slam_toolbox"]),
         ("kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n", ["moveit_kinematics"]),
         ("planning_plugin: ompl_interface/OMPLPlanner\n", ["moveit_planners_ompl"]),
+        ("  - sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater\n", ["moveit_ros_perception"]),
         ("  RRT:\n    type: geometric::RRT\n", []),  # a planner of OMPL, no package
         ("- name: inpaint\n  type: gridMapCv/InpaintFilter\n", ["grid_map_cv"]),
         ("type: someThing/Filter\n", []),  # no package has capitals
