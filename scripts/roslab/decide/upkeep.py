@@ -14,11 +14,12 @@ _UPKEEP = pattern(
     r"conda(?:[._-]recipe)?|recipe)/|"
     r"(?:^|[/_.-])(?:changelog|release(?:_?notes)?|bump(?:_?version)?|(?:get|update|set|sync|check)_(?:\w+_)?version|versioneer|publish|upload|"
     r"coverage|codecov|stubgen|pre_?commit|git_?hook|noxfile|fabfile|conftest|setup|conf|gen_?docs?|make_?docs?)\.(?:py|(?:ba)?sh)$|"
+    r"(?:^|/)(?:(?:sync|set)[_-]?(?:times?|clocks?|date)|(?:time|clock)[_-]?sync|ntp\w*)\.(?:ba)?sh$|"
     r"(?:^|/)(?:(?:sync|deploy)_to_\w+|(?:(?:dist|make)[_-]?)?clean(?:[_-]?(?:up|all))?|uninstall)\.(?:ba)?sh$",
     re.IGNORECASE,
 )
 """A script that keeps the project itself: of its releases, its build, its documentation, its continuous integration,
-or one that copies it to other machines or takes away what was built."""
+or one that copies it to other machines, sets their clocks or takes away what was built."""
 
 
 def upkeep(candidate: Candidate) -> bool:

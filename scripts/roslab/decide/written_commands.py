@@ -25,7 +25,6 @@ from roslab.decide.made_folders import made_before
 from roslab.decide.own_test_runs import runs_tests
 from roslab.decide.pages_of_tools import of_a_tool, outside, starting_packages
 from roslab.decide.programs import by_source, in_packages, installed_by_pip, on_path, one_letter_off, one_of_several
-from roslab.decide.programs import compiled as programs_of
 from roslab.decide.reasons import of_readme
 from roslab.decide.renamed_launches import Declared, declared_by, renamed
 from roslab.decide.ros.installed_programs import with_installed

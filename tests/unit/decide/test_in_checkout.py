@@ -116,3 +116,23 @@ def test_roslaunch_starts_nodes_in_a_folder_of_their_own(tmp_path: Path) -> None
     page = "# Vins\nROS noetic\n\n## Run\n\n```\nroslaunch vins a.launch file:=src/Vins-Demo/config/a.yaml\n```\n"
     command = " ".join(decided(tmp_path, {**ROS, "README.md": page}).command)
     assert command == "roslaunch vins a.launch file:=src/Vins-Demo/config/a.yaml"
+
+
+@pytest.mark.parametrize(
+    ("said", "command"),
+    [
+        ("bash ~/catkin_ws/src/arm/launch/run.bash", "bash arm/launch/run.bash"),
+        ("bash ~/catkin_ws/src/arm/syncTime.sh\nbash ~/catkin_ws/src/arm/launch/run.bash", "bash arm/launch/run.bash"),
+        ("rosrun vins vins_node ~/ws/src/arm/a.yaml", "rosrun vins vins_node arm/a.yaml"),
+        ("bash ~/catkin_ws/src/hand/launch/run.bash", "rosrun vins other"),
+        ("bash ~/catkin_ws/src/run.bash", "rosrun vins other"),
+        ("bash ~/catkin_ws/src/twice/run.bash", "rosrun vins other"),
+    ],
+)
+def test_a_package_of_the_tree_lies_by_its_own_name_in_a_workspace(tmp_path: Path, said: str, command: str) -> None:
+    run = "#!/bin/bash\nrosrun vins vins_node\n"
+    scripts = ("arm/launch/run.bash", "arm/syncTime.sh", "a/twice/run.bash", "b/twice/run.bash")
+    files = {**ROS, **dict.fromkeys(scripts, run), "arm/a.yaml": "a: 1\n"}
+    page = f"ROS Noetic\n## Run\n```\n{said}\nrosrun vins other\n```\n"
+    found = decided(tmp_path, {**files, "README.md": page}).command
+    assert (found if isinstance(found, str) else " ".join(found)) == command

@@ -71,14 +71,16 @@ def in_checkout(path: str, repository: Repository) -> str | None:
     """Return the path from the root of what a page names where people clone to: ``~/catkin_ws/src/demo/cfg/a.yaml``.
 
     Not of an argument of a launch file, whose nodes start in a folder of their own. The page of a fork may have the
-    name of what it was forked from: ``demo`` in ``demo-gpu``.
+    name of what it was forked from: ``demo`` in ``demo-gpu``. In ``src`` of a workspace a package of the tree may lie
+    by its own name: ``~/catkin_ws/src/arm/run.sh``.
     """
     parts = path.split("/")
     if not _ELSEWHERE.match(path) or ":=" in path:
         return None
     names = [place for place, part in enumerate(parts) if _is_name(part, repository.name)]
     rests = ("/".join(parts[place + 1 :]) for place in reversed(names))
-    return next((rest for rest in rests if repository.has(rest) or rest in repository.folders), None)
+    there = next((rest for rest in rests if repository.has(rest) or rest in repository.folders), None)
+    return there or _of_package(path.partition("/src/")[2], repository)
 
 
 def from_above(path: str, repository: Repository) -> str | None:
