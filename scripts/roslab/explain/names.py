@@ -180,7 +180,18 @@ def _symbol(names: Names, _: Image) -> Names:
             if compiled(row["pattern"]).match(said):
                 link = {"link": row["link"]} if row["link"] else {}
                 return {"library": row["library"], "how": row["how"], **link}
-    return {}
+    space = _SPACE.match(symbol)
+    of_ros = ros_names.known({"name": space[1]}, None) if space and "_" in space[1] else {}
+    return {"library": f"the ROS package {of_ros['name']}", "how": of_ros["name"]} if of_ros else {}
+
+
+def _ros_header(names: Names, where: Image) -> Names:
+    """Name the ROS package that has a header, by a table or by its folder; none for one of the package itself."""
+    header = names.get("header", "")
+    found = libraries.library("include", header, where.ubuntu)
+    name = header.partition("/")[0] if found is None else found.ros
+    own = f"/{name}/" in f"/{names.get('file', '')}"
+    return {} if own or not name else ros_names.known({"name": name}, where.ros)
 
 
 _INCLUDED = pattern(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60})/([\w.+-]{2,60})/")
@@ -268,6 +279,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "ros": lambda names, where: ros_names.package(names, where.ros, where.ubuntu),
     "ros-dropped": lambda names, where: ros_names.dropped(names, where.ros),
     "ros-elsewhere": lambda names, where: ros_names.elsewhere(names, where.ros),
+    "ros-header": _ros_header,
     "ros-library": lambda names, where: ros_names.known(names, where.ros),
     "ros-module": lambda names, where: ros_names.module(names, where.ros),
     "secret": _secret,

@@ -221,7 +221,7 @@ def test_the_library_of_a_missing_symbol_is_named() -> None:
 @pytest.mark.parametrize(
     ("line", "known"),
     [
-        ("/ws/libslam.so：对‘cv::String::deallocate()’未定义的引用", "link-undefined"),  # noqa: RUF001
+        ("/ws/libslam.so：对‘cv::String::deallocate()’未定义的引用", "link-library-incomplete"),  # noqa: RUF001
         ("a.cpp:3:10: 致命错误：glog/logging.h：没有那个文件或目录", "header-missing"),  # noqa: RUF001
         ("a.cpp:3:10: schwerwiegender Fehler: glog/logging.h: Datei oder Verzeichnis nicht gefunden", "header-missing"),
         ("a.cpp:3:10: erreur fatale : glog/logging.h: Aucun fichier ou dossier de ce type", "header-missing"),

@@ -70,7 +70,7 @@ error    libmamba Could not solve for environment specs
 api-known: make
 a.cpp:3:10: fatal error: tf2_eigen/tf2_eigen.h: No such file or directory
 
-header-missing: make
+ros-header-missing: make
 a.cpp:3:10: fatal error: tf2_eigen/tf2_eigen.hpp: No such file or directory
 
 api-known: make
@@ -207,6 +207,36 @@ ResolvePackageNotFound:
 shell-cannot-read-command: make
 /bin/sh: 1: Syntax error: Unterminated quoted string
 make[2]: *** [arm.o] Error 2
+
+pkg-config: cmake .
+CMake Error at /usr/share/cmake-3.5/Modules/FindPkgConfig.cmake:578 (message):
+  None of the required 'apriltag' found
+
+cmake-target-missing: cmake .
+CMake Error at CMakeLists.txt:24 (add_library):
+Target "grip" links to target "arm::arm" but the target
+was not found.
+
+colcon-needed-not-built: colcon build --packages-select arm
+[0.6s] ERROR:colcon.colcon_cmake.task.cmake.build:Failed to find the following files:
+- ws/install/arm_msgs/share/arm_msgs/package.sh
+Check that the following packages have been built:
+- arm_msgs
+
+api-known: make
+a.hpp:3:9: error: 'csc' has not been declared
+
+api-known: make
+a.cpp:3:9: error: cannot convert 'OSQPWorkspace**' to 'const OSQPData*' for argument '1'
+
+api-known: make
+a.hpp:3:9: error: 'const class Eigen::Matrix<float, -1, -1>' has no member named 'minCoeffOfFinites'
+
+header-of-protobuf: make
+fatal error: arm/Block.pb.h: No such file or directory
+
+ros-header-missing: make
+<command-line>: fatal error: grid_map_core/eigen_plugins/FunctorsPlugin.hpp: No such file or directory
 """
 """Each failure with the step that ended, and what it printed; without a step, a log of its own."""
 
@@ -303,7 +333,7 @@ def test_a_library_of_the_system_is_of_another_release_and_not_of_this_build() -
     said = "{}libarm.so: undefined reference to `arm::{}'\ncollect2: error: ld returned 1 exit status"
     assert found(said.format("../lib/", "move()"), "make").id == "link-own-library"
     assert found(said.format("/usr/lib/", "move()"), "make").id == "link-undefined"
-    assert found(said.format("../lib/lib", "move()"), "make").id == "link-undefined"
+    assert found(said.format("../lib/lib", "move()"), "make").id == "link-library-incomplete"
 
 
 def test_a_wheel_that_is_not_ready_is_not_why_its_code_does_not_compile() -> None:
@@ -317,6 +347,35 @@ def test_a_wheel_that_is_not_ready_is_not_why_its_code_does_not_compile() -> Non
 
 def test_a_library_that_the_project_brings_is_named() -> None:
     assert "DBoW2" in found("liba.so: undefined reference to `DBoW2::FORB::L'", "make").cause.partition("(")[2]
+
+
+def test_a_header_of_the_package_itself_is_of_no_other() -> None:
+    said = "/ws/src/{}/src/a.cpp:3:10: fatal error: nav_core/arm.h: No such file or directory"
+    assert found(said.format("arm"), "catkin_make").id == "ros-header-missing"
+    assert found(said.format("nav_core"), "catkin_make").id == "header-missing"
+
+
+def test_a_function_of_a_ros_package_is_told_by_its_namespace() -> None:
+    said = "a.cpp:(.text+0x1): undefined reference to `{}::Arm::move()'"
+    assert "(the ROS package nav_core)" in found(said.format("nav_core"), "make").cause
+    assert "ROS package" not in found(said.format("arm_of_ours"), "make").cause
+    assert "(MoveIt)" in found(said.format("moveit::core"), "make").cause
+
+
+def test_a_build_type_that_colcon_does_not_know_is_named() -> None:
+    needed = (
+        "Failed to find the following files:\n- a/package.sh\nCheck that the following packages have been built:\n- a"
+    )
+    said = "[0.9s] WARNING:colcon.colcon_core.verb:No task extension to 'build' a 'ros.ament_cargo' package\n"
+    assert "(ros.ament_cargo)" in found(f"{said}{needed}", "colcon build").cause
+    assert "build type and" in found(needed, "colcon build").cause
+
+
+def test_what_the_build_types_of_others_export_is_not_of_ament_cmake() -> None:
+    said = '  Unknown CMake command "ament_export_{}".'
+    assert "find_package(ament_cmake REQUIRED)" in found(said.format("libraries"), "cmake .").fix
+    assert "find_package(ament_cmake_export_jars REQUIRED)" in found(said.format("jars"), "cmake .").fix
+    assert "the package that defines ament_export_arms" in found(said.format("arms"), "cmake .").fix
 
 
 def test_keys_of_every_ubuntu_are_not_to_be_skipped() -> None:
