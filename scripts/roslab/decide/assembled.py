@@ -105,10 +105,7 @@ def _by_apt(of: Choices) -> tuple[str, ...]:
 
 
 def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name: str) -> Decision:
-    """Return the decision, with the reasons and the warnings of every choice.
-
-    Where the author's Dockerfile is built, nothing is told of what it does in its own way.
-    """
+    """Return the decision with all reasons and warnings; none of what the author's Dockerfile does in its own way."""
     distro, ubuntu = of.release.answer.name if of.release.answer else None, of.base.answer.ubuntu
     ros, tool = of.kind.answer in {"ros1", "ros2"}, of.build_tool.answer
     linked = by_links(evidence, config, tool)

@@ -45,8 +45,7 @@ _AFTER = pattern(
     r"(?:^|(?<!with)[_.-])(?:calibrat\w*|evaluat\w*|eval|metrics?|plot\w*|bench\w*|profil\w*|check\w*|validat\w*|verif\w*|teleop\w*|keyboard|rqt|rviz2?)(?:[_.-]|$)",
     re.IGNORECASE,
 )
-"""The name of a program that looks at what another one did; a README of Python may name its examples so. What is
-started with such a one, ``mapping_with_rviz``, is none."""
+"""The name of a program that looks at what another one did, not of what is started with one: ``mapping_with_rviz``."""
 _DEVICE = pattern(r"(?:^|(?<=[_.-]))(?:keyboard|joystick|joy|gamepad)(?=[_.-]|$)", re.IGNORECASE)
 """What a program of two is steered with, in their names."""
 _EVALUATION = pattern(r"(?:^|[_.-])(?:evaluat\w*|eval)(?:[_.-]|$)", re.IGNORECASE)
@@ -69,8 +68,7 @@ _SHOWS = pattern(
 )
 """The name of a file of Python that shows what another one made; a launch file of that name may be a demonstration."""
 _TEST = pattern(r"(?:^|[_.-])tests?(?:[_.-]|$)", re.IGNORECASE)
-"""The name of a test; a README of Python calls prediction so, also a script that starts it, and its tests are in
-folders of their own."""
+"""The name of a test; a README of Python calls prediction so, and its tests are in folders of their own."""
 _CLOUD = pattern(
     r"\b(?:azure|aws|gcp|cloud|clusters?|slurm|kubernetes|singularity|docker(?! container)|colab)\b", re.IGNORECASE
 )
