@@ -207,7 +207,7 @@ def gather(repository: Repository) -> Evidence:
             *usetex.packages(own),
             *plugins.read(repository),
             *(links.packages(lost) if manifests else ()),
-            *(loaded.read(repository) if manifests else loaded.without_packages(repository)),
+            *(loaded.read(repository) if manifests else ()),
             *fetched.programs,
             *configured.read(own),
             *shared_objects.read(own),

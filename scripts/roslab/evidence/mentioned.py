@@ -45,13 +45,13 @@ from roslab.evidence.python import (
     own_spelling,
     python2_nodes,
     python3_modules,
+    ros_tools,
     said_in_code,
     sibling_folders,
     typestores,
     usetex,
 )
 from roslab.evidence.ros import (
-    called_by_programs,
     copied_scripts,
     handed_lists,
     in_bin,
@@ -84,7 +84,7 @@ MENTIONED = (
         simulator_folders.read,
     ),
     *(asked_definitions.read, makefile_options.read, modules_aside.read, onnx_on_gpu.read, root_variables.read),
-    *(called_by_programs.read, system_libraries.read, usetex.read),
+    *(ros_tools.read, system_libraries.read, usetex.read),
 )
 """What pages, code and files of a project tell by themselves."""
 BESIDE_PROSE = (

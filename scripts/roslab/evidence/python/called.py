@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.lex.lines import matching_lines
+from roslab.evidence.python import ros_tools
 from roslab.evidence.python.in_comment import in_comment
 from roslab.evidence.python.modules import Module, modules, setup_scripts
 from roslab.knowledge.compiled import programs
@@ -37,7 +38,8 @@ _PYTHON = pattern(r"python[\d.]*$")
 def read(repository: Repository) -> tuple[Dependency, ...]:
     """Return the packages of the programs that the tree's Python files call by a name which they write out, each once.
 
-    Tests are left out, and what a variable or a path names: nobody knows its package.
+    Tests are left out, and what a variable or a path names: nobody knows its package. So it is with what they start
+    of ROS in a tree without packages.
     """
     found: dict[str, Dependency] = {}
     for module in (*setup_scripts(repository), *modules(repository)):
@@ -47,7 +49,7 @@ def read(repository: Repository) -> tuple[Dependency, ...]:
     for module in modules(repository):
         for each in _by_libraries(module) if not places.test(module.file.path) else ():
             found.setdefault(each.name, each)
-    return tuple(found.values())
+    return (*found.values(), *ros_tools.packages(repository))
 
 
 def _by_libraries(module: Module) -> Iterator[Dependency]:

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from roslab.evidence.dependency import Dependency
 from roslab.evidence.ros import (
-    called_by_programs,
     controllers,
     gazebo_plugins,
     hardware_plugins,
@@ -33,8 +32,3 @@ _READERS = (
 def read(repository: Repository) -> Iterator[Dependency]:
     """Yield what each reader finds, in their order."""
     yield from (each for reader in _READERS for each in reader(repository))
-
-
-def without_packages(repository: Repository) -> Iterator[Dependency]:
-    """Yield what the programs of a tree without packages start."""
-    yield from called_by_programs.packages(repository)

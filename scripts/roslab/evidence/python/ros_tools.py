@@ -43,8 +43,10 @@ def read(repository: Repository) -> Iterator[Mention]:
 
 
 def packages(repository: Repository) -> Iterator[Dependency]:
-    """Yield the packages of what they start, and those that bring a tool, each once."""
+    """Yield the packages of what they start, and those that bring a tool, each once; none of a tree with packages."""
     found: set[str] = set()
+    if repository.named("package.xml", "manifest.xml"):
+        return
     for file, line, tool, word in _calls(repository):
         verb = tool.rpartition(" ")[2]
         name = word if verb in _OF_PACKAGES and ever_released(word) else ros2_verbs().get(verb, "")
