@@ -159,6 +159,14 @@ def test_ubuntu_and_ros_bring_what_is_required(tmp_path: Path) -> None:
     assert kept.read_text() == "libeigen3-dev\nros-noetic-visp\n"
 
 
+def test_a_package_that_cmake_asks_apt_about_is_installed(tmp_path: Path) -> None:
+    asks = "execute_process(COMMAND apt-cache show debian-policy)\n# COMMAND apt-cache show cowsay\n"
+    asks += "execute_process(COMMAND apt-cache search ${NAME})\nexecute_process(COMMAND apt-cache show gone)\n"
+    stage = Stage(tmp_path, "debian-policy", "cowsay", "libeigen3-dev", "ros-noetic-visp")
+    calls, _ = stage.library(BOTH + asks)
+    assert calls == [["debian-policy", "libeigen3-dev", "ros-noetic-visp"]]
+
+
 def test_what_no_package_brings_is_told(tmp_path: Path) -> None:
     calls, said = Stage(tmp_path, "libeigen3-dev").library(BOTH + "find_package(Nowhere REQUIRED)\n")
     assert calls == [["libeigen3-dev"]]

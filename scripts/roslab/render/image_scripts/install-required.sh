@@ -4,7 +4,8 @@
 # the image's Ubuntu name, else those of ROS that are called so, else those that Debian's custom would call so: libNAME-dev
 # or NAME-dev. A list of them goes along with the library to where it is installed, for what is linked with it needs them
 # too: without arguments, all lists that came with libraries are installed, as they are before those of a further library.
-# So are packages of headers that its code includes and its files of CMake never name, which are on no path of its own.
+# So are packages of headers that its code includes and its files of CMake never name, which are on no path of its own, and
+# packages of which CMake asks apt-cache.
 # What no package brings and CMake alone builds is built as the tables have it, here and for the image; the rest is told.
 set -eo pipefail # not -u: an empty array is unset to the bash of Ubuntu 16.04
 
@@ -63,8 +64,17 @@ included() {
     if ! grep --quiet --ignore-case --extended-regexp -- "${part}" <<<"${cmake}"; then printf 'header:%s\n' "${path}"; fi
   done
 }
+# Prints the packages of which CMake asks apt-cache: without lists, which no layer keeps, that knows what is installed alone
+asked_of_apt() {
+  local package
+  { grep --recursive --no-filename --only-matching --extended-regexp --exclude-dir=.git --include=CMakeLists.txt --include='*.cmake' \
+    '^[^#]*\bapt-cache +(show|policy) +[a-z0-9][a-z0-9.+-]+' "${folder}" || true; } | sed 's/.* //' | while read -r package; do
+    if known "${package}"; then echo "${package}"; fi
+  done
+}
 packages() {
   local wanted said ros package found
+  asked_of_apt
   { required-by-cmake --library "${folder}" "$@" && included; } | while read -r wanted; do
     if installed "${wanted}"; then continue; fi
     said="$(told "${wanted}")"
@@ -96,7 +106,7 @@ packages() {
         fi
         ;;
     esac
-  done | LC_ALL=C sort --unique
+  done
 }
 # Builds what a line of the tables tells, one library before the other; ends with 1 where one needs more than CMake
 form='^\{"name": "([^"\\]+)", "repo": "([^"\\]+)", "ref": "([^"\\]+)"'
@@ -127,7 +137,7 @@ build() {
 
 recipes="$(mktemp)"
 mkdir --parents "${lists}" "/installed${lists}"
-packages "$@" >"${lists}/${name}.txt"
+packages "$@" | LC_ALL=C sort --unique >"${lists}/${name}.txt"
 # vcpkg, which the library's own CMake fetches, starts with these programs
 # https://learn.microsoft.com/en-us/vcpkg/concepts/supported-hosts, 2026-11-28
 if grep --quiet --recursive --binary-files=without-match --include=CMakeLists.txt --include='*.cmake' bootstrap-vcpkg "${folder}"; then
