@@ -16,6 +16,8 @@ CALLS = (
     ("cv2", "from cv2.typing import MatLike", "opencv-python>=4.8.0.76"),
     ("cv2", "import os\nimport cv2.typing", "opencv-python>=4.8.0.76"),
     ("cv2", "from cv2 import typing", "opencv-python>=4.8.0.76"),
+    ("mujoco", "from mujoco import mjx", "mujoco-mjx"),
+    ("mujoco", "import mujoco.mjx as mjx", "mujoco-mjx"),
     ("pandas", "frame.to_excel('a.xlsx')", "openpyxl"),
     ("pandas", "with pd.ExcelWriter(path) as out: pass", "openpyxl"),
     ("pandas", "frame.to_excel(path, engine='xlsxwriter')", "XlsxWriter"),
