@@ -175,7 +175,7 @@ def _repair(found: signatures.Match) -> tuple[tuple[str, tuple[str, ...]], ...]:
     if key:
         return ((key, tuple(found.names["package"].replace(",", " ").split())),) if found.known else ()
     known = repairs().get(found.failure.id)
-    if known is None or not known.value or not complete(known.value, found.names):
+    if known is None or known.way or not known.value or not complete(known.value, found.names):
         return ()
     return ((known.key, (signatures.filled(known.value, found.names),)),)
 

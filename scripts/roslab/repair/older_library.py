@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from roslab.decide.system.code_fits import brought, misfits
 from roslab.explain.answer import Explanation
-from roslab.knowledge.code_limits import fits, version_of
+from roslab.knowledge.code_limits import version_of
 from roslab.knowledge.distros import ubuntus
 from roslab.knowledge.repairs import repairs
 from roslab.repair.change import Given, Worked
@@ -13,7 +14,7 @@ from roslab.values.version import Version
 def older_library(found: Explanation, given: Given) -> Worked:
     """Take the newest Ubuntu before the image's own with the library below a release, if it has all that the code uses.
 
-    The table's ``value`` is ``LIBRARY<RELEASE``. One that the build makes itself is no Ubuntu's.
+    The table's ``value`` is ``LIBRARY<RELEASE``. One that the repository builds from its source is no Ubuntu's.
     """
     library, _, below = repairs()[found.id or ""].value.partition("<")
     plan = given.plan
@@ -23,6 +24,8 @@ def older_library(found: Explanation, given: Given) -> Worked:
     codenames = [codename for _, codename in releases]
     if plan.ubuntu not in codenames or given.config.base.image:
         return Worked(why="the base image is no Ubuntu that `base.ubuntu` sets")
+    if brought(library, given.evidence):
+        return Worked(why=f"the repository builds {library} from its source: {found.fix}")
     now = version_of(library, plan.ubuntu)
     if now is None or Version(now) < Version(below):
         return Worked(why=f"the image's Ubuntu has {library} {now or 'in an unknown release'}: {found.fix}")
@@ -31,15 +34,14 @@ def older_library(found: Explanation, given: Given) -> Worked:
         for release, codename in releases[: codenames.index(plan.ubuntu)]
         if (known := version_of(library, codename)) and Version(known) < Version(below)
     ]
-    for release, codename in older[-1:]:
-        lacking = next(
-            (each for each in given.evidence.limits if not _has(each.library, codename, each.at_least)), None
-        )
-        if lacking is None:
-            return Worked(values=(release,), certain=plan.kind == "cpp")
-        return Worked(why=f"Ubuntu {release} has no {lacking.library} {lacking.at_least} ({lacking.what}): {found.fix}")
-    return Worked(why=f"no Ubuntu before it has {library} below {below}")
+    why = _unusable(older[-1], given) if older else f"no Ubuntu before it has {library} below {below}"
+    if why:
+        return Worked(why=f"{why}: {found.fix}")
+    return Worked(values=(older[-1][0],), certain=plan.kind == "cpp")
 
 
-def _has(library: str, ubuntu: str, at_least: str | None) -> bool:
-    return fits(library, ubuntu, at_least=at_least, below=None)
+def _unusable(ubuntu: tuple[str, str], given: Given) -> str:
+    """Return what the code asks for and an Ubuntu, its release and codename, does not have; ``""`` if it has all."""
+    release, codename = ubuntu
+    lacking = misfits(given.evidence).get(codename)
+    return f"Ubuntu {release} does not have {lacking[0]}" if lacking else ""

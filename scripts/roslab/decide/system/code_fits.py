@@ -43,7 +43,7 @@ def misfits(evidence: Evidence) -> dict[str, tuple[str, ...]]:
     found: dict[str, dict[str, None]] = {ubuntu: {} for ubuntu in ubuntus().values()}
     for ubuntu, lacks in found.items():
         for limit in limits:
-            if (limit.at_least and _brought(limit.library, evidence)) or built_older(limit, evidence):
+            if (limit.at_least and brought(limit.library, evidence)) or built_older(limit, evidence):
                 continue
             if limit.library == CUDA and not on_gpu:
                 continue
@@ -83,7 +83,7 @@ def _unpackaged(evidence: Evidence, ubuntu: str) -> dict[str, None]:
         one, name = library("cmake", d.name, ubuntu) if required else None, d.name.partition(" ")[0].lower()
         if one is None or not one.elsewhere or one.ros or name in own:
             continue
-        if not (_brought(name, evidence) or installed_beside(name, evidence, called=True)):
+        if not (brought(name, evidence) or installed_beside(name, evidence, called=True)):
             found[f"{d.name} ({d.file}:{d.line})"] = None
     return found
 
@@ -103,7 +103,7 @@ def _linked(evidence: Evidence) -> Iterator[tuple[str, str]]:
     linked = {each.what for each in evidence.x86_only if each.source == "binary" and each.file in folders}
     for each in evidence.code if linked else ():
         known = each.role == "linked" and each.file in linked and ubuntus_with(each.name)
-        if known and not _brought(each.name.removeprefix("lib").partition("-")[0], evidence):
+        if known and not brought(each.name.removeprefix("lib").partition("-")[0], evidence):
             yield each.name, each.file
 
 
@@ -121,12 +121,12 @@ def _disproved(limit: CodeLimit, compiled: tuple[str, ...], evidence: Evidence, 
     That code is then behind an option. A library that is too old is disproved by none: a workflow may be older than the
     code.
     """
-    if limit.below is None or _brought(limit.library, evidence):
+    if limit.below is None or brought(limit.library, evidence):
         return False
     return any(not fits(limit.library, name, at_least=None, below=limit.below, ros=ros) for name in compiled)
 
 
-def _brought(library: str, evidence: Evidence) -> bool:
+def brought(library: str, evidence: Evidence) -> bool:
     """Tell whether the repository builds a library from its source, in a version that no Ubuntu may have."""
     name = library.lower().rstrip("3")
     return any(git.kind != "link" and git.name.lower().startswith(name) for git in evidence.sources)
