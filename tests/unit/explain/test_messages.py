@@ -378,6 +378,18 @@ def test_what_the_build_types_of_others_export_is_not_of_ament_cmake() -> None:
     assert "the package that defines ament_export_arms" in found(said.format("arms"), "cmake .").fix
 
 
+def test_an_f_string_is_too_new_for_an_old_python_3_as_well() -> None:
+    said = '  File "a.py", line 3\n    print({}"arm", file=log)\n                 ^\nSyntaxError: invalid syntax'
+    assert found(said.format("f"), "python3 a.py").id == "python-too-old-syntax"
+    assert found(said.format(""), "python a.py").id == "python2-runs-python3"
+
+
+def test_what_only_begins_with_the_name_of_a_framework_has_its_source() -> None:
+    said = "distutils.errors.DistutilsError: Could not find suitable distribution for Requirement.parse('{}>=2')"
+    assert found(said.format("torch"), "python setup.py install").id == "setup-requires-wheel-alone"
+    assert found(said.format("torch-scatter"), "python setup.py install").id == "pip-nothing-old-index"
+
+
 def test_keys_of_every_ubuntu_are_not_to_be_skipped() -> None:
     said = "arm: Cannot locate rosdep definition for [{}]\n"
     one = found(said.format("std_msgs") + said.format("python3-yaml"), "rosdep install --from-paths src")
