@@ -378,6 +378,22 @@ def test_what_the_build_types_of_others_export_is_not_of_ament_cmake() -> None:
     assert "the package that defines ament_export_arms" in found(said.format("arms"), "cmake .").fix
 
 
+@pytest.mark.parametrize(
+    ("call", "variable", "words", "package"),
+    [
+        ("library", "ZMQ", "names: zmq", "libzmq3-dev"),
+        ("path", "YAML_INCLUDE_DIR", "files: yaml-cpp/yaml.h", "libyaml-cpp-dev"),
+        ("program", "PROTOC", "names: protoc", "protobuf-compiler"),
+        ("program", "CLANG", "names: clang", "clang"),
+    ],
+)
+def test_what_cmake_looks_for_is_a_library_a_header_or_a_program(
+    call: str, variable: str, words: str, package: str
+) -> None:
+    said = f"CMake Error at CMakeLists.txt:3 (find_{call}):\n  Could not find {variable} using the following {words}\n"
+    assert found(said, "cmake .").repair == (("apt", (package,)),)
+
+
 def test_an_f_string_is_too_new_for_an_old_python_3_as_well() -> None:
     said = '  File "a.py", line 3\n    print({}"arm", file=log)\n                 ^\nSyntaxError: invalid syntax'
     assert found(said.format("f"), "python3 a.py").id == "python-too-old-syntax"
