@@ -170,28 +170,28 @@ _OF_CLASS = pattern(r"^(?:typeinfo|vtable|VTT|non-virtual thunk) (?:for|to) ")
 
 
 def _symbol(names: Names, _: Image) -> Names:
-    """Name the library of the first symbol that is missing, if a table has its namespace or prefix.
+    """Name the library of the first symbol that is missing, by its namespace or prefix: of a table, else a ROS package.
 
     Of ``typeinfo for`` a class, the class decides, and only that of no known library is the project's own.
     """
     symbol = names.get("symbol", "")
-    for said in (_OF_CLASS.sub("", symbol), symbol):
-        for row in rows("symbols"):
-            if compiled(row["pattern"]).match(said):
-                link = {"link": row["link"]} if row["link"] else {}
-                return {"library": row["library"], "how": row["how"], **link}
+    of_class = _OF_CLASS.sub("", symbol)
+    return _of_symbols(of_class) or _of_ros(of_class) or _of_symbols(symbol)
+
+
+def _of_symbols(symbol: str) -> Names:
+    for row in rows("symbols"):
+        if compiled(row["pattern"]).match(symbol):
+            link = {"link": row["link"]} if row["link"] else {}
+            return {"library": row["library"], "how": row["how"], **link}
+    return {}
+
+
+def _of_ros(symbol: str) -> Names:
+    """Name the ROS package that has the name of a symbol's namespace, where that is no plain word."""
     space = _SPACE.match(symbol)
-    of_ros = ros_names.known({"name": space[1]}, None) if space and "_" in space[1] else {}
-    return {"library": f"the ROS package {of_ros['name']}", "how": of_ros["name"]} if of_ros else {}
-
-
-def _ros_header(names: Names, where: Image) -> Names:
-    """Name the ROS package that has a header, by a table or by its folder; none for one of the package itself."""
-    header = names.get("header", "")
-    found = libraries.library("include", header, where.ubuntu)
-    name = header.partition("/")[0] if found is None else found.ros
-    own = f"/{name}/" in f"/{names.get('file', '')}"
-    return {} if own or not name else ros_names.known({"name": name}, where.ros)
+    known = ros_names.known({"name": space[1]}, None) if space and "_" in space[1] else {}
+    return {"library": f"the ROS package {known['name']}", "how": known["name"]} if known else {}
 
 
 _INCLUDED = pattern(r"/(?:include|site-packages|dist-packages|pkg/mod/[\w.]{1,60})/([\w.+-]{2,60})/")
@@ -279,7 +279,7 @@ LOOKUPS: Mapping[str, Callable[[Names, Image], Names]] = {
     "ros": lambda names, where: ros_names.package(names, where.ros, where.ubuntu),
     "ros-dropped": lambda names, where: ros_names.dropped(names, where.ros),
     "ros-elsewhere": lambda names, where: ros_names.elsewhere(names, where.ros),
-    "ros-header": _ros_header,
+    "ros-header": lambda names, where: ros_names.header(names, where.ros, where.ubuntu),
     "ros-library": lambda names, where: ros_names.known(names, where.ros),
     "ros-module": lambda names, where: ros_names.module(names, where.ros),
     "secret": _secret,

@@ -36,6 +36,21 @@ def known(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
     return {"name": name, "package": f"ros-{ros}-{dashed}" if ros else "", "released": f"ros-$ROS_DISTRO-{dashed}"}
 
 
+def header(names: Mapping[str, str], ros: str | None, ubuntu: str | None) -> dict[str, str]:
+    """Name the package that has a header, by a table or by its folder; none for one of the package itself.
+
+    Where the log shows no ROS, a folder that is a plain word (``filters/``) is anybody's, and apt comes first.
+    """
+    said = names.get("header", "")
+    folder = said.partition("/")[0]
+    found = libraries.library("include", said, ubuntu)
+    if ros is None and (found.apt if found else "_" not in folder):
+        return {}
+    name = found.ros if found else folder
+    own = f"/{name}/" in f"/{names.get('file', '')}"
+    return {} if own or not name else known({"name": name}, ros)
+
+
 def module(names: Mapping[str, str], ros: str | None) -> dict[str, str]:
     """Name the package that has the name of a Python module; nothing for a module that pip has."""
     said = names.get("name", "")

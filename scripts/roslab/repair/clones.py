@@ -48,6 +48,11 @@ def brought(found: Explanation, given: Given) -> Worked | None:
     return replace(worked, certain=all(surely(git, given) for word in words if (git := named(word, given))))
 
 
+def of_package(found: Explanation, given: Given) -> Worked:
+    """Return the package of ROS that a failed step lacks; not one of the repository, or that the image has already."""
+    return brought(found, given) or Worked(why=found.fix)
+
+
 def surely(git: GitSource, given: Given) -> bool:
     """Tell whether the tree has its reader install a repository, or has it of its own owner, and more than links to it.
 

@@ -18,6 +18,7 @@ _MAY_BE_SUBMODULES = (
     "file-missing",
     "make-no-rule",
     "header-missing",
+    "ros-header-missing",
     "cmake-package",
     "submodules-not-fetched",
     "python-module-missing",
@@ -73,7 +74,7 @@ def _changes(found: Explanation, given: Given) -> Iterator[Change | str]:
 def _settled(found: Explanation) -> bool:
     """Return whether plan and tables settle what the log alone makes likely: a ROS package, a library of the system."""
     known = repairs().get(found.id or "")
-    return known is not None and known.way in {"released", "linked"}
+    return known is not None and known.way in {"released", "linked", "brought"}
 
 
 def _worked(found: Explanation, given: Given) -> tuple[str, Worked]:

@@ -268,6 +268,7 @@ def absent(given: Given) -> tuple[str, ...]:
 
 
 WAYS: Mapping[str, Way] = {
+    "brought": clones.of_package,
     "compiler": compiler,
     "cmake": cmake,
     "dropped": releases.dropped,

@@ -336,6 +336,21 @@ def test_a_library_of_the_system_is_of_another_release_and_not_of_this_build() -
     assert found(said.format("../lib/lib", "move()"), "make").id == "link-library-incomplete"
 
 
+@pytest.mark.parametrize(
+    "path",
+    [
+        "//usr/lib/x86_64-linux-gnu/libarm.so.0",
+        "/lib/x86_64-linux-gnu/libarm.so.0",
+        "/root/miniconda3/lib/libarm.so",
+        "/home/arm/.local/lib/python3.8/site-packages/arm/lib/libarm.so",
+    ],
+)
+def test_a_library_that_was_installed_is_none_of_this_build(path: str) -> None:
+    for symbol in ("arm::move()", "uuid_generate@UUID_1.0"):
+        said = f"{path}: undefined reference to `{symbol}'\ncollect2: error: ld returned 1 exit status"
+        assert found(said, "make").id == "link-undefined"
+
+
 def test_a_wheel_that_is_not_ready_is_not_why_its_code_does_not_compile() -> None:
     tried = "urllib.error.HTTPError: HTTP Error 404: Not Found\n\nDuring handling of the above exception, another\n"
     ninja = "subprocess.CalledProcessError: Command '['ninja', '-v']' returned non-zero exit status 1."
@@ -355,11 +370,32 @@ def test_a_header_of_the_package_itself_is_of_no_other() -> None:
     assert found(said.format("nav_core"), "catkin_make").id == "header-missing"
 
 
+@pytest.mark.parametrize(
+    ("header", "line", "known"),
+    [
+        ("filters/kalman.h", "", "header-missing"),
+        ("octomap/octomap.h", "", "header-missing"),
+        ("filters/kalman.h", "source /opt/ros/noetic/setup.bash", "ros-header-missing"),
+        ("octomap/octomap.h", "source /opt/ros/noetic/setup.bash", "ros-header-missing"),
+        ("wheel_parameters.hpp", "", "header-missing"),
+        ("wheel_parameters.hpp", "source /opt/ros/humble/setup.bash", "generated-parameters-header"),
+        ("rclcpp/node_interfaces/node_parameters.hpp", "source /opt/ros/humble/setup.bash", "ros-header-missing"),
+    ],
+)
+def test_a_plain_word_is_a_package_of_ros_where_the_log_shows_ros(header: str, line: str, known: str) -> None:
+    said = f"{line}\na.cpp:3:10: fatal error: {header}: No such file or directory"
+    one = found(said, "make")
+    assert one.id == known
+    assert header != "octomap/octomap.h" or one.repair, "apt or ROS has it"
+
+
 def test_a_function_of_a_ros_package_is_told_by_its_namespace() -> None:
     said = "a.cpp:(.text+0x1): undefined reference to `{}::Arm::move()'"
     assert "(the ROS package nav_core)" in found(said.format("nav_core"), "make").cause
     assert "ROS package" not in found(said.format("arm_of_ours"), "make").cause
     assert "(MoveIt)" in found(said.format("moveit::core"), "make").cause
+    assert "(the ROS package nav_core)" in found(said.format("vtable for nav_core"), "make").cause
+    assert "(a class of the project itself)" in found(said.format("vtable for arm_of_ours"), "make").cause
 
 
 def test_a_build_type_that_colcon_does_not_know_is_named() -> None:

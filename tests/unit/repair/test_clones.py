@@ -46,6 +46,7 @@ DRIVER = (
         (ROS, log("catkin_make", *NO_ARM), [ARM]),
         (ROS, log("catkin_make", NO_HEADER.format("arm_driver/arm.h")), [DRIVER]),
         (ROS, log("catkin_make", NO_HEADER.format("pluginlib/class_loader.h")), ["apt: [ros-noetic-pluginlib]"]),
+        (ROS, log("catkin_make", NO_HEADER.format("nav_core/arm.h")), ["apt: [ros-noetic-nav-core]"]),
         (
             {**ROS, "roslab.yaml": "format: 3\nbase: {ros: humble}\n"},
             log(
@@ -118,6 +119,8 @@ def test_a_header_of_the_tree_s_own_package_is_looked_for_nowhere_else(tmp_path:
     page = PAGE.replace("robot_arm", "robot")
     found = repaired(tmp_path, log("catkin_make", NO_HEADER.format("robot/move.h")), {**ROS, "README.md": page})
     assert found.changes == ()
+    own = {**ROS, "package.xml": PACKAGE.replace("<name>robot<", "<name>nav_core<")}
+    assert repaired(tmp_path, log("catkin_make", NO_HEADER.format("nav_core/arm.h")), own).changes == ()
 
 
 def test_what_ros_released_is_not_cloned(tmp_path: Path) -> None:

@@ -242,6 +242,10 @@ def test_a_submodule_that_is_not_checked_out(tmp_path: Path) -> None:
     stopped = "/home/jovyan/robot/third_party/maths/a.cpp:3:10: fatal error: {}: No such file or directory".format
     found = repaired(tmp_path, log("make", stopped("curl/curl.h")))
     assert [str(change) for change in found.changes] == ["apt: [libcurl4-openssl-dev]"], "a file of it was compiled"
+    (tmp_path / ".gitmodules").write_text(module.replace("maths", "nav_core"))
+    found = repaired(tmp_path, log("make", "main.cpp:3:10: fatal error: nav_core/arm.h: No such file or directory"))
+    assert [str(change) for change in found.certain.changes] == ["submodules: required"]
+    (tmp_path / ".gitmodules").write_text(module)
     (tmp_path / "third_party" / "maths").mkdir(parents=True)
     (tmp_path / "third_party" / "maths" / "README").write_text("here")
     assert repaired(tmp_path, log("cmake .", *said)).changes == (), "it is there: something else is wrong"
