@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from roslab.evidence.lex.indents import depth
 from roslab.values.pattern import pattern
 
-_TRY = pattern(r"try[ \t]*:[ \t]*(?:#.*)?$")
-_EXCEPT = pattern(r"except\b(?P<what>[^:#]*):[ \t]*(?P<rest>[^#]*)")
+TRY = pattern(r"try[ \t]*:[ \t]*(?:#.*)?$")
+EXCEPT = pattern(r"except\b(?P<what>[^:#]*):[ \t]*(?P<rest>[^#]*)")
 _MISSING = pattern(r"[ \t(]*$|.*\b(?:ImportError|ModuleNotFoundError|Exception)\b")
-_STOPS = pattern(r"raise\b|(?:sys\.|os\._)?exit[ \t]*\(|quit[ \t]*\(")
+STOPS = pattern(r"raise\b|(?:sys\.|os\._)?exit[ \t]*\(|quit[ \t]*\(|os\.abort[ \t]*\(")
 _IMPORTS = pattern(r"(?:import|from)[ \t]|.*\b(?:__import__|import_module)[ \t]*\(")
 Line = tuple[int, str]
 """Where it begins, and itself."""
@@ -26,12 +26,12 @@ def starts(text: str) -> frozenset[int]:
     parts = list(_parts(text))
     found: set[int] = set()
     for index, ((_, head), body) in enumerate(parts):
-        if not _TRY.match(head) or not body:
+        if not TRY.match(head) or not body:
             continue
         handlers = []
         for number in range(index + 1, len(parts)):
             (_, behind), below = parts[number]
-            caught = _EXCEPT.match(behind)
+            caught = EXCEPT.match(behind)
             if not caught:
                 break
             if _MISSING.match(caught["what"]):
@@ -66,4 +66,4 @@ def _stops(handler: Sequence[Line]) -> bool:
         return False
     least = depth(handler[0][1])
     last = [line for _, line in handler if depth(line) == least]
-    return any(_STOPS.match(line.strip()) for line in last)
+    return any(STOPS.match(line.strip()) for line in last)
