@@ -29,6 +29,8 @@ def page(said: str, run: str = "cd src/\npython3 measure.py") -> str:
         ({"src/measure.py": OLD}, page("For ROS Noetic, or ROS 2 Humble"), "python"),
         ({"src/measure.py": OLD}, page("For ROS 2 Humble"), "python"),
         ({"src/measure.py": MEASURE}, page("It measures."), "python"),
+        ({"src/measure.py": OLD.replace("'rosbag play a.bag'", "['rosbag', name]")}, page("For ROS Noetic"), "ros1"),
+        ({"src/measure.py": OLD.replace("'rosbag play a.bag'", "to['rosbag']")}, page("For ROS Noetic"), "python"),
         ({"src/measure.py": MEASURE.replace("play = f", "# ")}, page("ROS 2 Galactic"), "python"),
         ({"src/measure.py": MEASURE.replace("play = f'", "print('")}, page("ROS 2 Galactic"), "python"),
         ({"src/measure.py": MEASURE.replace("subprocess", "numpy")}, page("ROS 2 Galactic"), "python"),

@@ -13,14 +13,25 @@ from roslab.evidence.lex import braces
 from roslab.evidence.lex.dockerfile import instructions
 from roslab.evidence.lex.shell import Command
 from roslab.evidence.lex.yaml import Scalar
+from roslab.evidence.native import autotools
 from roslab.evidence.prose import asciidoc, called_in_scripts, checkouts, ci_variables, container_scripts, said_runs
+from roslab.evidence.prose.notes_behind import without_notes
 from roslab.evidence.prose.ros_in_image import ros_of
-from roslab.evidence.python import conda, on_gpu
-from roslab.evidence.ros import handed_lists, named_in_code, only_in_manifest, own_setup, package_xml
+from roslab.evidence.python import caught, conda, notebooks, on_gpu, ros_tools, told_ways
+from roslab.evidence.ros import (
+    handed_lists,
+    lost_folders,
+    named_in_code,
+    only_in_manifest,
+    own_setup,
+    package_xml,
+)
 from roslab.evidence.ros.only_programs import only_programs
 from trees import tree_of
 
 LONG = 20_000
+WIDE = "\uff08"
+SAID = "'ros2 bag play a'"
 
 
 def scalar(text: str, **variables: str) -> Scalar:
@@ -225,3 +236,81 @@ def test_a_line_of_many_addresses(tmp_path: Path) -> None:
 def test_what_is_said_before_an_address(tmp_path: Path) -> None:
     code = f"{'a' * LONG} taken from https://github.com/a/b\n# see https://github.com/a/c\n"
     assert [each.taken for each in named_in_code.read(tree_of(tmp_path, {"a.py": code}))] == [True, False]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"AC_CHECK_LIB({' ' * 5 * LONG}",
+        f"AC_CHECK_LIB(a{' ' * 5 * LONG}x",
+        f"PKG_CHECK_MODULES(A,{' ' * 5 * LONG}",
+        f"AC_CONFIG_MACRO_DIRS({' ' * 5 * LONG}",
+    ],
+)
+def test_a_macro_of_autoconf_with_many_blanks(tmp_path: Path, text: str) -> None:
+    repository = tree_of(tmp_path, {"configure.ac": text, "Makefile.am": "bin_PROGRAMS = a\n"})
+    with ends():
+        (made,) = autotools.read(repository)
+    assert not made.linked
+
+
+@pytest.mark.parametrize("blank", ["", " ", "\n "])
+def test_macros_of_autoconf_with_few(tmp_path: Path, blank: str) -> None:
+    told = (
+        f"AC_CHECK_LIB({blank}[{blank}z{blank}]{blank}, f)\n"
+        f"PKG_CHECK_MODULES({blank}[A]{blank},{blank}[{blank}b c{blank}]{blank})\n"
+        f"AC_CONFIG_MACRO_DIRS({blank}[{blank}m4{blank}])\n"
+    )
+    (made,) = autotools.read(tree_of(tmp_path, {"configure.ac": told, "Makefile.am": "bin_PROGRAMS = a\n"}))
+    assert (made.linked, made.modules) == (("z",), ("b", "c"))
+    assert made.configured.startswith("mkdir --parents m4 && ")
+
+
+@pytest.mark.parametrize(("note", "left"), [("\u3042", "a"), ("1", None)])
+def test_a_line_of_many_wide_brackets(note: str, left: str | None) -> None:
+    text = f"a \uff08{note}{WIDE * 5 * LONG}\uff09x"
+    with ends():
+        assert without_notes(text) == (left or text)
+
+
+@pytest.mark.parametrize("line", [f"except{' ' * 5 * LONG}x", f"except {'ImportError ' * LONG}"])
+def test_a_handler_of_a_long_line(tmp_path: Path, line: str) -> None:
+    repository = tree_of(tmp_path, {"a.py": f"try:\n    import b\n{line}:\n    print('pip install c')\n"})
+    with ends():
+        told_ways.read(repository)
+        caught.read(repository)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "try:\n" + "    import a\n" * LONG + "except ImportError:\n    pass  # install\n",
+        "try:\n    import a\nexcept ImportError:\n    pass  # install\n" * 3_000,
+        "    import a\n" * LONG,
+    ],
+)
+def test_many_imports_in_a_try(tmp_path: Path, text: str) -> None:
+    repository = tree_of(tmp_path, {"a.py": text})
+    with ends():
+        assert not told_ways.read(repository)
+        assert bool(caught.read(repository)) is ("except" in text[:100])
+
+
+def test_a_line_of_a_notebook_with_many_blanks() -> None:
+    cell = f'{{"cell_type": "code", "source": ["!pip install a{" " * 5 * LONG}x"]}}'
+    with ends():
+        assert [*notebooks.installs(f'{{"cells": [{cell}]}}')]
+
+
+def test_what_stands_before_a_call_of_ros(tmp_path: Path) -> None:
+    code = f"import subprocess\n{'log' * 2 * LONG} {SAID}\n"
+    with ends():
+        assert [*ros_tools.read(tree_of(tmp_path, {"a.py": code}))]
+
+
+def test_a_folder_that_is_looked_for_before_lines_of_many_blanks(tmp_path: Path) -> None:
+    body = f"{' ' * 1_000}a\n" * 4
+    code = f"d = rospkg.RosPack().get_path('demo') + '/results/'\nif os.path.exists(d):\n{body}os.makedirs(d)\n"
+    repository = tree_of(tmp_path, {"package.xml": "<package><name>demo</name></package>", "a.py": code})
+    with ends():
+        assert [each.value for each in lost_folders.read(repository, package_xml.read(repository))] == ["results"]

@@ -20,9 +20,9 @@ _MADE = "configure"
 _COMMENT = pattern(r"(?:^|(?<=\s))(?:#|dnl\b)[^\n]*", re.MULTILINE)
 _PROGRAMS = pattern(r"^[ \t]*(bin|sbin|noinst)_PROGRAMS[ \t]*\+?=[ \t]*([^\n]*)", re.MULTILINE)
 _NAME = pattern(r"[A-Za-z][\w.-]*")
-_WORD = r"[ \t\n]*\[?[ \t\n]*([\w.+-]+)[ \t\n]*\]?[ \t\n]*"
+_WORD = r"[ \t\n]*(?:\[[ \t\n]*)?([\w.+-]+)[ \t\n]*(?:\][ \t\n]*)?"
 _LIBRARY = pattern(rf"\bAC_CHECK_LIB\({_WORD}[,)]")
-_MODULES = pattern(r"\bPKG_CHECK_MODULES\(\s*\[?\w+\]?\s*,\s*\[?([^\[\](),]{1,400})\]?\s*[,)]")
+_MODULES = pattern(r"\bPKG_CHECK_MODULES\(\s*\[?\w+\]?\s*,\s*(?:\[\s*)?([^\[\](),\s][^\[\](),]{0,400})(?:\]\s*)?[,)]")
 _MODULE = pattern(r"(?<![<>=!])(?<![<>=!]\s)(?<![\w.+-])([A-Za-z][\w.+-]*)")
 _ALWAYS = ("autoconf", "automake", "libtool", "pkg-config")
 _TOOLS = (
@@ -32,7 +32,7 @@ _TOOLS = (
 )
 """What its macros call, by the packages that have it: https://packages.ubuntu.com/jammy/autoconf-archive, 2026-11-29"""
 _MACROS = pattern(
-    r"\bAC_CONFIG_MACRO_DIRS?\(\s*\[?\s*([\w-][\w./-]*)|^ACLOCAL_AMFLAGS[ \t]*\+?=[^\n]*?-I[ \t]*([\w-][\w./-]*)",
+    r"\bAC_CONFIG_MACRO_DIRS?\(\s*(?:\[\s*)?([\w-][\w./-]*)|^ACLOCAL_AMFLAGS[ \t]*\+?=[^\n]*?-I[ \t]*([\w-][\w./-]*)",
     re.MULTILINE,
 )
 """The folder of macros, which aclocal does not make: git keeps none without a file."""

@@ -20,7 +20,9 @@ def read(repository: Repository) -> Iterator[Mention]:
         if not texts or repository.named(f"Find{name}.cmake") or any(folder in text for _, text in texts):
             continue
         for file, text in texts:
-            asked = re.search(rf"^[ \t]*find_package[ \t]*\([ \t]*{name}\b", text, re.IGNORECASE | re.MULTILINE)
+            asked = re.search(
+                rf"^[ \t]*find_package[ \t]*\([ \t]*{re.escape(name)}\b", text, re.IGNORECASE | re.MULTILINE
+            )
             if asked and not (places.vendored(file.path) or places.aside(file.path)):
                 line = text.count("\n", 0, asked.end()) + 1
                 said = asked[0].strip()

@@ -52,7 +52,9 @@ def _comes_to(repository: Repository, folder: str, packages: frozenset[str]) -> 
         return True
     waiting, read_ = [package], set[str]()
     while waiting:
-        if (at := waiting.pop()) in read_:
+        if (at := waiting.pop()) == folder:
+            return True
+        if at in read_:
             continue
         read_.add(at)
         for call in calls(repository.read(posixpath.join(at, "CMakeLists.txt")), _ADDING):
@@ -60,8 +62,6 @@ def _comes_to(repository: Repository, folder: str, packages: frozenset[str]) -> 
             if any("$" in each for each in added):
                 return True
             waiting += [posixpath.normpath(posixpath.join(at, each)) for each in added]
-        if folder in waiting:
-            return True
     return False
 
 

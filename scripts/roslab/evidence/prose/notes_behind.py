@@ -10,7 +10,8 @@ _STOPS = "\u3001\u3002\uff01\uff0c\uff1a\uff1f"
 """The wide forms of ``,``, ``.``, ``!``, ``:`` and ``?``. https://www.unicode.org/charts/PDF/UFF00.pdf (2026-11-29)"""
 _NOTE = pattern(
     r"(?:"
-    rf"(?<![=/]){_OPEN}(?=[^{_CLOSE}\n]*{_LETTER})(?![^{_CLOSE}\n]*{_CLOSE}[\w./-])|"  # no value, nor part of a name
+    rf"(?<![=/]){_OPEN}(?=[^{_CLOSE}\n]{{0,200}}{_LETTER})"
+    rf"(?![^{_CLOSE}\n]{{0,200}}{_CLOSE}[\w./-])|"  # no value, nor part of a name
     rf"[{_STOPS}]|{_SEMICOLON}(?!\s*[a-z./])|"
     rf"(?<=[A-Za-z0-9_.]),\s*(?={_LETTER})|"
     rf"(?<=\s)(?://+|-{{1,2}}>?|\u2014+|[<=]-|=>|[\u2190\u2192%])\s*(?={_LETTER})|"

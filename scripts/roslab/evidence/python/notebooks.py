@@ -24,7 +24,7 @@ _INSTALL = pattern(
 )
 """A line that IPython gives to the shell, or to a tool by its own word for it.
 https://ipython.readthedocs.io/en/stable/interactive/magics.html"""
-_NEXT = pattern(r"\s+(?=[!%]\s{0,3}(?:sudo\s+)?(?:python[\d.]*\s+-m\s+pip|pip[23]?|apt|apt-get|conda|mamba)\s)")
+_NEXT = pattern(r"(?<=\S)\s+(?=[!%]\s{0,3}(?:sudo\s+)?(?:python[\d.]*\s+-m\s+pip|pip[23]?|apt|apt-get|conda|mamba)\s)")
 """Where a second one begins in a line: the break between two was lost."""
 
 

@@ -18,7 +18,7 @@ _STARTING = frozenset({"system", "popen", "subprocess"})
 _CALL = pattern(
     r"[\"'](?:sudo )?(?:(ros2)(?:[ \t]+|[\"'][ \t]*,\s{0,40}[\"'])"
     r"(run|launch|bag|topic|service|action|node|param|control|component|lifecycle)|"
-    r"(rosrun|roslaunch|rosbag|rostopic|rosservice|rosparam))(?=[\s\"'])"
+    r"(rosrun|roslaunch|rosbag|rostopic|rosservice|rosparam)(?=\s|[\"']\s{0,40},))(?=[\s\"'])"
     r"(?:[\"',\s]{1,40}([A-Za-z]\w*)(?=[\s\"']))?"
 )
 """In a string, or as the words of a list; what follows a tool that starts programs is their package.
@@ -28,6 +28,8 @@ https://docs.ros.org/en/rolling/Concepts/Basic/About-Command-Line-Tools.html, ht
 """
 _TOLD = pattern(r"\b(?:print|input|description|help|\w*log\w*(?:\.\w+)?|\w*[eE]rror)\s*\([^()]*$")
 """What stands before it on a line where it is only told."""
+NEAR = 200
+"""Most characters of a line before it that are looked at."""
 _OF_PACKAGES = frozenset({"run", "launch", "rosrun", "roslaunch"})
 
 
@@ -63,7 +65,7 @@ def _calls(repository: Repository) -> Iterator[tuple[str, int, str, str]]:
         if aside or _STARTING.isdisjoint(module.words) or "ros" not in text:
             continue
         for match in _CALL.finditer(text):
-            begin = text.rfind("\n", 0, match.start()) + 1
+            begin = max(text.rfind("\n", 0, match.start()) + 1, match.start() - NEAR)
             if not (in_comment(text, match.start()) or _TOLD.search(text, begin, match.start())):
                 tool = f"ros2 {match[2]}" if match[1] else match[3]
                 yield path, text.count("\n", 0, match.start()) + 1, tool, match[4] or ""

@@ -11,7 +11,9 @@ from roslab.evidence.python.modules import Module, modules
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
-_EXCEPT = pattern(r"except\b[ \t]*(?:\(?[^:#\n]*\b(?:ImportError|ModuleNotFoundError|Exception)\b[^:#\n]*)?:")
+_EXCEPT = pattern(
+    r"except\b(?:[^:#\n]{0,200}\b(?:ImportError|ModuleNotFoundError|Exception)\b[^:#\n]{0,200}|[ \t]{0,9}):"
+)
 _WAY = pattern(
     r"pip3?\s+install\s+(?:(?:-U|--upgrade|--user|-q)\s+)*"
     r"(?P<package>git\+https://[\w./@:~-]+\w|[A-Za-z][\w.-]*\w(?:\[[\w,-]+\])?(?:[=~!<>]=[\d.]+\d)?)"
@@ -19,6 +21,8 @@ _WAY = pattern(
 )
 _INSTALLS = pattern(r"\bpip3?\s+install\b")
 _QUOTES = ("'", '"')
+NEAR = 4_000
+"""Most characters behind an import that are read."""
 MOST = 12
 """Most lines of a handler that are read."""
 
@@ -36,7 +40,8 @@ def read(repository: Repository) -> tuple[Mention, ...]:
 def _of(module: Module) -> Iterator[Mention]:
     text = module.text
     for match in module.statements:
-        way = _way(text[match.end() :], depth(match["indent"])) if match["indent"] else None
+        behind = text[match.end() : match.end() + NEAR] if match["indent"] else ""
+        way = _way(behind, depth(match["indent"])) if "except" in behind else None
         top = (match["module"] or match["plain"].split(",")[0].split()[0]).partition(".")[0]
         if way:
             line = text.count("\n", 0, match.start()) + 1

@@ -42,7 +42,7 @@ _WRITES = pattern(
 _REFUSES = pattern(
     r"\bif\s*\(\s*(?:\w+::)*(?:is_directory|exists)\s*\([^{}!]{1,120}\)\s*\{[^{}]{0,400}\b(?:return|exit|throw)\b|"
     r"^([ \t]*)if os\.path\.(?:exists|isdir)\([^\n]{1,120}\):\n"
-    r"(?:\1[ \t]+[^\n]*\n){0,4}?\1[ \t]+(?:return|raise|(?:sys\.)?exit)\b",
+    r"(?:\1[ \t][^\n]*\n){0,4}?\1[ \t]+(?:return|raise|(?:sys\.)?exit)\b",
     re.MULTILINE,
 )
 _MAKES = pattern(r"\b(?:create_director(?:y|ies)|mkdirs?|makedirs)\s*\(")
