@@ -81,8 +81,10 @@ PLAIN = TO_FILL.replace("[PATH_TO_CONFIG]", "$(find demo)")
         (TO_FILL.replace("[PATH_TO_CONFIG]", "/path/to"), "show.launch"),
         (TO_FILL.replace('command="load"', 'if="$(arg x)"'), "own.launch"),
         (PLAIN, "own.launch"),
+        (TO_FILL.replace("[PATH_TO_CONFIG]/a", "$(find demo)/config/path_to_goal"), "own.launch"),
+        (TO_FILL.replace("[PATH_TO_CONFIG]", "path_to_config"), "show.launch"),
     ],
-    ids=["blank", "path", "condition", "filled"],
+    ids=["blank", "path", "condition", "filled", "named so", "path of one word"],
 )
 def test_one_that_is_to_be_filled_in_is_not_started(tree: Tree, page: str, text: str, file: str) -> None:
     files = {name: said for name, said in FILES.items() if "mapping" not in name} | {"launch/own.launch": text}

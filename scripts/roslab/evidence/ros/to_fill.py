@@ -9,7 +9,7 @@ from roslab.values.pattern import pattern
 _LOADS = pattern(r"<(?:rosparam|include|param)\s([^<>]{0,600})>")
 _FILE = pattern(r"\b(?:text|bin)?file\s{0,9}=\s{0,9}[\"']([^\"'\n]{1,300})[\"']")
 _WAITS = pattern(r"\b(?:if|unless)\s{0,9}=")
-_BLANK = pattern(r"\[[A-Z][A-Z0-9_ -]{2,60}\]|\b(?:PATH_TO|YOUR)_[A-Z]|(?:^|/)path[/_-]to[/_-]")
+_BLANK = pattern(r"\[[A-Z][A-Z0-9_ -]{2,60}\]|\b(?:PATH_TO|YOUR)_[A-Z]|^/?path[_-]to[_-]|(?:^|/)path/to/")
 """What the reader puts something in the place of: ``[PATH_TO_CONFIG]/a.yaml``, ``/path/to/a.yaml``."""
 
 
