@@ -121,11 +121,12 @@ def test_a_project_of_visual_studio_alone_is_told(tmp_path: Path) -> None:
     "files",
     [
         {},
+        {"third_party/json/Json.sln": "", "third_party/json/a.vcxproj": ""},
         {"Arm.sln": "", "CMakeLists.txt": "project(a)\nadd_executable(a src/main.cpp)\n"},
         {"Arm.sln": "", "Makefile": "arm: src/main.cpp\n\tg++ -o arm src/main.cpp\n"},
         {"Arm.sln": "", "a.py": "import numpy\n", "b.py": "import numpy\n"},
     ],
-    ids=["none", "cmake", "make", "python"],
+    ids=["none", "copied", "cmake", "make", "python"],
 )
 def test_a_project_of_visual_studio_beside_others_is_not(tmp_path: Path, files: dict[str, str]) -> None:
     assert not _uncompiled(tmp_path, files)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.knowledge.other_builders import OtherBuilder, other_builders
 from roslab.repository.checkout import Repository, nearest
@@ -30,7 +31,8 @@ def of_windows(repository: Repository) -> Iterator[Mention]:
     https://learn.microsoft.com/en-us/cpp/build/reference/vcxproj-file-structure, read 2026-11-29.
     """
     if not repository.named(*_OF_OTHERS):
-        for file in nearest(repository.suffixed(*_OF_WINDOWS))[:1]:
+        own = (file for file in repository.suffixed(*_OF_WINDOWS) if not places.vendored(file.path))
+        for file in nearest(own)[:1]:
             path = file.path
             yield Mention(topic="of_windows", value=path, source="filename", file=path, line=1, text=file.name)
 
