@@ -21,8 +21,13 @@ def folders_of_copies(repository: Repository) -> frozenset[str]:
 def _folders_of_copies(repository: Repository) -> frozenset[str]:
     own = {repository.name.lower(), *_PROJECT.findall(repository.read("CMakeLists.txt").lower())}
     there = {part for folder in repository.folders for part in folder.split("/")}
-    found = copied_libraries() & there
-    return frozenset(each for each in found if not any(each.lower() in name for name in own))
+    found = {each: holds for each, holds in copied_libraries().items() if each in there}
+    return frozenset(
+        each
+        for each, holds in found.items()
+        if not any(each.lower() in name for name in own)
+        and (not holds or any(f"/{folder}".endswith(f"/{each}/{holds}") for folder in repository.folders))
+    )
 
 
 def in_copy(path: str, folders: Collection[str]) -> bool:

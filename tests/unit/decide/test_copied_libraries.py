@@ -67,6 +67,14 @@ def test_a_folder_of_that_name_elsewhere_is_the_tree_s_own(tree: Tree) -> None:
     assert needed(tree({**BASE, "cereal/plot.py": "import scipy\n"})) == {"python3-scipy"}
 
 
+@pytest.mark.parametrize(("holds", "found"), [("Eigen/Core", set()), ("shapes/Core", {"libtinyxml2-dev"})])
+def test_a_folder_of_that_name_that_does_not_hold_the_library_is_the_tree_s_own(
+    tree: Tree, holds: str, found: set[str]
+) -> None:
+    files = {f"include/eigen/{holds}": "#pragma once\n", "include/eigen/save.h": "#include <tinyxml2.h>\n"}
+    assert needed(tree({**BASE, "src/shape.cpp": "#include <shapes/shape.hpp>\n", **files})) == found
+
+
 def test_the_library_itself_is_no_copy(tree: Tree) -> None:
     cmake = BASE["CMakeLists.txt"].replace("project(shapes)", "project(libigl)")
     assert "libtinyxml2-dev" in needed(tree({**BASE, "CMakeLists.txt": cmake}))
