@@ -550,3 +550,10 @@ def test_a_library_is_named_once_where_it_lacks_the_symbol_itself() -> None:
 def test_functions_of_cuda_are_in_no_packaged_opencv() -> None:
     said = "a.o: undefined reference to `cv::cuda::createStereoBM(int)'\ncollect2: error: ld returned 1 exit status"
     assert "OpenCV with CUDA" in found(said, "make").cause
+
+
+def test_the_release_of_osqp_that_code_is_written_for_is_told_by_what_it_is_compiled_with() -> None:
+    said = "a.cpp:3:9: error: too few arguments to function '{}')'"
+    old = found(said.format("c_int osqp_setup(OSQPWorkspace**, const OSQPData*, const OSQPSettings*"), "make")
+    new = found(said.format("OSQPInt osqp_setup(OSQPSolver**, const OSQPCscMatrix*, const OSQPFloat*"), "make")
+    assert ("the older OSQP" in old.fix, "OSQP 0.6.3" in new.fix) == (True, True)
