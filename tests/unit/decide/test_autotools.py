@@ -42,6 +42,12 @@ def test_it_is_configured_made_and_installed(tree: Tree) -> None:
     assert not [each for each in decision.warnings if "nothing shows" in each.message]
 
 
+def test_what_its_macros_look_for_is_installed(tree: Tree) -> None:
+    told = f"{CONFIGURE}AC_PROG_YACC\nAM_GNU_GETTEXT_VERSION([0.19])\n# AC_PROG_LEX\nMY_AC_PROG_FC\n"
+    tools = {"bison", "gettext", "autopoint", "flex", "gfortran"}
+    assert {*tree({**FILES, "configure.ac": told}).apt_guessed} & tools == {"bison", "gettext", "autopoint"}
+
+
 @pytest.mark.parametrize(
     ("more", "made"),
     [

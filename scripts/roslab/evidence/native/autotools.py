@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from roslab.evidence import places
 from roslab.evidence.makefile import Makefile
 from roslab.evidence.native import compile_scripts
+from roslab.knowledge.autoconf_macros import packages_of_macro
+from roslab.knowledge.cmake_calls import packages_of_calls
 from roslab.repository.checkout import File, Repository
 from roslab.values.pattern import pattern
 
@@ -24,19 +26,14 @@ _WORD = r"[ \t\n]*(?:\[[ \t\n]*)?([\w.+-]+)[ \t\n]*(?:\][ \t\n]*)?"
 _LIBRARY = pattern(rf"\bAC_CHECK_LIB\({_WORD}[,)]")
 _MODULES = pattern(r"\bPKG_CHECK_MODULES\(\s*\[?\w+\]?\s*,\s*(?:\[\s*)?([^\[\](),\s][^\[\](),]{0,400})(?:\]\s*)?[,)]")
 _MODULE = pattern(r"(?<![<>=!])(?<![<>=!]\s)(?<![\w.+-])([A-Za-z][\w.+-]*)")
-_ALWAYS = ("autoconf", "automake", "libtool", "pkg-config")
-_TOOLS = (
-    (pattern(r"\bAX_[A-Z]"), ("autoconf-archive",)),
-    (pattern(r"\bAM_GNU_GETTEXT"), ("autopoint", "gettext")),
-    (pattern(r"\b(?:IT|AC)_PROG_INTLTOOL\b"), ("intltool",)),
-)
-"""What its macros call, by the packages that have it: https://packages.ubuntu.com/jammy/autoconf-archive, 2026-11-29"""
+_CALLED = pattern(r"\b[A-Z]{2,5}_[A-Z][A-Z0-9_]{1,60}\b")
 _MACROS = pattern(
     r"\bAC_CONFIG_MACRO_DIRS?\(\s*(?:\[\s*)?([\w-][\w./-]*)|^ACLOCAL_AMFLAGS[ \t]*\+?=[^\n]*?-I[ \t]*([\w-][\w./-]*)",
     re.MULTILINE,
 )
 """The folder of macros, which aclocal does not make: git keeps none without a file."""
-_ANEW = "autoreconf --force --install"
+_MAKER = "autoreconf"
+_ANEW = f"{_MAKER} --force --install"
 _CALL = "sh ./configure"
 
 
@@ -84,7 +81,7 @@ def _project(file: File, automade: list[File], repository: Repository) -> Makefi
     folders = dict.fromkeys(first or second for first, second in _MACROS.findall(whole))
     lost = [each for each in folders if posixpath.join(file.folder, each.rstrip("/")) not in repository.folders]
     made = f"mkdir --parents {' '.join(lost)} && " if lost else ""
-    tools = (package for macro, packages in _TOOLS if macro.search(text) for package in packages)
+    tools = (package for macro in dict.fromkeys(_CALLED.findall(text)) for package in packages_of_macro(macro))
     return Makefile(
         file=file.path,
         line=1,
@@ -96,5 +93,5 @@ def _project(file: File, automade: list[File], repository: Repository) -> Makefi
         alone=True,
         modules=tuple(dict.fromkeys(modules)),
         configured=_CALL if file.name == _MADE else f"{made}{_ANEW} && {_CALL}",
-        tools=() if file.name == _MADE else (*_ALWAYS, *tools),
+        tools=() if file.name == _MADE else tuple(dict.fromkeys((*packages_of_calls()[_MAKER], *tools))),
     )
