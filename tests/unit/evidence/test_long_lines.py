@@ -254,6 +254,13 @@ def test_a_macro_of_autoconf_with_many_blanks(tmp_path: Path, text: str) -> None
     assert not made.linked
 
 
+@pytest.mark.parametrize("asked", ["b c", "b >= $B_VERSION c >= 2", "b >= b_needed $MORE c ${OTHERS}"])
+def test_what_pkg_config_is_asked_for_is_no_variable_and_no_version(tmp_path: Path, asked: str) -> None:
+    told = f"PKG_CHECK_MODULES([A], [{asked}])\n"
+    (made,) = autotools.read(tree_of(tmp_path, {"configure.ac": told, "Makefile.am": "bin_PROGRAMS = a\n"}))
+    assert made.modules == ("b", "c")
+
+
 @pytest.mark.parametrize("blank", ["", " ", "\n "])
 def test_macros_of_autoconf_with_few(tmp_path: Path, blank: str) -> None:
     told = (

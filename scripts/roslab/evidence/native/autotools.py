@@ -25,7 +25,7 @@ _NAME = pattern(r"[A-Za-z][\w.-]*")
 _WORD = r"[ \t\n]*(?:\[[ \t\n]*)?([\w.+-]+)[ \t\n]*(?:\][ \t\n]*)?"
 _LIBRARY = pattern(rf"\bAC_CHECK_LIB\({_WORD}[,)]")
 _MODULES = pattern(r"\bPKG_CHECK_MODULES\(\s*\[?\w+\]?\s*,\s*(?:\[\s*)?([^\[\](),\s][^\[\](),]{0,400})(?:\]\s*)?[,)]")
-_MODULE = pattern(r"(?<![<>=!])(?<![<>=!]\s)(?<![\w.+-])([A-Za-z][\w.+-]*)")
+_MODULE = pattern(r"(?<![<>=!])(?<![<>=!]\s)(?<![\w.+${-])([A-Za-z][\w.+-]*)")
 _CALLED = pattern(r"\b[A-Z]{2,5}_[A-Z][A-Z0-9_]{1,60}\b")
 _MACROS = pattern(
     r"\bAC_CONFIG_MACRO_DIRS?\(\s*(?:\[\s*)?([\w-][\w./-]*)|^ACLOCAL_AMFLAGS[ \t]*\+?=[^\n]*?-I[ \t]*([\w-][\w./-]*)",
