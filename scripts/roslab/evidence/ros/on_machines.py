@@ -42,6 +42,7 @@ _NAMED = r"/opt/ros/([a-z]+)\b(?!\.)"
 _EACH = pattern(_NAMED)
 _PACKAGE = r"(?<![\w/.-])ros-([a-z]+)-[a-z]"
 _PACKAGES = pattern(_PACKAGE)
+_REMOVED = pattern(r"\b(?:remove|purge|autoremove|uninstall)\b[^\n;&|]*")
 _BUILT = pattern(rf"[^\n]{{0,400}}?{_NAMED}")
 _ENVIRONMENT = pattern(r"ROS_DISTRO=([a-z]+)\s*$", re.MULTILINE)
 _LINK = pattern(r"/opt/ros/([a-z]+)/share/catkin/cmake/toplevel\.cmake\s*$")
@@ -101,7 +102,8 @@ def _links(repository: Repository) -> Iterator[Mention]:
 
 
 def _of_packages(file: File, text: str) -> Iterator[Mention]:
-    """Yield the one distribution whose packages a file names."""
+    """Yield the one distribution whose packages a file names, but to remove them."""
+    text = _REMOVED.sub("", text)
     if len(set(_PACKAGES.findall(text)) & distros().keys()) == 1:
         yield from _told(file, text, _INSTALLED, "ros-")
 
