@@ -53,7 +53,7 @@ def behind_helpers(first: Candidate, candidates: Iterable[Candidate], evidence: 
 
 
 def _behind_node(first: Candidate, candidates: Iterable[Candidate]) -> Candidate:
-    """Return the only node or launch file of the packages, where pages run but a file of Python that serves it.
+    """Return the only node or launch file of the packages, if it starts, where pages run but what serves it.
 
     It draws what the node wrote, or makes what that reads: pages of ROS may show the node in a launch file alone.
     """
@@ -61,6 +61,8 @@ def _behind_node(first: Candidate, candidates: Iterable[Candidate]) -> Candidate
     if len(started) != 1:
         return first
     (node,) = started.values()
+    if not _whole(node):
+        return first
     return replace(node, why=f"{node.why}, and {page_of(first.file)} runs only what serves it")
 
 
@@ -75,10 +77,14 @@ def _behind_whole(first: Candidate, candidates: Iterable[Candidate]) -> Candidat
         return first
     for each in candidates:
         before = each.strong and each.file == first.file and each.line < first.line and launched_by(each.argv)
-        whole = before and not (each.cut or each.lacking or each.unmade or each.behind)
-        if whole and about_running(each.heading) >= 0 and _shared(each, words):
+        if before and _whole(each) and about_running(each.heading) >= 0 and _shared(each, words):
             return each
     return first
+
+
+def _whole(candidate: Candidate) -> bool:
+    """Tell whether a command starts as it is: nothing that its launch file needs is left to the reader, or gone."""
+    return not (candidate.cut or candidate.lacking or candidate.unmade or candidate.behind)
 
 
 def _behind_optional(first: Candidate, candidates: Iterable[Candidate], evidence: Evidence) -> Candidate:

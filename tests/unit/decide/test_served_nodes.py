@@ -44,3 +44,18 @@ def test_the_reason_says_what_the_page_runs(tree: Tree) -> None:
     page = {"README.md": "ROS Noetic\n```\npython scripts/plot_map.py\n```\n"}
     said = next(each.reason for each in tree(FILES | page).reasons if each.question == "command")
     assert "a program that its package compiles, and the README runs only what serves it" in said
+
+
+@pytest.mark.parametrize(
+    "launch",
+    [
+        '<launch><rosparam file="/path/to/a.yaml" command="load"/><node pkg="amcl" type="amcl" name="a"/></launch>\n',
+        '<launch><include file="$(find mapper)/launch/gone.launch"/></launch>\n',
+        '<launch><arg name="map"/><node pkg="amcl" type="amcl" name="a" args="$(arg map)"/></launch>\n',
+    ],
+)
+def test_a_launch_file_that_stops_is_not_taken(tree: Tree, launch: str) -> None:
+    page = "# Mapper\n\nFor ROS Noetic.\n\n## Post processing\n\n```bash\npython3 scripts/plot_map.py\n```\n"
+    cmake = "project(mapper)\nfind_package(catkin REQUIRED)\n"
+    files = {**FILES, "README.md": page, "CMakeLists.txt": cmake, "launch/map.launch": launch}
+    assert tree(files).command == ("python3", "scripts/plot_map.py")
