@@ -27,8 +27,7 @@ def told_of_heads(evidence: Evidence, kind: Kind) -> Iterator[Warning_]:
     """Yield a warning for each of them."""
     for mention in head_archives(evidence) if kind == "cpp" else ():
         yield warn(
-            f"CMake downloads {mention.value} as {mention.text}, which is another one each time: where it does not "
-            "compile, it is left out if the program that is started compiles without it; write the archive of a tag or "
-            "of a commit",
+            f"CMake downloads {mention.value} as {mention.text}, which is another one each time and may not compile "
+            "one day: write the archive of a tag or of a commit",
             mention,
         )

@@ -240,11 +240,13 @@ def _program(decision: Decision, config: Config, folder: str) -> Program:
 def _head_may_fail(decision: Decision) -> bool:
     """Tell whether the archive of a branch is compiled beside a program of the project that is started, or a shell.
 
-    Of any other command nothing tells whether it needs what is left out.
+    Of any other command, a script too, nothing tells whether it needs what is left out.
     """
     command = decision.command
-    known = not isinstance(command, str) and "/" not in command[0] and not command[0].startswith("python")
-    return decision.downloads_heads and known and not decision.ctest
+    if not decision.downloads_heads or decision.ctest or isinstance(command, str):
+        return False
+    other = "/" in command[0] or command[0].startswith("python") or command[0] in {"bash", "sh"}
+    return command == ("bash",) or not other
 
 
 def _many(decision: Decision) -> bool:

@@ -120,3 +120,12 @@ def test_the_archive_of_a_branch_may_not_compile(tmp_path: Path, url: str, more:
     assert f"&& {called}" in whole
     told = [(each.file, each.line) for each in plan.warnings if "another one each time" in each.message]
     assert told == [("CMakeLists.txt", 3)] * bool(called)
+
+
+@pytest.mark.parametrize("command", ["bash run.sh", "[bash, run.sh]", "[sh, run.sh]", "python3 run.py"])
+def test_nothing_tells_what_another_command_needs(tmp_path: Path, command: str) -> None:
+    lists = f"project(demo CXX)\ninclude(ExternalProject)\nExternalProject_Add(gtest URL {HEAD})\nadd_executable(a a.cpp)\n"
+    files = {"CMakeLists.txt": lists, "a.cpp": "int main() {}\n", "roslab.yaml": f"format: 3\ncommand: {command}\n"}
+    for path, text in files.items():
+        (tmp_path / path).write_text(text)
+    assert "make-what-compiles" not in dockerfile(plan_repository(tmp_path).plan)
