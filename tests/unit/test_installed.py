@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslab.pipeline import plan_repository
-from roslab.plan.installed import AMENT_SCRIPT, FIND_SCRIPT, IMPORT_SCRIPT, LIBRARIES_SCRIPT, PREFIXES
+from roslab.plan.installed import AMENT_SCRIPT, FIND_SCRIPT, IMPORT_SCRIPT, LIBRARIES_SCRIPT, PREFIXES, SHOW_SCRIPT
 from roslab.plan.proof import Proof
 from trees import tree_of
 
@@ -173,11 +173,27 @@ def test_what_the_code_can_do_without_is_not_imported(tmp_path: Path, code: str,
     (tmp_path / "main.py").write_text("import numpy\n" + code)
     (tmp_path / "requirements.txt").write_text("numpy\nRPi.GPIO\n")
     proofs = plan_repository(tmp_path, branch=None).plan.proofs
-    shown = [list(proof.command[4:]) for proof in proofs if proof.name == SHOWN]
+    shown = [list(proof.command[3:]) for proof in proofs if proof.name == SHOWN]
     assert shown == ([without] if without else [])
     imported = next(proof for proof in proofs if proof.name == "declared Python packages import")
     assert ("RPi.GPIO" in imported.command) is not bool(without)
     assert all(proof.required for proof in proofs if proof.rung == 0)
+
+
+@pytest.mark.parametrize("old", [False, True])
+def test_each_of_several_packages_has_to_be_there(tmp_path: Path, *, old: bool) -> None:
+    """``old``: as a Python before 3.8, which has no importlib.metadata and asks pip."""
+    script = SHOW_SCRIPT.replace("from importlib import metadata", "raise ImportError") if old else SHOW_SCRIPT
+    tree_of(tmp_path, {"thing.egg-info/PKG-INFO": "Metadata-Version: 2.1\nName: thing\nVersion: 1\n"})
+
+    def asked(*names: str) -> subprocess.CompletedProcess[str]:
+        words = [sys.executable, "-c", script, *names]
+        return subprocess.run(words, env={"PYTHONPATH": str(tmp_path)}, capture_output=True, text=True, check=False)
+
+    assert asked("thing").returncode == 0
+    answer = asked("thing", "no-such-thing")
+    assert answer.returncode == 1
+    assert "not installed: no-such-thing\n" in answer.stderr
 
 
 PROGRAM = "import os\nimport cv2\nimport sim.core\nif os.environ.get('X'):\n    import lazy\nimport bullet\n"

@@ -22,11 +22,11 @@ from roslab.values.requirement import Requirement
 from roslab.values.version import Version
 
 IMPORT_SCRIPT = """\
-import importlib, importlib.util, os, sys
+import importlib, importlib.util, subprocess, sys
 try:
     import importlib.metadata as metadata
 except ImportError:
-    os.execv(sys.executable, [sys.executable, "-m", "pip", "show", *sys.argv[1:]])
+    sys.exit(max(subprocess.call([sys.executable, "-m", "pip", "show", name]) for name in sys.argv[1:]))
 names, failed = sys.argv[1:], {}
 for name in names:
     try:
@@ -58,6 +58,24 @@ sys.exit("\\n".join(f"{name}: {why}" for name, why in failed.items()) or 0)
 A list that was made where the package was built may name folders that were never installed: the list of Debian
 12's python3-setuptools has ``debian``. A package none of whose modules is there has failed. One with a module of its
 own name may have others that need one of its extras: black's ``blackd`` imports aiohttp. That is told.
+"""
+
+SHOW_SCRIPT = """\
+import subprocess, sys
+try:
+    from importlib import metadata
+except ImportError:
+    metadata = None
+def there(name):
+    if metadata is None:
+        return subprocess.call([sys.executable, "-m", "pip", "show", name]) == 0
+    return any(True for _ in metadata.Distribution.discover(name=name))
+missing = [name for name in sys.argv[1:] if not there(name)]
+print("installed: %d of %d packages" % (len(sys.argv) - 1 - len(missing), len(sys.argv) - 1))
+sys.exit("\\n".join("not installed: " + name for name in missing) or 0)
+"""
+"""For any Python, 2 as well. ``pip show`` of several packages ends with 0 where one of them is there:
+https://github.com/pypa/pip/blob/main/src/pip/_internal/commands/show.py, 2026-11-29.
 """
 
 FIND_SCRIPT = """\
@@ -129,7 +147,7 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
         found.append(_import_proof(version, imported))
     if without:
         name = "declared Python packages that the code can do without are installed"
-        found.append(Proof(name=name, command=(_python(version), "-m", "pip", "show", *without)))
+        found.append(Proof(name=name, command=(_python(version), "-c", SHOW_SCRIPT, *without)))
     if decision.command_imports.required and not (version or "").startswith("2"):
         found.append(
             Proof(
@@ -139,7 +157,7 @@ def installed(decision: Decision, place: Workspace) -> list[Proof]:
         )
     on_python2 = Interpreter(pythons=("2.7",), platforms=decision.platforms)
     if beside := _names(decision.python.python2, on_python2):
-        command = ("python2", "-m", "pip", "show", *beside)
+        command = ("python2", "-c", SHOW_SCRIPT, *beside)
         found.append(Proof(name="declared packages of Python 2 are installed", command=command))
     if decision.compiles:
         found += _libraries(decision, place, own=own)
@@ -197,8 +215,8 @@ def _workspace_proofs(decision: Decision, *, own: bool) -> list[Proof]:
 
 def _import_proof(version: str | None, distributions: list[str]) -> Proof:
     if version and Version(version) < Version("3.8"):
-        # No importlib.metadata before 3.8: ask pip for each package
-        command = (_python(version), "-m", "pip", "show", *distributions)
+        # No importlib.metadata before 3.8: which modules a package has is not known
+        command = (_python(version), "-c", SHOW_SCRIPT, *distributions)
         return Proof(name="declared Python packages are installed", command=command)
     return Proof(name="declared Python packages import", command=("python3", "-c", IMPORT_SCRIPT, *distributions))
 
