@@ -13,7 +13,8 @@ from roslab.evidence.prose.copies import below
 from roslab.knowledge.released import ever_released
 from roslab.values.pattern import pattern
 
-_WIKI = pattern(r"^https?://(?:www\.|wiki\.)?ros\.org/(?:wiki/)?\w")
+_WIKI = pattern(r"^https?://(?:(?:www\.)?ros\.org/wiki|wiki\.ros\.org)/\w")
+"""The address of a page there: ``http://wiki.ros.org/joy``, and as it was before, ``http://www.ros.org/wiki/joy``."""
 
 
 def without_copied_packages(candidates: Sequence[Candidate], evidence: Evidence) -> list[Candidate]:
