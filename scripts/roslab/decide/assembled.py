@@ -253,7 +253,7 @@ def decision_of(of: Choices, evidence: Evidence, config: Config, *, folder_name:
         cuda_options=host_options(of.system.answer.installed, of.base.answer.ubuntu),
         own_packages=files.answer,
         header_links=linked_headers(evidence, of.base.answer.ubuntu),
-        modules=tuple(m.value for m in evidence.mentions if m.topic == "module_aside"),
+        cmake_modules=tuple(m.value for m in evidence.mentions if m.topic == "module_aside"),
         interpreters=() if of.own.answer else interpreters.answer,
         author_folders=() if of.own.answer else folders.answer,
         native=compiles_for_here(evidence) and not config.compatible,

@@ -202,7 +202,7 @@ class Decision:
     """Packages of Debian that the repository holds and a page or a script of it installs, by their paths."""
     header_links: tuple[tuple[str, str], ...] = ()
     """Headers of the Ubuntu that links take the place of, each with where its link leads to."""
-    modules: tuple[str, ...] = ()
+    cmake_modules: tuple[str, ...] = ()
     """Modules of CMake that the Ubuntu has where CMake does not look."""
     interpreters: tuple[tuple[str, str], ...] = ()
     """Paths of Python on the author's machine, each with the program that a link there leads to."""

@@ -97,8 +97,8 @@ class Plan:
     """Packages that need data, each with its own script that fetches them."""
     header_links: tuple[tuple[str, str], ...]
     """Headers that contradict others, each with the one that a link in its place leads to."""
-    modules: tuple[str, ...]
-    """Modules of CMake that it finds by a link alone."""
+    cmake_modules: tuple[str, ...]
+    """Modules of CMake that the Ubuntu has where it does not look: it finds them by a link."""
     interpreters: tuple[tuple[str, str], ...]
     """Paths of Python on the author's machine that scripts name, each with the program that a link there leads to."""
     author_folders: tuple[tuple[str, str], ...]
@@ -220,7 +220,7 @@ def make_plan(
         if config.compatible
         else tuple((each.package, each.script.format(distro=decision.ros_distro)) for each in data_of(decision)),
         header_links=() if config.compatible else decision.header_links,
-        modules=() if config.compatible else decision.modules,
+        cmake_modules=() if config.compatible else decision.cmake_modules,
         interpreters=decision.interpreters,
         author_folders=author_folders(decision, place),
         libraries=tuple(of_day(library(source, config), decision.day) for source in libraries),

@@ -109,7 +109,7 @@ TODAY = Order(
         cloned.plain_clones,
         system.package_data,
         links.header_links,
-        links.modules,
+        links.cmake_modules,
         links.interpreters,
         python.constraints,
         python.locked,

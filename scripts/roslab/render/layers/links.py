@@ -18,11 +18,11 @@ def header_links(plan: Plan) -> str:
     return shell.run(*linked, comment="Headers that contradict those of another package, which the code includes too")
 
 
-def modules(plan: Plan) -> str:
+def cmake_modules(plan: Plan) -> str:
     """Put links where CMake looks to modules that packages of the Ubuntu have elsewhere."""
-    if not plan.modules:
+    if not plan.cmake_modules:
         return ""
-    files = " ".join(map(quote.shell, plan.modules))
+    files = " ".join(map(quote.shell, plan.cmake_modules))
     link = f'if [ -d "${{folder}}" ]; then ln -sf {files} "${{folder}}"; fi'
     made = f"for folder in /usr/{{,local/}}share/cmake-*/Modules; do {link}; done"
     return shell.run(made, comment="Modules of CMake that a package has in a folder where CMake does not look")
