@@ -124,7 +124,9 @@ def test_the_archive_of_a_branch_may_not_compile(tmp_path: Path, url: str, more:
 
 @pytest.mark.parametrize("command", ["bash run.sh", "[bash, run.sh]", "[sh, run.sh]", "python3 run.py"])
 def test_nothing_tells_what_another_command_needs(tmp_path: Path, command: str) -> None:
-    lists = f"project(demo CXX)\ninclude(ExternalProject)\nExternalProject_Add(gtest URL {HEAD})\nadd_executable(a a.cpp)\n"
+    lists = (
+        f"project(demo CXX)\ninclude(ExternalProject)\nExternalProject_Add(gtest URL {HEAD})\nadd_executable(a a.cpp)\n"
+    )
     files = {"CMakeLists.txt": lists, "a.cpp": "int main() {}\n", "roslab.yaml": f"format: 3\ncommand: {command}\n"}
     for path, text in files.items():
         (tmp_path / path).write_text(text)
