@@ -98,10 +98,11 @@ def uncompiled(evidence: Evidence) -> tuple[Warning_, ...]:
         return tuple(warn(message, found) for found in included[:1])
     project = next((each for each in evidence.mentions if each.topic == "of_windows"), None)
     if project:
-        message = (
-            f"the C++ is compiled by Visual Studio ({project.value}), which is of Windows alone, and by nothing else"
+        message = f"the C++ is compiled by Visual Studio ({project.value}), which is of Windows alone"
+        then = (
+            "and nothing else shows how, so nothing is compiled in the image; "
+            "write a CMakeLists.txt, or the build under `custom` in roslab.yaml"
         )
-        then = "so nothing is compiled in the image; write a CMakeLists.txt, or the build under `custom` in roslab.yaml"
         return (warn(f"{message}, {then}", project),)
     message = (
         "there is C++, and nothing shows how it is compiled, so nothing is compiled; "

@@ -32,6 +32,8 @@ _FUNCTIONS = frozenset({"function", "macro"})
 _CONTROL = _OPENERS - {"while", "block"} | {
     *("elseif", "else", "endif", "endforeach", "endfunction", "endmacro", "set", "list", "option", COMPONENT)
 }
+FROM_HERE = pattern(r"^(?:\$\{(?:CMAKE_CURRENT_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR|PROJECT_SOURCE_DIR)\}/|\./)")
+"""How a path below the folder of the CMakeLists.txt may begin."""
 PROJECT, WHOLE = "PROJECT_NAME", "CMAKE_PROJECT_NAME"
 _NEVER, _ALWAYS, _AFTER = "NEVER ", "ALWAYS ", "NEVER AFTER "
 """Conditions that variables which are set once decide; the last one is that of the other branches of the second."""

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.hidden import hidden
-from roslab.evidence.lex.cmake import PROJECT, WHOLE, Call, calls
+from roslab.evidence.lex.cmake import FROM_HERE, PROJECT, WHOLE, Call, calls
 from roslab.evidence.native import (
     cmake_needs,
     cmake_since,
@@ -95,7 +95,6 @@ _NAMES = (
 )
 _LANGUAGES = frozenset({"C", "CXX", "CUDA", "Fortran"})
 _MODULE = pattern(r"^(?:Find([\w.+-]+)|([\w.+-]+?)-?[cC]onfig)\.cmake(?:\.in)?$")
-_FROM_HERE = pattern(r"^\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR)\}/|^\./")
 
 
 def read(repository: Repository) -> tuple[CMakeProject, ...]:
@@ -296,5 +295,5 @@ def _lacks(repository: Repository, folder: str, reading: Reading) -> bool:
 
 
 def _joined(folder: str, path: str) -> str:
-    path = _FROM_HERE.sub("", path).rstrip("/")
+    path = FROM_HERE.sub("", path).rstrip("/")
     return f"{folder}/{path}" if folder else path

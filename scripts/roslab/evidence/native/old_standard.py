@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 
 from roslab.evidence import places
-from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.cmake import FROM_HERE, calls
 from roslab.evidence.lex.lines import matching_lines
 from roslab.evidence.native import cmake_needs
 from roslab.repository.checkout import Repository
@@ -18,7 +18,6 @@ _VARIABLE = pattern(r"^[^#\n]*?(?:\bCMAKE_CXX_STANDARD[ \t]+|\bcxx_std_|\bCXX_ST
 _ASKS = pattern(r"\bcheck_\w*compiler_flag\b", re.IGNORECASE)
 _OLD = frozenset({"98", "03", "0x", "11"})
 _ADDING = frozenset({"add_subdirectory", "subdirs", "include"})
-_HERE = re.compile(r"^(?:\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR)\}/|\./)")
 
 
 def read(repository: Repository, cmake: str) -> dict[str, bool]:
@@ -58,7 +57,7 @@ def _comes_to(repository: Repository, folder: str, packages: frozenset[str]) -> 
             continue
         read_.add(at)
         for call in calls(repository.read(posixpath.join(at, "CMakeLists.txt")), _ADDING):
-            added = [_HERE.sub("", each) for each in cmake_needs.folders(call)]
+            added = [FROM_HERE.sub("", each) for each in cmake_needs.folders(call)]
             if any("$" in each for each in added):
                 return True
             waiting += [posixpath.normpath(posixpath.join(at, each)) for each in added]

@@ -9,7 +9,7 @@ from itertools import islice
 from roslab.evidence import places
 from roslab.evidence.cmake_project import CMakeProject
 from roslab.evidence.facts import Mention
-from roslab.evidence.lex.cmake import calls
+from roslab.evidence.lex.cmake import FROM_HERE, calls
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -19,7 +19,6 @@ MAX_FILES = 40
 MAX_PROGRAMS = 200
 _CODE = (".cpp", ".cc", ".cxx", ".c", ".cu")
 _PROGRAM = frozenset({"add_executable", "cuda_add_executable"})
-_HERE = pattern(r"^(?:\$\{(?:CMAKE_CURRENT_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR|PROJECT_SOURCE_DIR)\}/|\./)")
 _PATH = pattern(r"\"((?:/?\.\./)?[\w-]+(?:/[\w.-]*)+)")
 _OTHER = pattern(r"[ \t]*(?:#|//|\*)")
 """How a line begins that opens nothing: an include, a comment."""
@@ -67,7 +66,7 @@ def _listed(repository: Repository, project: CMakeProject) -> Iterator[tuple[str
     """Yield the files of code that a project compiles its programs from, each behind its program."""
     for call in calls(repository.read(project.file), _PROGRAM):
         for word in call.words[1:]:
-            path = posixpath.normpath(posixpath.join(posixpath.dirname(project.file), _HERE.sub("", word)))
+            path = posixpath.normpath(posixpath.join(posixpath.dirname(project.file), FROM_HERE.sub("", word)))
             if path.endswith(_CODE) and repository.has(path):
                 yield call.words[0], path
 

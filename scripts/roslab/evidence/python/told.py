@@ -20,7 +20,11 @@ def told(text: str) -> dict[str, str]:
         return {}
     found: dict[str, str] = {}
     for match in matches_at(_TOLD, text, _SIGN):
-        before = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
-        if any(quote in before for quote in _QUOTES) and '"""' not in before and not before.lstrip().startswith("#"):
+        if in_string(text[text.rfind("\n", 0, match.start()) + 1 : match.start()]):
             found.setdefault(canonicalize_name(match[1]), match[2] or "")
     return found
+
+
+def in_string(before: str) -> bool:
+    """Tell whether a string that is no docstring has begun in the part of a line before something."""
+    return any(quote in before for quote in _QUOTES) and '"""' not in before and not before.lstrip().startswith("#")

@@ -8,6 +8,7 @@ from roslab.evidence import places
 from roslab.evidence.facts import Mention
 from roslab.evidence.lex.indents import depth
 from roslab.evidence.python.modules import Module, modules
+from roslab.evidence.python.told import in_string
 from roslab.repository.checkout import Repository
 from roslab.values.pattern import pattern
 
@@ -20,7 +21,6 @@ _WAY = pattern(
     r"""(?=\s*(?:[`'"),;]|\.(?:\s|["'`]|$)|\\n|$))"""
 )
 _INSTALLS = pattern(r"\bpip3?\s+install\b")
-_QUOTES = ("'", '"')
 NEAR = 4_000
 """Most characters behind an import that are read."""
 MOST = 12
@@ -66,11 +66,6 @@ def _way(behind: str, inside: int) -> str | None:
             if not _EXCEPT.match(said):
                 return None
             handler = deep
-    quoted = [line for line in told if _quoted(line)]
+    quoted = [line for line in told if in_string(line.partition("pip")[0])]
     found = [way["package"] for line in quoted for way in _WAY.finditer(line)]
     return found[0] if len(found) == sum(len(_INSTALLS.findall(line)) for line in quoted) == 1 else None
-
-
-def _quoted(line: str) -> bool:
-    before = line.partition("pip")[0]
-    return not before.lstrip().startswith("#") and any(quote in before for quote in _QUOTES)
